@@ -1,6 +1,8 @@
 //! Profiles, contact of wheelsets on their track, equivalent conicity, and curving on them.
 
-use riffel::profile::{ContactTable, EquivalentConicity, Profile, Track, Wheels, WheelsetOnTrack};
+use riffel::profile::{
+    EquivalentConicity, Profile, RadiusDifference, Track, Wheels, WheelsetOnTrack,
+};
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
 use serde::Deserialize;
@@ -200,6 +202,7 @@ pub(crate) fn conicity_of_a_cubic() -> Row {
         let (g, c) = (number("g"), 1e6 * number("c_per_mm2"));
         let found = EquivalentConicity::at(
             |y| 2.0 * g * y + c * y.powi(3),
+            [-1.0, 1.0],
             1e-3 * number("amplitude_mm"),
             1e-3 * number("e_mm"),
             1e-3 * number("wheel_radius_mm"),
@@ -233,7 +236,7 @@ pub(crate) fn equivalent_conicity() -> Row {
         .map(|(_, description)| (nominal(description), *description, 1.0));
     for (wheelset, description, size) in tables.chain([(measured(), MEASURED[0].1, 5.0)]) {
         let description: Value = serde_json::from_str(description).expect("valid JSON");
-        let table = ContactTable::new(&wheelset, 0.46, 0.010, 1e-4).expect("a table");
+        let table = RadiusDifference::rolling(&wheelset, 0.46, 0.010, 1e-4).expect("a table");
         let conicities = description["equivalent_conicity"]
             .as_object()
             .expect("conicities");

@@ -12,6 +12,7 @@ use serde::Serialize;
 use crate::error::CliError;
 use crate::messages::{in_language, is_quiet, language};
 use riffel_keys::Language;
+use riffel_keys::text_file::printable;
 use riffel_words::with_comma;
 
 /// Print to standard output, line by line in the language of the run.
@@ -23,11 +24,12 @@ pub(crate) fn print(text: &str) -> Result<(), CliError> {
     write(&lines.collect::<String>())
 }
 
+/// Names come from files of others: what commands a terminal is written out.
 fn write(text: &str) -> Result<(), CliError> {
     let mut stdout = io::stdout().lock();
     unless_reader_left(
         stdout
-            .write_all(text.as_bytes())
+            .write_all(printable(text).as_bytes())
             .and_then(|()| stdout.flush()),
     )
 }
@@ -51,6 +53,14 @@ pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
     let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    // JSON writes out those below a blank alone; no other place than in a string has one.
+    if let Cow::Owned(_) = printable(&text) {
+        let escaped = |character: char| match printable(character.encode_utf8(&mut [0; 4])) {
+            Cow::Borrowed(_) => character.to_string(),
+            Cow::Owned(_) => format!("\\u{:04x}", u32::from(character)),
+        };
+        text = text.chars().map(escaped).collect();
+    }
     text.push('\n');
     text
 }

@@ -3,9 +3,10 @@
 mod manifest;
 mod place;
 mod scratch;
+mod staged_file;
 
 use std::fs::{self, File};
-use std::io::{self, BufWriter, Read, Write};
+use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
@@ -18,6 +19,7 @@ use crate::fingerprint::fingerprint;
 use manifest::{Files, Manifest};
 pub(crate) use place::{add_input, set_inputs};
 use scratch::Scratch;
+use staged_file::StagedFile;
 
 /// Exit status of a program that Ctrl-C stopped.
 pub(crate) const INTERRUPTED: u8 = 130;
@@ -137,14 +139,14 @@ impl Staging {
     pub(crate) fn write_with(
         &mut self,
         name: &str,
-        write: impl FnOnce(&mut BufWriter<File>) -> io::Result<()>,
+        write: impl FnOnce(&mut StagedFile) -> io::Result<()>,
     ) -> Result<(), CliError> {
         let path = self.path(name);
         File::create(&path)
-            .map(BufWriter::new)
-            .and_then(|mut file| {
+            .and_then(|file| {
+                let mut file = StagedFile::new(file, name);
                 write(&mut file)?;
-                file.flush()
+                file.finish()
             })
             .map_err(|reason| self.cannot_write(name, reason))
     }
@@ -240,7 +242,14 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
         Existing::Keep(_) => TempPath::try_from_path(&file)
             .and_then(|file| file.persist_noclobber(path).map_err(|error| error.error)),
     };
-    placed.map_err(|reason| match existing {
+    let Err(reason) = placed else {
+        return Ok(());
+    };
+    Err(match existing {
+        // Made a second time it is what it was.
+        Existing::Keep(_) if fs::read(path).is_ok_and(|there| there == text.as_bytes()) => {
+            return Ok(());
+        }
         Existing::Keep(way_out) if reason.kind() == io::ErrorKind::AlreadyExists => {
             CliError::Exists {
                 path: path.to_owned(),

@@ -154,6 +154,7 @@ rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet
 ## Files of profiles
 
 flange-backs-apart = die Spurkranzrücken der Datei stehen { $distance } mm auseinander
+tread-datum-elsewhere = ihr Messkreis liegt { $datum } mm vom Spurkranzrücken, doch das Rad steht nach seinem Spurkranzrücken auf der Achse, und der Ursprung liegt { $origin } mm davon
 gauge-of-file = die Spurweite der Datei ist { $distance } mm, { $depth } mm unter der Schienenoberkante
 smoothing-of-file-left-out = die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: die Streuung ihrer Punkte angeben
 points-missing = der Kopf kündigt { $announced } Punkte an (XYPoints), es folgen { $count }: vielleicht fehlt ein Stück der Datei
@@ -225,6 +226,11 @@ coordinates-upside-down = stehen auf dem Kopf
 coordinates-turned = sind gespiegelt und stehen auf dem Kopf
 read-as-wheel = gelesen als Rad: die Koordinaten { $changes }
 read-as-rail = gelesen als Schiene: die Koordinaten { $changes }; x unter null gilt als Fahrkantenseite, sonst als Lage "mirrored" angeben
+read-as-leaning-rail = gelesen als Schiene: die Koordinaten { $changes }; ihr Kopf neigt sich um { $off } mm zu x unter null, was bei einer geneigten Schiene die Fahrkantenseite ist
+rail-leans-outward = ihr Kopf neigt sich um { $off } mm zu x über null, wie der einer geneigten Schiene zur Fahrkantenseite; ist das die Fahrkantenseite, die Lage "mirrored" angeben
+offset-added = XOffset und YOffset der Datei sind addiert, { $x } mm und { $y } mm
+offset-is-in = XOffset der Datei, { $x } mm, bleibt weg: der Spurkranzrücken zeigt, dass die Koordinaten ihn schon haben
+flange-back-elsewhere = der Spurkranzrücken liegt bei x = { $back } mm, wird aber bei { $usual } mm angenommen: das Rad steht { $off } mm versetzt auf der Achse; den Ursprung auf den Messkreis legen oder profiles.flange_back_position angeben
 origin-moved = der Ursprung ist auf { $place } verschoben, um x = { $x } mm und y = { $y } mm
 to-crown = Schienenoberkante
 to-datum-circle = Messkreis

@@ -162,6 +162,7 @@ rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field s
 ## Files of profiles
 
 flange-backs-apart = the flange backs of the file are { $distance } mm apart
+tread-datum-elsewhere = its tread datum lies { $datum } mm from the flange back, but the wheel is placed by its flange back, and its origin lies { $origin } mm from it
 gauge-of-file = the gauge of the file is { $distance } mm, { $depth } mm below the crown
 smoothing-of-file-left-out = the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points
 points-missing = the head announces { $announced } points (XYPoints), but { $count } follow: the file may be cut short
@@ -233,6 +234,11 @@ coordinates-upside-down = are upside down
 coordinates-turned = are mirrored and upside down
 read-as-wheel = read as a wheel: its coordinates { $changes }
 read-as-rail = read as a rail: its coordinates { $changes }; x below zero is taken as the gauge side, or give the orientation "mirrored"
+read-as-leaning-rail = read as a rail: its coordinates { $changes }; its head leans by { $off } mm to x below zero, which is the gauge side of an inclined rail
+rail-leans-outward = its head leans by { $off } mm to x above zero, as that of an inclined rail does to its gauge side; if that is the gauge side, give the orientation "mirrored"
+offset-added = XOffset and YOffset of the file are added, { $x } mm and { $y } mm
+offset-is-in = XOffset of the file, { $x } mm, is left out: the flange back shows that the coordinates have it already
+flange-back-elsewhere = the flange back lies at x = { $back } mm, but is taken to lie at { $usual } mm: the wheel stands { $off } mm off on its axle; move the origin to the datum circle, or give profiles.flange_back_position
 origin-moved = its origin is moved to the { $place }, by x = { $x } mm and y = { $y } mm
 to-crown = crown
 to-datum-circle = datum circle

@@ -235,6 +235,20 @@ pub fn decode(bytes: Vec<u8>) -> Result<String, BinaryByte> {
     Ok(with_line_feeds(text))
 }
 
+/// `Ok` for a file that can be read as often as one likes.
+///
+/// # Errors
+/// That of the system, or a sentence for a pipe or a device: what was read of it is gone, and it may wait for ever.
+pub fn check_is_read_twice(path: &Path) -> io::Result<()> {
+    let kind = std::fs::metadata(path)?;
+    match kind.is_file() || kind.is_dir() {
+        true => Ok(()),
+        false => Err(io::Error::other(
+            "it is a pipe or a device, but is read more than once: write it to a file first",
+        )),
+    }
+}
+
 /// A piece of text in UTF-8 or, where it is none, in Windows-1252.
 pub fn text_of(bytes: &[u8]) -> String {
     match std::str::from_utf8(bytes) {

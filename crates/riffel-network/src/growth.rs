@@ -1,18 +1,21 @@
-//! How sections change between two dates.
+//! How sections change over their surveys.
+
+use std::collections::BTreeMap;
 
 use jiff::civil::Date;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::record::SurveyRecord;
-use crate::{Judgement, NetworkError, Sections, Store};
+use crate::alignment::Alignment;
+use crate::judgement::DefectKind;
+use crate::record::{RailRecord, SurveyRecord};
+use crate::trend::{Trend, scatter};
+use crate::{Judgement, NetworkError, Section, Sections, Store};
 
 /// Days of a year, in the mean of the calendar.
-pub(crate) const DAYS_PER_YEAR: f64 = 365.2425;
-/// Fall of a level that no wear makes between surveys: the rail was ground \[dB\].
-const GROUND: f64 = -3.0;
+const DAYS_PER_YEAR: f64 = 365.2425;
 
-/// A section at two dates.
+/// A section over its surveys.
 #[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct SectionGrowth {
     /// The line.
@@ -23,40 +26,52 @@ pub struct SectionGrowth {
     pub from_m: f64,
     /// Last place \[m\].
     pub to_m: f64,
-    /// The days.
+    /// First and last of the days.
     pub dates: [String; 2],
+    /// Surveys from the one to the other.
+    pub surveys: usize,
     /// The band \[m\]: the one that reaches its limit first, or is farthest over it.
     pub band_m: [f64; 2],
     /// RMS at the two dates \[m\].
     pub rms_m: [f64; 2],
-    /// Change of the level \[dB a year\].
+    /// Change of the level \[dB a year\], by a line through all surveys since the rail was last ground.
     pub growth_db_per_year: f64,
-    /// RMS over limit at the second date.
+    /// Half of its interval of 95 % \[dB a year\], by the scatter of the surveys of the line.
+    pub growth_error_db_per_year: Option<f64>,
+    /// RMS over limit at the last date.
     pub rms_over_limit: f64,
-    /// Months from the second date until the limit is reached as the level grew between them; 0 where it is reached, none
-    /// where it does not grow.
+    /// The same without single places, which grinding does not take off.
+    pub lasting_over_limit: f64,
+    /// What makes it rough, where it is over its limit.
+    pub kind: Option<DefectKind>,
+    /// Months from the last date until the limit is reached as the level grows; 0 where it is reached, none where it does not
+    /// grow by more than the surveys scatter.
     pub months_to_limit: Option<f64>,
-    /// Whether the level fell by more than 3 dB: the rail was ground between the dates.
+    /// Whether the level fell by more than 3 dB to the last survey: the rail was ground, and no growth is known since.
     pub ground: bool,
 }
 
 impl SectionGrowth {
-    /// RMS over limit so many months behind the second date, if it grows on as between the two; a rail that was ground has no
-    /// growth that is known.
-    pub(crate) fn ratio_after(&self, months: f64) -> f64 {
-        let growth = match self.ground {
-            true => 0.0,
-            false => self.growth_db_per_year.max(0.0),
-        };
-        self.rms_over_limit * 10f64.powf(growth * months / 12.0 / 20.0)
+    /// The growth \[dB a year\] where it is more than the surveys scatter.
+    pub(crate) fn certain(&self) -> Option<f64> {
+        let error = self.growth_error_db_per_year?;
+        (!self.ground && self.growth_db_per_year > error).then_some(self.growth_db_per_year)
+    }
+
+    /// What lasts over its limit, so many months behind the last date, if it grows on; a rail that was ground has no growth that
+    /// is known.
+    pub(crate) fn lasting_after(&self, months: f64) -> f64 {
+        let growth = self.certain().unwrap_or(0.0);
+        self.lasting_over_limit * 10f64.powf(growth * months / 12.0 / 20.0)
     }
 }
 
-/// Sections of some length \[m\] between the two latest surveys of each line up to a day, or between the latest up to each of
-/// two days; those that reach their limit first come first. Lines with one survey are left out. On all cores.
+/// Sections of some length \[m\] over all surveys of each line, or over those from the latest up to one day to the latest up to
+/// another; those that reach their limit first come first. Lines with one survey are left out. On all cores.
 ///
-/// A level that grows by a dB in a year is taken to go on so: RMS grows as an exponential of time. Sections of which one
-/// date knows less than half in a band are left out.
+/// Surveys are laid on one another first, window by window by the correlation of their levels, for odometers are off by metres. A level
+/// that grows by a dB in a year is taken to go on so: RMS grows as an exponential of time. Growth within the scatter of the surveys
+/// is no growth. Sections of which the last survey or all others know less than half in a band are left out.
 ///
 /// # Errors
 /// Those of the files; [`NetworkError::Nothing`] where no line has two surveys.
@@ -66,76 +81,143 @@ pub fn growth(
     length: f64,
     between: Option<[Date; 2]>,
 ) -> Result<Vec<SectionGrowth>, NetworkError> {
-    let pairs = pairs(store, between)?;
-    if pairs.is_empty() {
+    let lines = chosen(store, between)?;
+    if lines.is_empty() {
         return Err(NetworkError::Nothing(
             "no line has surveys of two dates, between which it could have grown".to_owned(),
         ));
     }
-    let rails: Vec<_> = pairs
-        .iter()
-        .flat_map(|pair| pair[1].rails.iter().map(move |rail| (pair, rail)))
-        .collect();
-    let found: Result<Vec<Vec<SectionGrowth>>, NetworkError> = rails
+    let found: Result<Vec<Vec<SectionGrowth>>, NetworkError> = lines
         .par_iter()
-        .map(|([before, after], rail)| {
-            let Some(same) = before.rails.iter().find(|other| other.name == rail.name) else {
-                return Ok(Vec::new());
-            };
-            let days = f64::from(
-                before
-                    .date
-                    .until(after.date)
-                    .map_or(0, |span| span.get_days()),
-            );
-            let first = Sections::of(store, before, same, length)?.sections;
-            let second = Sections::of(store, after, rail, length)?.sections;
-            let mut earlier = first.into_iter().peekable();
-            let mut grown = Vec::new();
-            for section in second {
-                while earlier.next_if(|one| one.index < section.index).is_some() {}
-                let Some(was) = earlier.peek().filter(|one| one.index == section.index) else {
-                    continue;
-                };
-                let bands = judgement.ratios(&section.rms).enumerate();
-                let bands = bands.filter_map(|(band, ratio)| {
-                    let (ratio, was, rms) = (ratio?, was.rms[band], section.rms[band]);
-                    if !(was > 0.0 && rms > 0.0) {
-                        return None;
-                    }
-                    let change = 20.0 * (rms / was).log10();
-                    let growth = change / days * DAYS_PER_YEAR;
-                    let left = -20.0 * ratio.log10();
-                    let months = if left <= 0.0 {
-                        Some(0.0)
-                    } else {
-                        (growth > 0.0).then(|| 12.0 * left / growth)
-                    };
-                    Some(SectionGrowth {
-                        line: after.line.clone(),
-                        rail: rail.name.clone(),
-                        from_m: section.from,
-                        to_m: section.to,
-                        dates: [before.date.to_string(), after.date.to_string()],
-                        band_m: [judgement.bands[band].from(), judgement.bands[band].to()],
-                        rms_m: [was, rms],
-                        growth_db_per_year: growth,
-                        rms_over_limit: ratio,
-                        months_to_limit: months,
-                        ground: change < GROUND,
-                    })
-                });
-                grown.extend(bands.min_by(order));
-            }
-            Ok(grown)
-        })
+        .map(|surveys| of_line(store, judgement, length, surveys))
         .collect();
     let mut sections: Vec<SectionGrowth> = found?.into_iter().flatten().collect();
     sections.sort_by(order);
     Ok(sections)
 }
 
-/// Rails of which nothing can be said because the two surveys of their line do not name them alike, a sentence for each line.
+/// Sections of a rail at every survey that has them, with the number of the survey.
+type OverTime = BTreeMap<i64, Vec<(usize, Section)>>;
+
+/// The sections of a line.
+fn of_line(
+    store: &Store,
+    judgement: &Judgement,
+    length: f64,
+    surveys: &[SurveyRecord],
+) -> Result<Vec<SectionGrowth>, NetworkError> {
+    let Some((last, earlier)) = surveys.split_last() else {
+        return Ok(Vec::new());
+    };
+    let alignments: Result<Vec<Alignment>, NetworkError> = earlier
+        .par_iter()
+        .map(|survey| Alignment::of(store, survey, last))
+        .chain([Ok(Alignment::default())])
+        .collect();
+    let alignments = alignments?;
+    let rails: Result<Vec<OverTime>, NetworkError> = last
+        .rails
+        .par_iter()
+        .map(|rail| {
+            let mut sections = OverTime::new();
+            for (number, (survey, alignment)) in surveys.iter().zip(&alignments).enumerate() {
+                let same = |other: &&RailRecord| other.name == rail.name;
+                let Some(same) = survey.rails.iter().find(same) else {
+                    continue;
+                };
+                let share = judgement.share;
+                let found = Sections::placed(store, survey, same, length, share, alignment)?;
+                for section in found.sections {
+                    let of_place = sections.entry(section.index).or_default();
+                    of_place.push((number, section));
+                }
+            }
+            Ok(sections)
+        })
+        .collect();
+    let years = |survey: &SurveyRecord| {
+        let days = surveys[0].date.until(survey.date);
+        f64::from(days.map_or(0, |span| span.get_days())) / DAYS_PER_YEAR
+    };
+    let years: Vec<f64> = surveys.iter().map(years).collect();
+    let mut grown = Vec::new();
+    for (rail, sections) in last.rails.iter().zip(rails?) {
+        for of_place in sections.into_values() {
+            let Some((_, latest)) = of_place
+                .last()
+                .filter(|(number, _)| *number + 1 == surveys.len())
+            else {
+                continue;
+            };
+            for band in judgement.bands_of(latest) {
+                let known = of_place.iter().filter_map(|(number, section)| {
+                    let rms = section.rms[band.band];
+                    (rms > 0.0).then_some((*number, rms))
+                });
+                let known: Vec<(usize, f64)> = known.collect();
+                let points = known
+                    .iter()
+                    .map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
+                let points: Vec<(f64, f64)> = points.collect();
+                let Some(trend) = Trend::new(&points).filter(|_| points.len() > 1) else {
+                    continue;
+                };
+                // Of a rail that was ground to the last survey, the two of which that is known.
+                let only_ground = trend.only_ground();
+                let first = trend.before - usize::from(only_ground);
+                let (from, to) = (known[first], known[known.len() - 1]);
+                let [one, other] = [points[first], points[points.len() - 1]];
+                let change = (other.1 - one.1) / (other.0 - one.0);
+                grown.push((
+                    trend.clone(),
+                    SectionGrowth {
+                        line: last.line.clone(),
+                        rail: rail.name.clone(),
+                        from_m: latest.from,
+                        to_m: latest.to,
+                        dates: [from.0, to.0].map(|number| surveys[number].date.to_string()),
+                        surveys: known.len() - first,
+                        band_m: {
+                            let band = judgement.bands[band.band];
+                            [band.from(), band.to()]
+                        },
+                        rms_m: [from.1, to.1],
+                        growth_db_per_year: trend.growth().unwrap_or(change),
+                        growth_error_db_per_year: None,
+                        rms_over_limit: band.ratio,
+                        lasting_over_limit: band.lasting,
+                        kind: band.kind(),
+                        months_to_limit: None,
+                        ground: only_ground,
+                    },
+                ));
+            }
+        }
+    }
+    let trends: Vec<Trend> = grown.iter().map(|(trend, _)| trend.clone()).collect();
+    let scatter = scatter(&trends);
+    let mut sections: Vec<SectionGrowth> = Vec::new();
+    for (trend, mut section) in grown {
+        section.growth_error_db_per_year = trend.growth().map(|_| trend.growth_error(scatter));
+        let left = -20.0 * section.rms_over_limit.log10();
+        section.months_to_limit = match left <= 0.0 {
+            true => Some(0.0),
+            false => section.certain().map(|growth| 12.0 * left / growth),
+        };
+        // Of a section, the band that comes first; they stand one behind the other.
+        let is_same = |other: &&mut SectionGrowth| {
+            other.rail == section.rail && other.from_m == section.from_m
+        };
+        match sections.last_mut().filter(is_same) {
+            Some(other) if order(&section, other).is_lt() => *other = section,
+            Some(_) => {}
+            None => sections.push(section),
+        }
+    }
+    Ok(sections)
+}
+
+/// Rails of which nothing can be said because no earlier survey of their line names them, a sentence for each line.
 ///
 /// # Errors
 /// Those of the files.
@@ -146,55 +228,69 @@ pub fn rails_without_growth(
     let names = |survey: &SurveyRecord| -> Vec<String> {
         survey.rails.iter().map(|rail| rail.name.clone()).collect()
     };
-    let sentence = |[before, after]: &[SurveyRecord; 2]| {
-        let (known, found) = (names(before), names(after));
+    let sentence = |surveys: &Vec<SurveyRecord>| {
+        let (last, earlier) = surveys.split_last()?;
+        let mut known: Vec<String> = earlier.iter().flat_map(names).collect();
+        known.sort_unstable();
+        known.dedup();
+        let found = names(last);
         let alone: Vec<&str> = found
             .iter()
             .filter(|name| !known.contains(name))
             .map(String::as_str)
             .collect();
         (!alone.is_empty()).then(|| {
+            let before = earlier.last().unwrap_or(last);
             format!(
                 "{}: nothing is known of the growth of {}: the survey of {} has {}",
-                after.line,
+                last.line,
                 alone.join(", "),
                 before.date,
-                known.join(", ")
+                names(before).join(", ")
             )
         })
     };
-    Ok(pairs(store, between)?.iter().filter_map(sentence).collect())
+    Ok(chosen(store, between)?
+        .iter()
+        .filter_map(sentence)
+        .collect())
 }
 
-/// Those over their limit first, the farthest before; then those that reach it first; then those that grow fastest.
+/// Those over their limit by what grinding takes off first, the farthest before; then those that reach it first; then those over it by
+/// single places; then those that grow fastest.
 fn order(a: &SectionGrowth, b: &SectionGrowth) -> std::cmp::Ordering {
+    let class = |one: &SectionGrowth| match (one.kind, one.months_to_limit) {
+        (Some(DefectKind::Corrugation), _) => 0,
+        (None, Some(_)) => 1,
+        (Some(DefectKind::SinglePlaces), _) => 2,
+        (None, None) => 3,
+    };
     let months = |one: &SectionGrowth| one.months_to_limit.unwrap_or(f64::INFINITY);
     let over = |one: &SectionGrowth| one.rms_over_limit.max(1.0);
-    months(a)
-        .total_cmp(&months(b))
+    class(a)
+        .cmp(&class(b))
+        .then(months(a).total_cmp(&months(b)))
         .then(over(b).total_cmp(&over(a)))
         .then(b.growth_db_per_year.total_cmp(&a.growth_db_per_year))
 }
 
-/// Two surveys of each line that has them.
-fn pairs(
+/// The surveys of each line that has two or more, by date; from the first where none is up to the first day.
+fn chosen(
     store: &Store,
     between: Option<[Date; 2]>,
-) -> Result<Vec<[SurveyRecord; 2]>, NetworkError> {
+) -> Result<Vec<Vec<SurveyRecord>>, NetworkError> {
     let surveys = store.surveys()?;
-    let mut pairs = Vec::new();
-    for line in surveys.chunk_by(|a, b| a.line == b.line) {
-        let until = |day: Date| line.iter().rfind(|survey| survey.date <= day);
-        let pair = match between {
-            Some([from, to]) => until(from).zip(until(to)),
-            None => match line {
-                [.., before, after] => Some((before, after)),
-                _ => None,
+    let lines = surveys.chunk_by(|a, b| a.line == b.line).map(|line| {
+        let until = |day: Date| line.iter().rposition(|survey| survey.date <= day);
+        match between {
+            None => line.to_vec(),
+            Some([from, to]) => match (until(from), until(to)) {
+                (first, Some(last)) if first.unwrap_or(0) < last => {
+                    line[first.unwrap_or(0)..=last].to_vec()
+                }
+                _ => Vec::new(),
             },
-        };
-        if let Some((before, after)) = pair.filter(|(before, after)| before.date < after.date) {
-            pairs.push([before.clone(), after.clone()]);
         }
-    }
-    Ok(pairs)
+    });
+    Ok(lines.filter(|line| line.len() > 1).collect())
 }

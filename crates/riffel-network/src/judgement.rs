@@ -2,9 +2,10 @@
 
 use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
+use serde::Serialize;
 
 use crate::store::in_words;
-use crate::{NetworkError, Store};
+use crate::{NetworkError, Section, Store};
 
 /// How far sections are over a limit.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,48 @@ pub struct Judgement {
     pub bands: Vec<WavelengthBand>,
     /// Limit of the RMS in each band \[m\]; none where the table says nothing.
     limits: Vec<Option<f64>>,
+    /// Share of a section that may be over its limit.
+    pub(crate) share: f64,
+}
+
+/// What makes a section rough.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum DefectKind {
+    /// It lasts along the rail: grinding takes it off.
+    Corrugation,
+    /// Joints, welds or squats of at most 2 m: they are mended one by one.
+    SinglePlaces,
+}
+
+impl DefectKind {
+    /// In words.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::Corrugation => "corrugation",
+            Self::SinglePlaces => "single places",
+        }
+    }
+}
+
+/// A section in one band.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct SectionInBand {
+    pub(crate) band: usize,
+    /// RMS that no more than the share allowed exceeds, over its limit: a section is over it where that is above 1.
+    pub(crate) ratio: f64,
+    /// The same without single places.
+    pub(crate) lasting: f64,
+}
+
+impl SectionInBand {
+    /// What makes it rough; none where it is within its limit.
+    pub(crate) fn kind(&self) -> Option<DefectKind> {
+        (self.ratio > 1.0).then_some(match self.lasting > 1.0 {
+            true => DefectKind::Corrugation,
+            false => DefectKind::SinglePlaces,
+        })
+    }
 }
 
 impl Judgement {
@@ -45,23 +88,38 @@ impl Judgement {
             limit: table.name.clone(),
             bands,
             limits,
+            share: limit.share(),
         })
     }
 
-    /// RMS over limit in each band; none where one of the two is not known.
-    pub(crate) fn ratios<'a>(&'a self, rms: &'a [f64]) -> impl Iterator<Item = Option<f64>> + 'a {
-        rms.iter().zip(&self.limits).map(|(rms, limit)| {
-            limit
-                .map(|limit| rms / limit)
-                .filter(|ratio| ratio.is_finite())
+    /// A section in each band that is known and has a limit.
+    pub(crate) fn bands_of<'a>(
+        &'a self,
+        section: &'a Section,
+    ) -> impl Iterator<Item = SectionInBand> + 'a {
+        let limits = self.limits.iter().enumerate();
+        limits.filter_map(|(band, limit)| {
+            let limit = (*limit)?;
+            let (ratio, lasting) = (
+                section.exceeded[band] / limit,
+                section.lasting[band] / limit,
+            );
+            ratio.is_finite().then_some(SectionInBand {
+                band,
+                ratio,
+                // Where nothing is left, nothing lasts.
+                lasting: if lasting.is_finite() { lasting } else { 0.0 },
+            })
         })
     }
 
-    /// The band that is farthest over its limit, and RMS over limit there.
-    pub(crate) fn worst(&self, rms: &[f64]) -> Option<(usize, f64)> {
-        let ratios = self.ratios(rms).enumerate();
-        let ratios = ratios.filter_map(|(band, ratio)| Some((band, ratio?)));
-        ratios.max_by(|a, b| a.1.total_cmp(&b.1))
+    /// The band that is farthest over its limit by what lasts, or else farthest over it.
+    pub(crate) fn worst(&self, section: &Section) -> Option<SectionInBand> {
+        let key = |one: &SectionInBand| (one.lasting > 1.0, one.ratio);
+        self.bands_of(section).max_by(|one, other| {
+            let ((one_lasts, one), (other_lasts, other)) = (key(one), key(other));
+            one_lasts.cmp(&other_lasts).then(one.total_cmp(&other))
+        })
     }
 }
 

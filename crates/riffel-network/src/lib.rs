@@ -18,6 +18,7 @@
 //! # Ok::<(), Box<dyn std::error::Error>>(())
 //! ```
 
+mod alignment;
 mod damage;
 mod error;
 mod grid;
@@ -33,12 +34,14 @@ mod status;
 mod store;
 mod strip_chart;
 mod survey_file;
+mod survey_text;
+mod trend;
 mod worst;
 
 pub use error::NetworkError;
 pub use growth::{SectionGrowth, growth, rails_without_growth};
 pub use ingest::Ingested;
-pub use judgement::Judgement;
+pub use judgement::{DefectKind, Judgement};
 pub use plan::{Aim, Budget, GrindingPlan, PlannedSection, plan};
 pub use record::{RailRecord, SurveyRecord};
 pub use sections::{Section, Sections};

@@ -1,9 +1,10 @@
 //! What to grind of a network with a budget.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
+use crate::judgement::DefectKind;
 use crate::most_track::{OverLimit, brought_below, most_track};
 use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, rails_without_growth, worst};
 
@@ -82,8 +83,10 @@ pub struct GrindingPlan {
     pub length_m: f64,
     /// What it costs.
     pub cost: f64,
-    /// Length of track over its limit at the time planned for, if nothing is done \[m\].
+    /// Length of track over its limit at the time planned for, if nothing is done, by what grinding takes off \[m\].
     pub over_limit_m: f64,
+    /// Length of track that is over its limit by single places alone, as joints, welds and squats, which is not planned \[m\].
+    pub single_places_m: f64,
     /// Length of that which the plan leaves \[m\].
     pub left_over_limit_m: f64,
     /// No plan for this budget leaves less \[m\].
@@ -96,6 +99,8 @@ pub struct GrindingPlan {
 type Key = (String, i64);
 
 /// Sections of track that will be over their limit so many months behind the latest survey, as far as the budget goes.
+///
+/// What counts is what grinding takes off: sections that are rough at joints and other single places alone are not planned, and told.
 ///
 /// Method: for [`Aim::WorstFirst`] sections are taken in the order of RMS over limit of their worse rail; one that joins on to
 /// those taken before costs no new site; what does not fit any more is passed over, and smaller ones may still fit. Nobody is passed
@@ -129,14 +134,22 @@ pub fn plan(
         let known = sections.entry(key).or_insert(ratio);
         *known = known.max(ratio);
     };
+    let mut single: BTreeSet<Key> = BTreeSet::new();
     for place in worst(store, judgement, length, None, usize::MAX)? {
-        worse(&place.line, place.from_m, place.rms_over_limit);
+        match place.kind {
+            Some(DefectKind::SinglePlaces) => {
+                single.insert((place.line.clone(), (place.from_m / length).round() as i64));
+                // Known, and nothing to grind.
+                worse(&place.line, place.from_m, 0.0);
+            }
+            _ => worse(&place.line, place.from_m, place.rms_over_limit),
+        }
     }
     if months > 0.0 {
         match growth(store, judgement, length, None) {
             Ok(grown) => {
                 grown.iter().for_each(|section: &SectionGrowth| {
-                    worse(&section.line, section.from_m, section.ratio_after(months));
+                    worse(&section.line, section.from_m, section.lasting_after(months));
                 });
                 remarks.extend(rails_without_growth(store, None)?);
             }
@@ -146,6 +159,14 @@ pub fn plan(
             ),
             Err(error) => return Err(error),
         }
+    }
+    single.retain(|key| sections.get(key).is_none_or(|ratio| *ratio <= 1.0));
+    if !single.is_empty() {
+        let length = 1e-3 * length * single.len() as f64;
+        remarks.push(format!(
+            "{length:.3} km are over the limit at single places alone, as joints, welds or squats, which grinding does not take off: \
+             they are not planned (`riffel network worst` names them)"
+        ));
     }
     let over = sections.values().filter(|ratio| **ratio > 1.0).count() as f64;
     let stretches = stretches(sections);
@@ -163,9 +184,15 @@ pub fn plan(
     let sites = sites(&stretches, &ground, length, budget);
     Ok(GrindingPlan {
         months,
-        length_m: sites.iter().map(|site| site.to_m - site.from_m).sum(),
-        cost: sites.iter().map(|site| site.cost).sum(),
+        // The sum of nothing is −0.
+        length_m: 0.0
+            + sites
+                .iter()
+                .map(|site| site.to_m - site.from_m)
+                .sum::<f64>(),
+        cost: 0.0 + sites.iter().map(|site| site.cost).sum::<f64>(),
         over_limit_m: over * length,
+        single_places_m: single.len() as f64 * length,
         left_over_limit_m: (over - brought_below) * length,
         // Sections are whole.
         least_left_over_limit_m: (over - (best.bound + 1e-9).floor()) * length,

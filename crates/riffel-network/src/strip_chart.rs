@@ -6,6 +6,8 @@ use rayon::prelude::*;
 use riffel_plot::{ChainageUnit, Rgb, Strip, StripClass, StripFigure, StripPanel, StripRow};
 use serde::Serialize;
 
+use crate::alignment::Alignment;
+use crate::judgement::SectionInBand;
 use crate::record::SurveyRecord;
 use crate::{Judgement, NetworkError, Sections, Store};
 
@@ -224,8 +226,10 @@ fn charted(
         .iter()
         .filter(|one| rail.is_none_or(|rail| one.name == rail))
     {
-        for section in Sections::of(store, survey, record, length)?.sections {
-            let Some((band, ratio)) = judgement.worst(&section.rms) else {
+        let (share, here) = (judgement.share, Alignment::default());
+        let sections = Sections::placed(store, survey, record, length, share, &here)?;
+        for section in sections.sections {
+            let Some(SectionInBand { band, ratio, .. }) = judgement.worst(&section) else {
                 continue;
             };
             let charted = ChartedSection {

@@ -2,12 +2,13 @@
 
 use std::collections::HashMap;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use riffel::roughness::WavelengthBand;
-use riffel_keys::CaseError;
-use sha2::{Digest, Sha256};
+use riffel_keys::{CaseError, text_file};
+
+use crate::survey_text::SurveyText;
 
 /// Roughest that a band can be \[m\]: what is more is another unit.
 const ROUGHEST: f64 = 0.01;
@@ -64,26 +65,11 @@ impl SurveyFile {
     /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] with the line: a column that is missing, a number that is
     /// none, below zero or more than 10 mm, a survey that is nowhere above 0.1 µm, a block that ends before it begins, blocks of a rail that overlap or fall.
     pub fn check(path: &Path) -> Result<Self, CaseError> {
-        let unreadable = |reason| CaseError::Read {
+        text_file::check_is_read_twice(path).map_err(|reason| CaseError::Read {
             what: "file",
             path: path.to_owned(),
             reason,
-        };
-        let mut hash = Sha256::new();
-        let mut file = File::open(path).map_err(unreadable)?;
-        let mut piece = vec![0; 1 << 20];
-        loop {
-            let read = file.read(&mut piece).map_err(unreadable)?;
-            if read == 0 {
-                break;
-            }
-            hash.update(&piece[..read]);
-        }
-        let sha256: String = hash
-            .finalize()
-            .iter()
-            .map(|byte| format!("{byte:02x}"))
-            .collect();
+        })?;
         let head = reader(path)?
             .headers()
             .map_err(|error| csv_error(path, &error))?
@@ -92,7 +78,7 @@ impl SurveyFile {
         let mut survey = Self {
             path: path.to_owned(),
             columns,
-            sha256,
+            sha256: String::new(),
             rails: Vec::new(),
             ends: [f64::INFINITY, f64::NEG_INFINITY],
             rows: 0,
@@ -102,7 +88,7 @@ impl SurveyFile {
         // Blocks by their length in millimetres.
         let mut lengths: HashMap<u64, u64> = HashMap::new();
         let mut roughest = f64::NEG_INFINITY;
-        survey.each(
+        let sha256 = survey.each_hashed(
             &mut |block, name| {
                 roughest = block.rms.iter().copied().fold(roughest, f64::max);
                 let length = (1e3 * (block.to - block.from)).round().max(1.0);
@@ -136,6 +122,7 @@ impl SurveyFile {
             .max_by_key(|(length, count)| (**count, std::cmp::Reverse(**length)));
         survey.usual_block = usual.map_or(1.0, |(length, _)| 1e-3 * *length as f64);
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
+        survey.sha256 = sha256;
         Ok(survey)
     }
 
@@ -163,6 +150,19 @@ impl SurveyFile {
         take: &mut dyn FnMut(&Block, &str) -> Result<(), E>,
         progress: &dyn Fn(usize),
     ) -> Result<(), E> {
+        if self.each_hashed(take, progress)? == self.sha256 {
+            return Ok(());
+        }
+        let message = "the file has changed since it was checked: let the program that writes it come to its end";
+        Err(CaseError::data(&self.path, message).into())
+    }
+
+    /// The same; the SHA-256 of what was read.
+    fn each_hashed<E: From<CaseError>>(
+        &self,
+        take: &mut dyn FnMut(&Block, &str) -> Result<(), E>,
+        progress: &dyn Fn(usize),
+    ) -> Result<String, E> {
         let path = &self.path;
         let mut reader = reader(path)?;
         let mut record = csv::ByteRecord::new();
@@ -170,7 +170,7 @@ impl SurveyFile {
         loop {
             let read = reader.read_byte_record(&mut record);
             if !read.map_err(|error| csv_error(path, &error))? {
-                return Ok(());
+                return Ok(reader.into_inner().sha256());
             }
             let line = record.position().map_or(0, csv::Position::line) as usize;
             let wrong = |message: String| at(path, line, message);
@@ -314,7 +314,7 @@ fn band_of(name: &str) -> Option<(WavelengthBand, f64)> {
     Some((band, unit))
 }
 
-fn reader(path: &Path) -> Result<csv::Reader<File>, CaseError> {
+fn reader(path: &Path) -> Result<csv::Reader<SurveyText<File>>, CaseError> {
     let file = File::open(path).map_err(|reason| CaseError::Read {
         what: "file",
         path: path.to_owned(),
@@ -323,7 +323,7 @@ fn reader(path: &Path) -> Result<csv::Reader<File>, CaseError> {
     Ok(csv::ReaderBuilder::new()
         .comment(Some(b'#'))
         .buffer_capacity(1 << 20)
-        .from_reader(file))
+        .from_reader(SurveyText::new(file)))
 }
 
 fn csv_error(path: &Path, error: &csv::Error) -> CaseError {

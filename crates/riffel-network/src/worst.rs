@@ -1,10 +1,14 @@
 //! Where a network is roughest.
 
+use std::collections::HashMap;
+
 use jiff::civil::Date;
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::{Judgement, NetworkError, Sections, Store};
+use crate::alignment::Alignment;
+use crate::judgement::DefectKind;
+use crate::{Judgement, NetworkError, Sections, Store, growth};
 
 /// A section that is rough.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -23,12 +27,18 @@ pub struct WorstPlace {
     pub band_m: [f64; 2],
     /// RMS in it \[m\].
     pub rms_m: f64,
-    /// RMS over limit.
+    /// RMS over limit: of the cells of the section, that which no more than the share allowed exceed.
     pub rms_over_limit: f64,
+    /// What makes it rough, where it is over its limit.
+    pub kind: Option<DefectKind>,
+    /// By how much it grows \[dB a year\], where surveys show it.
+    pub growth_db_per_year: Option<f64>,
 }
 
-/// Sections of some length \[m\] of the latest surveys, up to a day, the farthest over their limit first; at most `most`. On
-/// all cores, a line on each.
+/// Sections of some length \[m\] of the latest surveys, up to a day; at most `most`. On all cores, a line on each.
+///
+/// First come those over their limit by what lasts along the rail, which grinding takes off, in the order of RMS over limit a year
+/// ahead as they grow; then those over it by joints and other single places; then all others.
 ///
 /// # Errors
 /// Those of the files; [`NetworkError::Value`] for a section shorter than a cell.
@@ -44,24 +54,45 @@ pub fn worst(
         .iter()
         .flat_map(|survey| survey.rails.iter().map(move |rail| (survey, rail)))
         .collect();
+    let grown = match growth(store, judgement, length, until.map(|day| [Date::MIN, day])) {
+        Ok(grown) => grown,
+        Err(NetworkError::Nothing(_)) => Vec::new(),
+        Err(error) => return Err(error),
+    };
+    let key = |line: &str, rail: &str, from: f64| {
+        (
+            line.to_owned(),
+            rail.to_owned(),
+            (from / length).round() as i64,
+        )
+    };
+    let grown: HashMap<(String, String, i64), f64> = grown
+        .iter()
+        .filter_map(|one| Some((key(&one.line, &one.rail, one.from_m), one.certain()?)))
+        .collect();
     let found: Result<Vec<Vec<WorstPlace>>, NetworkError> = rails
         .par_iter()
         .map(|(survey, rail)| {
-            let sections = Sections::of(store, survey, rail, length)?;
+            let (share, here) = (judgement.share, Alignment::default());
+            let sections = Sections::placed(store, survey, rail, length, share, &here)?;
             let mut places: Vec<WorstPlace> = sections
                 .sections
                 .into_iter()
                 .filter_map(|section| {
-                    let (band, ratio) = judgement.worst(&section.rms)?;
+                    let found = judgement.worst(&section)?;
+                    let band = judgement.bands[found.band];
+                    let growth = grown.get(&key(&survey.line, &rail.name, section.from));
                     Some(WorstPlace {
                         line: survey.line.clone(),
                         date: survey.date.to_string(),
                         rail: rail.name.clone(),
                         from_m: section.from,
                         to_m: section.to,
-                        band_m: [judgement.bands[band].from(), judgement.bands[band].to()],
-                        rms_m: section.rms[band],
-                        rms_over_limit: ratio,
+                        band_m: [band.from(), band.to()],
+                        rms_m: section.rms[found.band],
+                        rms_over_limit: found.ratio,
+                        kind: found.kind(),
+                        growth_db_per_year: growth.copied(),
                     })
                 })
                 .collect();
@@ -76,6 +107,14 @@ pub fn worst(
 
 /// Keep the worst; equal ones stay in the order of lines and places.
 fn first(places: &mut Vec<WorstPlace>, most: usize) {
-    places.sort_by(|a, b| b.rms_over_limit.total_cmp(&a.rms_over_limit));
+    let class = |place: &WorstPlace| match place.kind {
+        Some(DefectKind::Corrugation) => 0,
+        Some(DefectKind::SinglePlaces) => 1,
+        None => 2,
+    };
+    let ahead = |place: &WorstPlace| {
+        place.rms_over_limit * 10f64.powf(place.growth_db_per_year.unwrap_or(0.0) / 20.0)
+    };
+    places.sort_by(|a, b| class(a).cmp(&class(b)).then(ahead(b).total_cmp(&ahead(a))));
     places.truncate(most);
 }

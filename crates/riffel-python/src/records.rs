@@ -85,7 +85,7 @@ impl Record {
         let roughness = match given {
             GivenRoughness::File(path) => match read(py, path, layout)? {
                 RoughnessFile::Profile(record) => Roughness::Profile(record.rails, record.warnings),
-                RoughnessFile::Spectra(spectra) => Roughness::Spectra(spectra),
+                RoughnessFile::Spectra(spectra, _) => Roughness::Spectra(spectra),
             },
             GivenRoughness::Profile((spacing, given)) => {
                 let mut rails = Vec::new();

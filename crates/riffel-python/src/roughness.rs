@@ -400,12 +400,12 @@ pub(crate) fn read_roughness<'py>(
                 record.warnings,
             )
         }
-        RoughnessFile::Spectra(spectra) => {
+        RoughnessFile::Spectra(spectra, warnings) => {
             let spectra = spectra.into_iter().map(|record| {
                 let levels = levels(py, &record.spectrum);
                 (record.labels, levels)
             });
-            (None, spectra.collect(), Vec::new())
+            (None, spectra.collect(), warnings)
         }
     })
 }

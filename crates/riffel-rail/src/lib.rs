@@ -10,7 +10,7 @@
 //! # let folder = tempfile::tempdir()?;
 //! # let path = folder.path().join("levels.csv");
 //! std::fs::write(&path, "wavelength_mm,level_db\n50,2\n40,1\n")?;
-//! let RoughnessFile::Spectra(spectra) = RoughnessFile::read(&path, &Layout::default(), &|_| ())? else {
+//! let RoughnessFile::Spectra(spectra, _) = RoughnessFile::read(&path, &Layout::default(), &|_| ())? else {
 //!     panic!("a table of levels");
 //! };
 //! assert_eq!(spectra[0].spectrum.levels().len(), 2);
@@ -60,6 +60,7 @@ pub use layout::Layout;
 pub use length_unit::LengthUnit;
 pub use limit::{Limit, LimitTable};
 pub use part::RecordPart;
+pub use plausibility::check_felt;
 pub use rail::Rail;
 pub use rail_record::{RailRecord, RailRoughness};
 pub use rail_spectrum::RailSpectrum;

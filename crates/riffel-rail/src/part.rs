@@ -122,7 +122,10 @@ impl RoughnessFile {
     pub fn part(self, path: &Path, part: &RecordPart) -> Result<Self, CaseError> {
         match self {
             Self::Profile(record) => record.part(path, part).map(Self::Profile),
-            Self::Spectra(spectra) => part.of_spectra(path, spectra).map(Self::Spectra),
+            Self::Spectra(spectra, remarks) => {
+                let spectra = part.of_spectra(path, spectra)?;
+                Ok(Self::Spectra(spectra, remarks))
+            }
         }
     }
 }

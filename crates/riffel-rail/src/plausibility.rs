@@ -2,7 +2,7 @@
 
 use std::ops::RangeInclusive;
 
-use riffel::roughness::Profile;
+use riffel::roughness::{Profile, WavelengthBand};
 
 use crate::rail::Rail;
 use crate::refusal::Refusal;
@@ -12,6 +12,8 @@ use crate::refusal::Refusal;
 /// 0.3 mm in one band, with a factor of three for all others. Heights in mm taken for µm, or the other way round, are
 /// 60 dB off.
 const RMS: (f64, f64) = (0.4e-6, 1e-3);
+/// One-third octaves between 10 mm and 1 m.
+const BANDS: f64 = 21.0;
 /// Step between the samples of a record that shows corrugation, least and most \[m\]: a wave of 20 mm needs two samples,
 /// and no instrument on a rail resolves hundredths of a millimetre.
 const SPACING: (f64, f64) = (0.01e-3, 10e-3);
@@ -143,6 +145,37 @@ pub(super) fn check_levels(levels: impl Iterator<Item = f64>) -> Result<(), Refu
     Err(Refusal::new(None, message))
 }
 
+/// Levels \[dB re 1 µm\] of what axle boxes felt of a rail, in bands of these wavelengths. A sentence where they are unlike a
+/// rail: bounds are those of heights, in as many bands.
+///
+/// # Errors
+/// The sentence.
+pub fn check_felt(
+    rail: &str,
+    levels: impl Iterator<Item = f64>,
+    known: WavelengthBand,
+) -> Result<(), String> {
+    let squares: Vec<f64> = levels.map(|level| 10f64.powf(level / 10.0)).collect();
+    let rms = 1e-6 * squares.iter().sum::<f64>().sqrt();
+    let least = RMS.0 * (squares.len() as f64 / BANDS).sqrt();
+    let (what, why) = if rms < least {
+        ("smooth", "is the sensor at rest, or its unit wrong?")
+    } else if rms > RMS.1 {
+        ("rough", "is the unit of the accelerations right?")
+    } else {
+        return Ok(());
+    };
+    Err(format!(
+        "rail {rail}: the accelerations make a roughness of {} µm rms between {:.0} and {:.0} mm; no rail is so {what} ({} to {} \
+         µm); {why}",
+        short(1e6 * rms),
+        1e3 * known.from(),
+        1e3 * known.to(),
+        short(1e6 * least),
+        short(1e6 * RMS.1)
+    ))
+}
+
 /// Mean squares \[m²\] of the heights between the wavelengths of [`WINDOWS`], metre by metre: a moving mean over 10 mm
 /// less one over 1 m.
 fn block_mean_squares(stretches: &[Profile]) -> Vec<f64> {
@@ -271,6 +304,20 @@ mod tests {
                 .unwrap()
                 .contains("1 mm")
         );
+    }
+
+    /// What a sensor at rest makes is no rail, whatever bands are known of it; the smoothest rail is one.
+    #[test]
+    fn a_sensor_at_rest_is_no_rail() {
+        let known = WavelengthBand::new(0.02, 0.2).unwrap();
+        let check = |levels: &[f64]| check_felt("left", levels.iter().copied(), known);
+        for bands in [3, 11, 21] {
+            assert_eq!(check(&vec![-20.9; bands]), Ok(()));
+            let refused = check(&vec![-23.0; bands]).unwrap_err();
+            assert!(refused.contains("is the sensor at rest"), "{refused}");
+        }
+        assert_eq!(check(&[-40.0, 50.0]), Ok(()));
+        assert!(check(&[10.0, 61.0]).unwrap_err().contains("so rough"));
     }
 
     #[test]

@@ -194,10 +194,18 @@ impl<'a> ProfileTable<'a> {
         };
         let count = self.table.count();
         sentences.extend((0..count).filter_map(|column| {
-            let name = heading.name(column)?;
-            let why = left_out(self.table, column)?;
-            let numeric = self.table.kinds[column].is_numeric();
-            numeric.then(|| format!("column {}, \"{name}\", is left out: {why}", column + 1))
+            let is_read = |one: &Column| one.column == column + 1;
+            let is_read = format.position.iter().chain(&format.rails).any(is_read);
+            if is_read || self.labels.contains(&column) || !self.table.kinds[column].is_numeric() {
+                return None;
+            }
+            let why = match left_out(self.table, column) {
+                Some(why) => why,
+                None if self.table.is_index(column) => "it numbers the rows",
+                None => "it is neither a position nor a height",
+            };
+            let name = heading.name(column).unwrap_or_default();
+            Some(left_out_sentence(column, name, why))
         }));
         let text: Vec<String> = (0..count)
             .filter(|&column| {
@@ -253,6 +261,14 @@ fn is_something_else(table: &Table, column: usize) -> bool {
         .unwrap_or_default()
         .to_lowercase();
     table.heading.is(column, IGNORED) || OTHER_UNITS.iter().any(|unit| name.contains(unit))
+}
+
+/// That a column is left out, and why.
+pub(super) fn left_out_sentence(column: usize, name: &str, why: &str) -> String {
+    match name {
+        "" => format!("column {} is left out: {why}", column + 1),
+        name => format!("column {}, \"{name}\", is left out: {why}", column + 1),
+    }
 }
 
 /// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.

@@ -38,7 +38,7 @@ impl<'a> From<&'a RoughnessFile> for RailRoughness<'a> {
                 rails: &record.rails,
                 warnings: &record.warnings,
             },
-            RoughnessFile::Spectra(spectra) => Self::Spectra(spectra),
+            RoughnessFile::Spectra(spectra, _) => Self::Spectra(spectra),
         }
     }
 }

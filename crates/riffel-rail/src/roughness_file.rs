@@ -19,8 +19,8 @@ use crate::{input, plausibility, spectra};
 pub enum RoughnessFile {
     /// A longitudinal profile.
     Profile(Record),
-    /// One-third-octave spectra.
-    Spectra(Vec<LabelledSpectrum>),
+    /// One-third-octave spectra, and what was left out of their table.
+    Spectra(Vec<LabelledSpectrum>, Vec<String>),
 }
 
 impl RoughnessFile {
@@ -89,7 +89,8 @@ impl RoughnessFile {
                     }
                     progress(bytes.len());
                     let rows = spectra::Rows::new(bytes, &table, header);
-                    return spectra::read(&rows, &columns).map(Self::Spectra);
+                    let read = spectra::read(&rows, &columns);
+                    return read.map(|spectra| Self::Spectra(spectra, columns.left_out(&rows)));
                 }
                 let profile = ProfileTable::new(&table, bytes, layout);
                 let format = profile.format().map_err(|message| Refusal {
@@ -513,7 +514,7 @@ mod tests {
         let names = |head: &str, row: &str| {
             let bands = ["50", "40", "31.5", "25"].map(|band| format!("{band},{row}\n"));
             match parse(format!("{head}\n{}", bands.concat()).as_bytes(), None) {
-                Ok(RoughnessFile::Spectra(spectra)) => spectra.len(),
+                Ok(RoughnessFile::Spectra(spectra, _)) => spectra.len(),
                 other => panic!("{head}: {other:?}"),
             }
         };
@@ -544,7 +545,7 @@ mod tests {
     #[test]
     fn spectra_are_told_by_their_header() {
         let text = "site,wavelength_mm,level_db\nA,20,-4.0\nA,25,-3.0\nB,19.95,-6\n";
-        let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+        let Ok(RoughnessFile::Spectra(spectra, _)) = parse(text.as_bytes(), None) else {
             panic!("no spectra");
         };
         assert_eq!(spectra.len(), 2);
@@ -582,7 +583,7 @@ mod tests {
             "site;L_31.5mm;L_40mm;L_50mm;L_63mm",
         ] {
             let text = format!("{header}\nBern;2,5;3;20,1;\nThun;1,5;2;4,5;3\n");
-            let Ok(RoughnessFile::Spectra(spectra)) = parse(text.as_bytes(), None) else {
+            let Ok(RoughnessFile::Spectra(spectra, _)) = parse(text.as_bytes(), None) else {
                 panic!("{header}: {:?}", parse(text.as_bytes(), None));
             };
             assert_eq!(spectra.len(), 2, "{header}");
@@ -591,7 +592,7 @@ mod tests {
             assert_eq!(spectra[1].labels[0].1, "Thun");
         }
         let rails = "wavelength_mm,left,right\n50,2,3\n40,1,5\n";
-        let Ok(RoughnessFile::Spectra(spectra)) = parse(rails.as_bytes(), None) else {
+        let Ok(RoughnessFile::Spectra(spectra, _)) = parse(rails.as_bytes(), None) else {
             panic!("no spectra");
         };
         assert_eq!(spectra[1].label("rail"), Some("right"));

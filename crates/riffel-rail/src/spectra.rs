@@ -12,7 +12,7 @@ use crate::labelled_spectrum::LabelledSpectrum;
 use crate::length_unit::metres;
 use crate::level_unit::level_shift;
 use crate::plausibility;
-use crate::profile_columns::is_statistic;
+use crate::profile_columns::{is_statistic, left_out_sentence};
 use crate::refusal::Refusal;
 
 /// Names of the column of wavelengths.
@@ -32,6 +32,8 @@ pub(super) enum Columns {
         levels: Vec<usize>,
         /// Columns that tell spectra apart.
         labels: Vec<usize>,
+        /// Columns of numbers that are neither.
+        others: Vec<usize>,
     },
     /// A column for each band.
     Wide {
@@ -81,12 +83,31 @@ impl Columns {
         };
         let labels = others.into_iter();
         let labels = labels.filter(|&index| !levels.contains(&index) && !is_left_out(index));
-        let labels = labels.collect();
+        let labels: Vec<usize> = labels.collect();
+        let is_other = |index: &usize| {
+            *index != wavelength && !levels.contains(index) && !labels.contains(index)
+        };
         Some(Self::Long {
             wavelength,
+            others: (0..header.len()).filter(is_other).collect(),
             levels,
             labels,
         })
+    }
+
+    /// Columns of numbers that were left out, a sentence for each.
+    pub(super) fn left_out(&self, rows: &Rows<'_>) -> Vec<String> {
+        let Self::Long { others, .. } = self else {
+            return Vec::new();
+        };
+        let sentences = others.iter().map(|&column| {
+            let why = match rows.table.is_index(column) {
+                true => "it numbers the rows",
+                false => "it is a limit or a statistic, no measured rail",
+            };
+            left_out_sentence(column, &rows.header[column], why)
+        });
+        sentences.collect()
     }
 
     fn wide(header: &[String], decimal: DecimalMark) -> Option<Self> {
@@ -231,6 +252,7 @@ pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<Vec<LabelledSpe
             wavelength,
             levels,
             labels,
+            ..
         } => read_long(rows, *wavelength, levels, labels)?,
         Columns::Wide { bands, unit } => read_wide(rows, bands, *unit)?,
     };

@@ -63,7 +63,7 @@ impl Survey {
     /// [`CaseError::Data`] where a profile has no spectrum.
     pub fn of(path: &Path, file: RoughnessFile) -> Result<Self, CaseError> {
         let record = match file {
-            RoughnessFile::Spectra(records) => return Self::new(path, records, Vec::new()),
+            RoughnessFile::Spectra(records, warnings) => return Self::new(path, records, warnings),
             RoughnessFile::Profile(record) => record,
         };
         let rails = record.rails.into_iter().map(|rail| {

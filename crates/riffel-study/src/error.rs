@@ -109,6 +109,14 @@ pub enum StudyError {
         chunk: u64,
     },
 
+    /// Another run computes there.
+    #[error("another run computes in {folder}", folder = folder.display())]
+    #[diagnostic(help("let it come to its end, or give every run its own --shard"))]
+    InUse {
+        /// The folder.
+        folder: PathBuf,
+    },
+
     /// Some chunks are still to be computed.
     #[error(
         "{folder} is not finished: {missing} of {chunks} chunks are missing",

@@ -13,9 +13,9 @@ use crate::{ResultFolder, StudyError};
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Shard {
     /// Which, from 1.
-    index: u64,
+    pub(crate) index: u64,
     /// Of how many.
-    count: u64,
+    pub(crate) count: u64,
 }
 
 impl Shard {

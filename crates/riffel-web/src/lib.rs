@@ -11,6 +11,7 @@ mod earlier_records;
 mod fault;
 mod file;
 mod guard;
+mod impatient;
 mod program;
 mod queue;
 mod request;

@@ -14,6 +14,7 @@ use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
+use crate::impatient::Impatient;
 use crate::program::Program;
 use crate::queue::Queue;
 use crate::uploads::Uploads;
@@ -58,6 +59,8 @@ pub enum ServeError {
 const MOST_CONNECTIONS: usize = 512;
 /// Time for the head of a request: whoever sends it byte by byte is cut off.
 const HEAD_TIME: Duration = Duration::from_secs(10);
+/// Time for which what is sent may wait for a browser that does not read it.
+const SENDING_TIME: Duration = Duration::from_secs(60);
 /// Time to end in.
 const ENDING_TIME: Duration = Duration::from_secs(5);
 
@@ -121,7 +124,8 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
             tokio::time::sleep(Duration::from_millis(50)).await;
             continue;
         };
-        let connection = http.serve_connection(TokioIo::new(stream), service.clone());
+        let stream = TokioIo::new(Impatient::new(stream, SENDING_TIME));
+        let connection = http.serve_connection(stream, service.clone());
         let watched = graceful.watch(connection);
         tokio::spawn(async move {
             // A connection that breaks off concerns nobody else.

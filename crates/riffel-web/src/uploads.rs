@@ -5,7 +5,7 @@ use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
-use std::time::Duration;
+use std::time::{Duration, Instant};
 
 use axum::body::Body;
 use axum::http::StatusCode;
@@ -21,10 +21,16 @@ use crate::fault::Fault;
 const LARGEST: u64 = 2 << 30;
 /// Files that are kept, one of each page; one more, and the oldest goes.
 const MOST_FILES: usize = 8;
-/// Files that may come at a time.
-const MOST_COMING: usize = 2;
+/// Files that may come at a time: slow ones keep nobody out.
+const MOST_COMING: usize = 8;
+/// Size of all files together, in the largest.
+const MOST_ON_DISK: u64 = 4;
+/// Bytes after which it is looked at anew.
+const LOOKED_AT: u64 = 16 << 20;
 /// Time for the next piece of a file.
 const PIECE_TIME: Duration = Duration::from_secs(30);
+/// Bytes a second that must come beyond that time: the page is on this machine, or near.
+const SLOWEST: f64 = 1e6;
 
 const PREFIX: &str = "riffel-serve-";
 /// Held locked as long as the folder is in use: who gets the lock may remove it.
@@ -159,8 +165,10 @@ impl Uploads {
         let Ok(_coming) = inner.coming.try_acquire() else {
             return Err(Fault::busy("other files are just coming in"));
         };
+        self.check_room(announced.unwrap_or(0))?;
         let mut file = tokio::fs::File::create(path).await.map_err(disk)?;
-        let mut bytes = 0;
+        let (mut bytes, mut looked_at) = (0, 0);
+        let begun = Instant::now();
         loop {
             let piece = tokio::time::timeout(PIECE_TIME, body.frame()).await;
             let piece = piece.map_err(|_| {
@@ -179,9 +187,38 @@ impl Uploads {
                 }
                 file.write_all(&data).await.map_err(disk)?;
             }
+            if bytes - looked_at > LOOKED_AT {
+                looked_at = bytes;
+                self.check_room(0)?;
+            }
+            let late = begun.elapsed().saturating_sub(PIECE_TIME).as_secs_f64();
+            if late * SLOWEST > bytes as f64 {
+                return Err(Fault::refused(
+                    StatusCode::REQUEST_TIMEOUT,
+                    format!(
+                        "the file came more slowly than {} kB a second",
+                        1e-3 * SLOWEST
+                    ),
+                    "",
+                ));
+            }
         }
         file.flush().await.map_err(disk)?;
         Ok(bytes)
+    }
+
+    /// `Ok` if so many bytes more have room beside all files that are there.
+    fn check_room(&self, more: u64) -> Result<(), Fault> {
+        let inner = &*self.0;
+        let most = MOST_ON_DISK * inner.largest;
+        match size_of(inner.folder.path()) + more > most {
+            true => Err(Fault::refused(
+                StatusCode::INSUFFICIENT_STORAGE,
+                format!("the files of all pages have more than {} MiB", most >> 20),
+                "close pages that are not needed",
+            )),
+            false => Ok(()),
+        }
     }
 
     /// A folder for work of a moment, which goes with it.
@@ -207,6 +244,17 @@ impl Uploads {
     fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
         self.0.files.lock().unwrap_or_else(PoisonError::into_inner)
     }
+}
+
+/// Bytes of all files below a folder; what cannot be read has none.
+fn size_of(folder: &Path) -> u64 {
+    let entries = fs::read_dir(folder).into_iter().flatten().flatten();
+    let sizes = entries.map(|entry| match entry.metadata() {
+        Ok(kind) if kind.is_dir() => size_of(&entry.path()),
+        Ok(kind) => kind.len(),
+        Err(_) => 0,
+    });
+    sizes.sum()
 }
 
 /// The disk is full, or refuses.
@@ -292,6 +340,23 @@ mod tests {
         assert_eq!(uploads.of("a").unwrap().bytes, second.bytes);
         assert!(uploads.of("b").is_err());
     }
+
+    #[tokio::test]
+    async fn the_files_of_all_pages_have_a_limit() {
+        let place = tempfile::tempdir().unwrap();
+        let uploads = Uploads::within(place.path(), 1000).unwrap();
+        let receive = |page: u32, bytes: usize| {
+            let body = Body::from(vec![b'1'; bytes]);
+            uploads.receive(page.to_string(), "csv", Some(bytes as u64), body)
+        };
+        for page in 0..4 {
+            receive(page, 1000).await.unwrap();
+        }
+        let refused = receive(4, 1).await.err().unwrap();
+        assert_eq!(refused.status(), StatusCode::INSUFFICIENT_STORAGE);
+        assert!(uploads.of("0").is_ok(), "nobody else's file goes for it");
+    }
+
     #[tokio::test]
     async fn earlier_records_lie_beside_the_file_and_go_with_it() {
         let place = tempfile::tempdir().unwrap();

@@ -79,7 +79,41 @@ impl Heard {
     }
 }
 
-/// Hear a file; what was found wrong in it.
+/// The longest piece of a file between two gaps.
+#[derive(Debug, Default, Clone, Copy)]
+pub(super) struct Longest {
+    /// Where the present piece begins \[m\], and its last position.
+    present: Option<(f64, f64)>,
+    samples: usize,
+    /// \[m\].
+    pub(super) length: f64,
+    /// Mean speed in it \[m/s\].
+    pub(super) speed: f64,
+    /// Gaps.
+    pub(super) gaps: usize,
+}
+
+impl Longest {
+    fn hear(&mut self, reading: AxleBoxReading<'_>, rate: f64) {
+        match reading {
+            AxleBoxReading::Sample(_, position) => {
+                let from = self.present.map_or(position, |(from, _)| from);
+                self.present = Some((from, position));
+                self.samples += 1;
+                if position - from > self.length {
+                    self.length = position - from;
+                    self.speed = self.length * rate / (self.samples.max(2) - 1) as f64;
+                }
+            }
+            AxleBoxReading::Gap => {
+                (self.present, self.samples) = (None, 0);
+                self.gaps += 1;
+            }
+        }
+    }
+}
+
+/// Hear a file; what was found wrong in it, and its longest piece.
 pub(super) fn listen(
     case: &Case,
     path: &Path,
@@ -88,7 +122,7 @@ pub(super) fn listen(
     request: &AxleBoxRequest,
     progress: &dyn Fn(usize),
     heard: &mut Vec<Heard>,
-) -> Result<Vec<String>, AnswerError> {
+) -> Result<(Vec<String>, Longest), AnswerError> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
         block: request.block,
@@ -119,7 +153,9 @@ pub(super) fn listen(
         }
         Ok(())
     };
+    let mut longest = Longest::default();
     let mut visit = |reading: AxleBoxReading<'_>| {
+        longest.hear(reading, file.rate());
         for (index, (run, place)) in channels.iter_mut().enumerate() {
             match reading {
                 AxleBoxReading::Sample(accelerations, position) => run.push(Sample {
@@ -135,8 +171,7 @@ pub(super) fn listen(
     };
     let warnings = file.read(&mut visit, progress)?;
     visit(AxleBoxReading::Gap)?;
-    Ok(warnings
-        .into_iter()
-        .map(|warning| format!("{}: {warning}", path.display()))
-        .collect())
+    // The end is none.
+    longest.gaps -= 1;
+    Ok((warnings, longest))
 }

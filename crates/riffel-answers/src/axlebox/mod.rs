@@ -14,13 +14,13 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::LineFigure;
-use riffel_rail::{AxleBoxFile, LimitTable};
+use riffel_rail::{AxleBoxFile, LimitTable, check_felt};
 
 pub use document::AxleBoxDocument;
 
 use crate::AnswerError;
 use crate::roughness::{Judged, RailAnswer, Verdict, rail_in_words, tables, worst_first};
-use listening::{Heard, listen};
+use listening::{Heard, Longest, listen};
 
 /// What is asked of axle boxes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -119,9 +119,14 @@ impl AxleBoxAnswer {
         let mut heard: Vec<Heard> = Vec::new();
         let mut remarks = Vec::new();
         for (path, file) in files {
-            remarks.extend(listen(
-                case, path, file, limits, request, progress, &mut heard,
-            )?);
+            let (warnings, longest) =
+                listen(case, path, file, limits, request, progress, &mut heard)?;
+            if longest.gaps > 0 && heard.iter().all(Heard::is_empty) {
+                let message = too_short(&longest, &request.run(case, file.rate()), &warnings);
+                return Err(CaseError::data(path, message).into());
+            }
+            let said = warnings.into_iter();
+            remarks.extend(said.map(|warning| format!("{}: {warning}", path.display())));
         }
         let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
             return Self::judged(case, files, limits, request, heard, remarks);
@@ -150,12 +155,17 @@ impl AxleBoxAnswer {
             let Some(analysis) = RailAnalysis::joined(channel.parts) else {
                 continue;
             };
+            let levels = analysis.spectrum.levels();
+            let sound = check_felt(&name, levels.iter().map(|level| level.level), known);
+            if let (Err(message), Some((path, _))) = (sound, files.first()) {
+                return Err(CaseError::data(path, message).into());
+            }
             let words = if several {
                 rail_in_words(&name)
             } else {
                 String::new()
             };
-            let verdicts = Verdict::all(limits, &analysis.spectrum, &analysis.bands).into_iter();
+            let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
             rails.push(AxleBoxRail {
                 levels: pads::ranges(case, &analysis.spectrum, speeds[1])?,
                 speeds,
@@ -262,6 +272,26 @@ impl Judged for AxleBoxRail {
     fn verdicts(&self) -> &[Verdict] {
         &self.rail.verdicts
     }
+}
+
+/// Why nothing is heard between gaps.
+fn too_short(longest: &Longest, run: &RunSettings, warnings: &[String]) -> String {
+    let (speed, length) = (longest.speed, longest.length);
+    if speed < run.slowest {
+        return format!(
+            "the longest stretch without a gap is {length:.1} m, at {:.1} km/h in the mean, but must be run at {:.1} km/h or more; {}",
+            3.6 * speed,
+            3.6 * run.slowest,
+            warnings.join("; ")
+        );
+    }
+    format!(
+        "the longest stretch without a gap is {length:.1} m, but must be {:.1} m at {:.1} km/h for waves of up to {} m; {}",
+        2.0 * run.lost_at_ends(speed) + 4.0 * run.longest,
+        3.6 * speed,
+        run.longest,
+        warnings.join("; ")
+    )
 }
 
 /// What the model leaves out.

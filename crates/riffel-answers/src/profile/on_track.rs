@@ -2,7 +2,7 @@
 
 use std::io::{self, Write};
 
-use riffel::profile::{ContactTable, EquivalentConicity, ProfileContact, WheelsetContact};
+use riffel::profile::{EquivalentConicity, ProfileContact, WheelsetContact};
 use riffel_case::CurvingCase;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
@@ -16,8 +16,18 @@ const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 pub struct OnTrackAnswer {
     /// By lateral shift.
     pub contacts: Vec<WheelsetContact>,
-    /// Amplitude \[m\] and conicity, without yaw; amplitudes that no motion has are left out.
-    pub conicities: Vec<(f64, EquivalentConicity)>,
+    /// Without yaw, by amplitude.
+    pub conicities: Vec<ConicityAtAmplitude>,
+}
+
+/// Equivalent conicity at an amplitude; none where no motion between the flanges has it.
+pub struct ConicityAtAmplitude {
+    /// Half of peak to peak \[m\].
+    pub amplitude: f64,
+    /// Of an axle that stays level, by the definition of EN 15302.
+    pub standard: Option<EquivalentConicity>,
+    /// Of an axle that rolls as both wheels touch, as a real one does.
+    pub rolling: Option<EquivalentConicity>,
 }
 
 /// What `riffel profile CASE --wheelset --json` prints: lists over the lateral shift, in SI.
@@ -38,9 +48,32 @@ pub struct OnTrackDocument {
 #[derive(Serialize)]
 struct Conicities {
     amplitude_m: Vec<f64>,
-    klingel: Vec<f64>,
-    harmonic: Vec<f64>,
-    regression: Vec<f64>,
+    /// As the axle rolls.
+    #[serde(flatten)]
+    rolling: Rules,
+    /// By the definition of EN 15302: the axle stays level.
+    en_15302: Rules,
+}
+
+/// By the three rules; none where no motion has the amplitude.
+#[derive(Serialize)]
+struct Rules {
+    klingel: Vec<Option<f64>>,
+    harmonic: Vec<Option<f64>>,
+    regression: Vec<Option<f64>>,
+}
+
+impl Rules {
+    fn new<'a>(found: impl Iterator<Item = &'a Option<EquivalentConicity>> + Clone) -> Self {
+        let of = |value: fn(&EquivalentConicity) -> f64| {
+            found.clone().map(|one| one.as_ref().map(value)).collect()
+        };
+        Self {
+            klingel: of(|found| found.klingel),
+            harmonic: of(|found| found.harmonic),
+            regression: of(|found| found.regression),
+        }
+    }
 }
 
 macro_rules! side {
@@ -107,11 +140,15 @@ impl OnTrackAnswer {
             .into_iter()
             .collect::<Result<Vec<_>, _>>()
             .map_err(|error| AnswerError::Profile(error.to_string()))?;
-        let table: ContactTable = case.contact_table(&wheelset)?;
+        let [level, rolling] = case.radius_differences(&wheelset)?;
         let spacing = wheelset.wheels.spacing();
-        let conicities = AMPLITUDES.iter().filter_map(|amplitude| {
+        let conicities = AMPLITUDES.iter().map(|amplitude| {
             let amplitude = 1e-3 * amplitude;
-            Some((amplitude, table.equivalent_conicity(amplitude, spacing)?))
+            ConicityAtAmplitude {
+                amplitude,
+                standard: level.equivalent_conicity(amplitude, spacing),
+                rolling: rolling.equivalent_conicity(amplitude, spacing),
+            }
         });
         Ok(Self {
             conicities: conicities.collect(),
@@ -122,12 +159,7 @@ impl OnTrackAnswer {
     /// What `riffel profile CASE --wheelset --json` prints.
     pub fn document(&self) -> OnTrackDocument {
         let of = |value: fn(&WheelsetContact) -> f64| self.contacts.iter().map(value).collect();
-        let conicity = |value: fn(&EquivalentConicity) -> f64| {
-            self.conicities
-                .iter()
-                .map(|(_, conicity)| value(conicity))
-                .collect()
-        };
+        let conicities = self.conicities.iter();
         OnTrackDocument {
             lateral_shift: of(|contact| contact.lateral_shift),
             yaw: of(|contact| contact.yaw),
@@ -137,14 +169,9 @@ impl OnTrackAnswer {
             left: Left::new(&self.contacts),
             rolling_radius_difference: of(WheelsetContact::rolling_radius_difference),
             equivalent_conicity: Conicities {
-                amplitude_m: self
-                    .conicities
-                    .iter()
-                    .map(|(amplitude, _)| *amplitude)
-                    .collect(),
-                klingel: conicity(|conicity| conicity.klingel),
-                harmonic: conicity(|conicity| conicity.harmonic),
-                regression: conicity(|conicity| conicity.regression),
+                amplitude_m: self.conicities.iter().map(|one| one.amplitude).collect(),
+                rolling: Rules::new(conicities.clone().map(|one| &one.rolling)),
+                en_15302: Rules::new(conicities.map(|one| &one.standard)),
             },
         }
     }

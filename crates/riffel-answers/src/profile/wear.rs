@@ -185,6 +185,7 @@ impl WearAnswer {
             let name = file.display().to_string();
             let reading = ProfileReading {
                 kind: Some(kind),
+                flange_back: settings.flange_back_position,
                 ..settings.reading
             };
             let read = profile_of(&name, here, reading)?;

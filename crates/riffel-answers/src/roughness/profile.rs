@@ -155,7 +155,7 @@ impl ProfileAnswer {
                 } else {
                     String::new()
                 };
-                let verdicts = Verdict::all(limits, &analysis.spectrum, &analysis.bands);
+                let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis));
                 RailAnswer {
                     sections: analysis.grind(&grinding),
                     verdicts: verdicts

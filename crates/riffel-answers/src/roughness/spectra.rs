@@ -174,7 +174,7 @@ fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict>
                 (true, "") => rail_in_words(&rail),
                 (true, group) => format!("{group}, {}", rail_in_words(&rail)),
             };
-            let verdicts = Verdict::all(limits, &spectra.mean(), &[]).into_iter();
+            let verdicts = Verdict::all(limits, &spectra.mean(), None).into_iter();
             let verdicts = verdicts.map(|verdict| verdict.of(&name));
             RailOfGroup {
                 verdicts: verdicts

@@ -1,6 +1,8 @@
 //! Roughness held against limit tables.
 
-use riffel::roughness::{BandSummary, Spectrum};
+use riffel::roughness::{
+    BandSummary, JUDGED_LENGTH, JudgedSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand,
+};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
@@ -26,8 +28,33 @@ pub struct Verdict {
     /// Of a table of RMS, the highest moving RMS over its limit.
     #[serde(skip_serializing_if = "Option::is_none")]
     rms_over_limit: Option<f64>,
+    /// Of a table of RMS, the sections of 100 m that are over the limit, the worst first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    sections_over_limit: Vec<SectionOver>,
     /// The verdict in a sentence.
     pub sentence: String,
+}
+
+/// A section that is over a limit of RMS on more of its length than that allows.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(crate) struct SectionOver {
+    from_m: f64,
+    to_m: f64,
+    band_m: [f64; 2],
+    share_over_limit: f64,
+    rms_over_limit: f64,
+}
+
+impl From<&JudgedSection> for SectionOver {
+    fn from(section: &JudgedSection) -> Self {
+        Self {
+            from_m: section.from,
+            to_m: section.to,
+            band_m: [section.band.from(), section.band.to()],
+            share_over_limit: section.share,
+            rms_over_limit: section.ratio,
+        }
+    }
 }
 
 /// What is judged on its own, with its verdicts.
@@ -37,7 +64,7 @@ pub(crate) trait Judged {
 }
 
 /// Sort by verdicts, the worst first: over the most limits, then the furthest above a limit of levels, then over
-/// a limit of RMS on the longest share, then nearest to it.
+/// a limit of RMS in the most sections, then on the longest share, then nearest to it.
 pub(crate) fn worst_first<T: Judged>(all: &mut [T]) {
     all.sort_by(|a, b| {
         let over = |one: &T| one.verdicts().iter().filter(|one| !one.within).count();
@@ -49,6 +76,7 @@ pub(crate) fn worst_first<T: Judged>(all: &mut [T]) {
         over(b)
             .cmp(&over(a))
             .then_with(|| by(|one| one.excess_db))
+            .then_with(|| by(|one| Some(one.sections_over_limit.len() as f64)))
             .then_with(|| by(|one| one.share_over_limit))
             .then_with(|| by(|one| one.rms_over_limit))
     });
@@ -71,6 +99,7 @@ impl Verdict {
             excess_db: None,
             share_over_limit: None,
             rms_over_limit: None,
+            sections_over_limit: Vec::new(),
             limit: table.name.clone(),
             edition: table.edition.clone(),
             source: table.source.clone(),
@@ -95,11 +124,11 @@ impl Verdict {
         }
     }
 
-    /// The verdicts of all tables that have something to say of the spectrum of a rail and its bands.
+    /// The verdicts of all tables that have something to say of the spectrum of a rail and of its profile, where that is known.
     pub(crate) fn all(
         tables: &[LimitTable],
         spectrum: &Spectrum,
-        bands: &[BandSummary],
+        analysis: Option<&RailAnalysis>,
     ) -> Vec<Self> {
         let verdicts = tables.iter().map(|table| match &table.limit {
             Limit::Levels(limit) => {
@@ -126,37 +155,116 @@ impl Verdict {
                     ..Self::new(table, count == 0, &rest)
                 })
             }
-            Limit::Rms(limit) => {
-                let judged: Vec<(&BandSummary, f64)> = bands
-                    .iter()
-                    .filter(|band| limit.of(band.band).is_some())
-                    .filter_map(|band| Some((band, band.share_over_limit?)))
-                    .collect();
-                let worst = judged.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
-                let within = worst.1 <= limit.share();
-                let shares: Vec<String> = judged
-                    .iter()
-                    .map(|(band, share)| format!("{} mm {:.1} %", millimetres(band), 100.0 * share))
-                    .collect();
-                let allowed = 100.0 * limit.share();
-                let rest = format!(
-                    "{allowed:.0} % of the length may be over; {}",
-                    shares.join(", ")
-                );
-                let ratios = judged
-                    .iter()
-                    .filter_map(|(band, _)| Some(band.moving_rms_max / limit.of(band.band)?));
-                Some(Self {
-                    share_over_limit: Some(worst.1),
-                    rms_over_limit: Some(ratios.fold(0.0, f64::max)),
-                    ..Self::new(table, within, &rest)
-                })
-            }
+            Limit::Rms(limit) => Self::by_sections(table, limit, analysis?),
         });
         verdicts.flatten().collect()
     }
+
+    /// A rail is over a limit of RMS where a section of it is.
+    fn by_sections(table: &LimitTable, limit: &RmsLimit, analysis: &RailAnalysis) -> Option<Self> {
+        let judged: Vec<(&BandSummary, f64)> = (analysis.bands.iter())
+            .filter(|band| limit.of(band.band).is_some())
+            .filter_map(|band| Some((band, band.share_over_limit?)))
+            .collect();
+        let worst = judged.iter().max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let sections = analysis.judged_sections();
+        let over: Vec<&JudgedSection> = (sections.iter())
+            .filter(|section| section.is_over(limit))
+            .collect();
+        let shares: Vec<String> = judged
+            .iter()
+            .map(|(band, share)| format!("{} mm {:.1} %", millimetres(band.band), 100.0 * share))
+            .collect();
+        let (allowed, all) = (100.0 * limit.share(), sections.len());
+        let rule = match (all, over.first()) {
+            (..=1, _) => format!("{allowed:.0} % of the length may be over"),
+            (_, None) => format!(
+                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and none of {all} sections is more"
+            ),
+            (_, Some(worst)) => format!(
+                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and {} of {all} sections are more, at worst {:.0}–{:.0} m \
+                 with {:.0} % at {} mm, up to {:.1} times the limit",
+                over.len(),
+                worst.from,
+                worst.to,
+                100.0 * worst.share,
+                millimetres(worst.band),
+                worst.ratio
+            ),
+        };
+        let ratios = judged
+            .iter()
+            .filter_map(|(band, _)| Some(band.moving_rms_max / limit.of(band.band)?));
+        Some(Self {
+            share_over_limit: Some(worst.1),
+            rms_over_limit: Some(ratios.fold(0.0, f64::max)),
+            sections_over_limit: over
+                .iter()
+                .map(|section| SectionOver::from(*section))
+                .collect(),
+            ..Self::new(
+                table,
+                over.is_empty(),
+                &format!("{rule}; {}", shares.join(", ")),
+            )
+        })
+    }
 }
 
-fn millimetres(band: &BandSummary) -> String {
-    format!("{:.0}–{:.0}", 1e3 * band.band.from(), 1e3 * band.band.to())
+fn millimetres(band: WavelengthBand) -> String {
+    format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
+}
+
+#[cfg(test)]
+mod tests {
+    use std::f64::consts::TAU;
+
+    use riffel::roughness::{AnalysisSettings, Profile};
+
+    use super::*;
+    use crate::roughness::rms_limit;
+
+    /// 12 m at twice the limit in 800 m are 1.5 % of the length, and over it in their section; the sentence says where.
+    #[test]
+    fn a_rough_place_is_over_however_long_the_record_is() {
+        let limits = [LimitTable::find("grassie-1999").unwrap()];
+        let settings = AnalysisSettings {
+            limit: rms_limit(&limits).unwrap(),
+            ..AnalysisSettings::default()
+        };
+        let verdict = |length: f64| {
+            let height = |n: usize| {
+                let x = 5e-3 * n as f64;
+                let amplitude = if (130.0..142.0).contains(&x) {
+                    20e-6
+                } else {
+                    2e-6
+                };
+                amplitude * (TAU * x / 0.05).sin()
+            };
+            let heights = (0..(length / 5e-3) as usize).map(height).collect();
+            let profile = Profile::new(0.0, 5e-3, heights).unwrap();
+            let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
+            let mut all = Verdict::all(&limits, &analysis.spectrum, Some(&analysis));
+            all.pop().unwrap()
+        };
+        for length in [200.0, 800.0] {
+            let found = verdict(length);
+            let said = &found.sentence;
+            assert!(!found.within, "{said}");
+            let all = length / 100.0;
+            assert!(
+                said.contains(&format!("1 of {all} sections are more, at worst 100–200 m")),
+                "{said}"
+            );
+            let [section] = &found.sections_over_limit[..] else {
+                panic!("{said}");
+            };
+            assert!(
+                (section.share_over_limit - 0.12).abs() < 0.02,
+                "{section:?}"
+            );
+            assert!((section.rms_over_limit - 2.02).abs() < 0.1, "{section:?}");
+        }
+    }
 }

@@ -4,7 +4,7 @@ use std::path::Path;
 
 use riffel::curving::{ContactPlane, Kinematics};
 use riffel::profile::{
-    ContactTable, NOMINAL, NominalProfile, Profile, ProfileError, RollingTable, Track,
+    NOMINAL, NominalProfile, Profile, ProfileError, RadiusDifference, RollingTable, Track,
     WheelDimensions, Wheels, WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
@@ -103,14 +103,23 @@ impl CurvingCase {
         Ok(())
     }
 
-    /// Contact of the wheelset of the case over its lateral shift, every 0.1 mm.
+    /// Rolling radius difference of the wheelset of the case over its lateral shift, every 0.1 mm: of an axle that stays level, as
+    /// EN 15302 has it, and of one that rolls as both wheels touch.
     ///
     /// # Errors
     /// As [`wheelset_on_track`](Self::wheelset_on_track), and where the centred wheelset does not touch both rails.
-    pub fn contact_table(&self, wheelset: &WheelsetOnTrack) -> Result<ContactTable, CaseError> {
+    pub fn radius_differences(
+        &self,
+        wheelset: &WheelsetOnTrack,
+    ) -> Result<[RadiusDifference; 2], CaseError> {
         let [_, right] = self.rolling_radii();
-        ContactTable::new(wheelset, right, FARTHEST, STEP)
-            .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))
+        let of = |table: Result<RadiusDifference, ProfileError>| {
+            table.map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))
+        };
+        Ok([
+            of(RadiusDifference::level(wheelset, right, FARTHEST, STEP))?,
+            of(RadiusDifference::rolling(wheelset, right, FARTHEST, STEP))?,
+        ])
     }
 
     /// Rolling radii of the left and the right wheel \[m\].
@@ -191,6 +200,9 @@ impl CurvingCase {
             scatter: profiles
                 .and_then(|profiles| profiles.scatter)
                 .map(|scatter| scatter.si()),
+            flange_back: profiles.map_or(ProfileReading::default().flange_back, |profiles| {
+                profiles.flange_back_position.si()
+            }),
         };
         profile_of(name, &self.folder, reading).map_err(|error| match error {
             CaseError::Read { reason, .. } => {

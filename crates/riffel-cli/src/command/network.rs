@@ -1,7 +1,7 @@
 //! `riffel network`
 
 use riffel_network::{
-    Aim, Budget, GrindingPlan, Judgement, NetworkError, SectionGrowth, Status, Store,
+    Aim, Budget, DefectKind, GrindingPlan, Judgement, NetworkError, SectionGrowth, Status, Store,
     StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan, rails_without_growth, status,
     worst,
 };
@@ -234,6 +234,14 @@ fn millimetres(band: [f64; 2]) -> String {
     format!("{:.0}–{:.0}", 1e3 * band[0], 1e3 * band[1])
 }
 
+/// With its sign, which nought does not have.
+fn tenths(value: f64) -> String {
+    match format!("{value:+.1}").as_str() {
+        "-0.0" | "+0.0" => "0.0".to_owned(),
+        text => text.to_owned(),
+    }
+}
+
 fn kilometres(metres: f64) -> String {
     format!("{:.3}", 1e-3 * metres)
 }
@@ -280,6 +288,8 @@ fn worst_in_words(places: &[WorstPlace]) -> String {
         "band mm",
         "rms µm",
         "over limit",
+        "kind",
+        "dB a year",
     ]);
     for place in places {
         rows.add_row([
@@ -291,6 +301,8 @@ fn worst_in_words(places: &[WorstPlace]) -> String {
             millimetres(place.band_m),
             format!("{:.2}", 1e6 * place.rms_m),
             format!("{:.2}", place.rms_over_limit),
+            place.kind.map_or("", DefectKind::name).to_owned(),
+            place.growth_db_per_year.map_or_else(String::new, tenths),
         ]);
     }
     format!("{rows}\n")
@@ -306,7 +318,9 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
         "between",
         "rms µm",
         "dB a year",
+        "surveys",
         "over limit",
+        "kind",
         "months to limit",
     ]);
     for section in sections {
@@ -319,13 +333,21 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
             millimetres(section.band_m),
             section.dates.join(" "),
             format!("{before:.2} → {after:.2}"),
-            match section.ground {
-                true => "ground".to_owned(),
-                false => format!("{:+.1}", section.growth_db_per_year),
+            match (section.ground, section.growth_error_db_per_year) {
+                (true, _) => "ground".to_owned(),
+                (false, Some(error)) => {
+                    format!("{} ± {error:.1}", tenths(section.growth_db_per_year))
+                }
+                (false, None) => tenths(section.growth_db_per_year),
             },
+            section.surveys.to_string(),
             format!("{:.2}", section.rms_over_limit),
+            section.kind.map_or("", DefectKind::name).to_owned(),
             section.months_to_limit.map_or_else(
-                || "never".to_owned(),
+                || match section.ground {
+                    true => "not known".to_owned(),
+                    false => "no growth".to_owned(),
+                },
                 |months| match months > 0.0 {
                     true => format!("{months:.1}"),
                     false => "over it".to_owned(),

@@ -1,6 +1,6 @@
 //! `riffel profile`
 
-use riffel::profile::ProfileAlignment;
+use riffel::profile::{EquivalentConicity, ProfileAlignment};
 use riffel_answers::profile::{
     Measures, OnTrackAnswer, OutlineAnswer, UnderLoadAnswer, WearAnswer, WearSettings,
 };
@@ -212,20 +212,31 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
             let mut rows = table(&[
                 "amplitude mm",
                 "equivalent conicity",
+                "with roll",
                 "harmonic",
                 "regression",
                 "wavelength m",
             ]);
-            for (amplitude, conicity) in &answer.conicities {
+            for row in &answer.conicities {
+                let cell = |found: &Option<EquivalentConicity>, value: fn(&EquivalentConicity) -> String| {
+                    found.as_ref().map_or_else(|| "no motion".to_owned(), value)
+                };
                 rows.add_row([
-                    format!("{:.0}", 1e3 * amplitude),
-                    format!("{:.4}", conicity.klingel),
-                    format!("{:.4}", conicity.harmonic),
-                    format!("{:.4}", conicity.regression),
-                    format!("{:.2}", conicity.wavelength),
+                    format!("{:.0}", 1e3 * row.amplitude),
+                    cell(&row.standard, |found| format!("{:.4}", found.klingel)),
+                    cell(&row.rolling, |found| format!("{:.4}", found.klingel)),
+                    cell(&row.standard, |found| format!("{:.4}", found.harmonic)),
+                    cell(&row.standard, |found| format!("{:.4}", found.regression)),
+                    cell(&row.standard, |found| match found.wavelength.is_finite() {
+                        true => format!("{:.2}", found.wavelength),
+                        false => "endless".to_owned(),
+                    }),
                 ]);
             }
-            format!("{title}\n{rows}\n")
+            format!(
+                "{title}\n{rows}\nequivalent conicity by EN 15302, for an axle that stays level; with roll: as it rolls where both \
+                 wheels touch, which counts on flanks\n"
+            )
         },
     )?;
     print_remarks(&case.remarks);

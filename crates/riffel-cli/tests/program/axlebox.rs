@@ -96,6 +96,16 @@ fn a_wave_is_found_and_goes_on() {
     let other = at_100_mm(&counted["rails"][0]["spectrum"]);
     assert!((other - level).abs() < 0.1, "{other} {level}");
 
+    // Times rounded to two samples have the rate of all rows, which may be said.
+    let rounded = |time: f64, value: f64| format!("{time:.4},{value:.6},72\n");
+    let head = "time_s,acceleration_left_m_per_s2,speed_km_per_h";
+    write(&sandbox, "rounded.csv", head, rounded, &run);
+    for rate in ["", "--rate \"20 kHz\""] {
+        let of = format!("axlebox rounded.csv --case cases/nominal.toml {rate} --json");
+        let other = at_100_mm(&sandbox.json(&of)["rails"][0]["spectrum"]);
+        assert!((other - level).abs() < 0.01, "{rate}: {other} {level}");
+    }
+
     // Pads are no part of a free beam: they leave nothing open.
     let first = &rail["spectrum"][0];
     assert_eq!(first["lowest_db"], first["level_db"]);
@@ -132,7 +142,37 @@ fn bad_runs_are_refused_and_nothing_is_written() {
         |time, value| format!("{time:.6},{},72\n", 0.01 * value + 1.0),
         &noise,
     );
+    write(
+        &sandbox,
+        "resting.csv",
+        head,
+        |time, value| format!("{time:.6},{:.7},72\n", 1e-4 * value),
+        &[&noise[..]; 30].concat(),
+    );
+    write(
+        &sandbox,
+        "contrary.csv",
+        "time_s,acceleration_m_per_s2,speed_km_per_h,odometer_m",
+        |time, value| format!("{time:.6},{value},72,{:.4}\n", 40.0 * time),
+        &noise,
+    );
+    write(
+        &sandbox,
+        "losing.csv",
+        head,
+        |time, value| format!("{:.6},{value},72\n", time + 0.037 * (time / 0.04).floor()),
+        &noise,
+    );
     for (arguments, words) in [
+        ("axlebox resting.csv", "no rail is so smooth"),
+        (
+            "axlebox contrary.csv",
+            "the odometer makes 144.0 km/h in the mean, but the speeds make 72.0 km/h in the mean: one of the two is wrong",
+        ),
+        (
+            "axlebox losing.csv",
+            "samples are lost where the time leaps 4 times",
+        ),
         (
             "axlebox standing.csv",
             "the train never runs faster than 20.0 km/h",

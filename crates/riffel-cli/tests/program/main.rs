@@ -5,6 +5,7 @@ mod ask;
 mod axlebox;
 mod book;
 mod contact;
+mod contact_direction;
 mod curving;
 mod diagnose;
 mod documentation;

@@ -1,5 +1,7 @@
 //! A network of made surveys, whose levels are known.
 
+mod growing;
+
 use std::fmt::Write;
 use std::fs;
 use std::path::{Path, PathBuf};

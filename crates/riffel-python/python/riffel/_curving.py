@@ -361,8 +361,11 @@ def contact_geometry(
         "rolling_radius_difference": ("m", "rolling radius, right less left"),
     }
     conicity = found["equivalent_conicity"]
-    rules = {rule: ("amplitude", conicity[rule], _said("1", f"equivalent conicity, {rule}"))
-             for rule in ("klingel", "harmonic", "regression")}
+    rules = {
+        rule + name: ("amplitude", np.array(found[rule], float), _said("1", f"equivalent conicity, {rule}{said}"))
+        for name, said, found in [("", "", conicity), ("_en_15302", ", by EN 15302", conicity["en_15302"])]
+        for rule in ("klingel", "harmonic", "regression")
+    }
     return xr.Dataset(
         {
             **both,

@@ -57,6 +57,7 @@ impl AxleBoxArrays {
                 accelerations: &accelerations,
                 time: None,
                 place: place.map_or(f64::NAN, |values| values[index]),
+                witness: f64::NAN,
                 marked: None,
                 number: index + 1,
             })?;

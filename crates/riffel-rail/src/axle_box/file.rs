@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, text_file};
 
 use super::arrays::{AxleBoxArrays, AxleBoxPlace};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
@@ -55,7 +55,9 @@ impl AxleBoxFile {
     /// channels named of what is no WAV file.
     pub fn open(path: &Path, layout: &AxleBoxLayout) -> Result<Self, CaseError> {
         let mut head = Vec::new();
-        let read = File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head));
+        let read = text_file::check_is_read_twice(path)
+            .and_then(|()| File::open(path))
+            .and_then(|file| file.take(HEAD).read_to_end(&mut head));
         read.map_err(|reason| unreadable(path, reason))?;
         if !layout.channels.is_empty() && !is_wave(&head) {
             let message = "--channels is for WAV files: what is in other files their heads say";
@@ -68,8 +70,7 @@ impl AxleBoxFile {
             let (file, head) = AxleBoxUniversal::find(path, layout)?;
             (Source::Universal(Box::new(file)), head)
         } else {
-            let table = AxleBoxTable::find(&head, layout);
-            let (table, head) = table.map_err(|refusal| refusal.of(path))?;
+            let (table, head) = AxleBoxTable::find(path, &head, layout)?;
             (Source::Table(table), head)
         };
         Self::checked(path.to_owned(), head, source)
@@ -110,7 +111,9 @@ impl AxleBoxFile {
         let head = AxleBoxHead {
             names,
             rate,
+            clock: None,
             place: place.by(),
+            witness: None,
             counting: Counting::Samples,
             remarks: Vec::new(),
         };

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use riffel_keys::CaseError;
 
+use super::clock::Clock;
 use super::columns::Content;
 use crate::refusal::Refusal;
 
@@ -26,7 +27,11 @@ pub(super) struct AxleBoxHead {
     pub(super) names: Vec<String>,
     /// Samples per second \[Hz\].
     pub(super) rate: f64,
+    /// That of the times, where they are read.
+    pub(super) clock: Option<Clock>,
     pub(super) place: PlaceBy,
+    /// What else tells the place, against which the first is held.
+    pub(super) witness: Option<PlaceBy>,
     pub(super) counting: Counting,
     /// What is to be said of the channels.
     pub(super) remarks: Vec<String>,
@@ -69,10 +74,12 @@ impl Counting {
 pub(super) struct Row<'a> {
     /// Of every channel \[m/s²\].
     pub(super) accelerations: &'a [f64],
-    /// \[s\]; none where a rate was given.
+    /// \[s\]; none where there are no times.
     pub(super) time: Option<f64>,
     /// Speed \[m/s\] or odometer \[m\], whichever the file tells the place by.
     pub(super) place: f64,
+    /// The same by what else the file tells it by.
+    pub(super) witness: f64,
     /// A number that marks a missing value.
     pub(super) marked: Option<f64>,
     /// Line of the file or number of the sample, from 1.
@@ -112,14 +119,38 @@ impl<T> Signals<T> {
     }
 
     /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any.
-    pub(super) fn place(&mut self, given: Option<f64>) -> Option<(Option<(T, f64)>, PlaceBy)> {
-        match (given, self.odometer.take(), self.speed.take()) {
-            (Some(speed), _, _) => Some((None, PlaceBy::Constant(speed))),
-            (None, Some(odometer), _) => Some((Some(odometer), PlaceBy::Odometer)),
-            (None, None, Some(speed)) => Some((Some(speed), PlaceBy::Speed)),
-            (None, None, None) => None,
+    pub(super) fn place(&mut self, given: Option<f64>) -> Option<Places<T>> {
+        let (odometer, speed) = (self.odometer.take(), self.speed.take());
+        let odometer = odometer.map(|signal| (signal, PlaceBy::Odometer));
+        let speed = speed.map(|signal| (signal, PlaceBy::Speed));
+        let mut told = match given {
+            Some(_) => [speed, odometer],
+            None => [odometer, speed],
         }
+        .into_iter()
+        .flatten();
+        let (signal, by) = match given {
+            Some(speed) => (None, PlaceBy::Constant(speed)),
+            None => told.next().map(|(signal, by)| (Some(signal), by))?,
+        };
+        let (witness, witness_by) = told.next().unzip();
+        Some(Places {
+            signal,
+            by,
+            witness,
+            witness_by,
+        })
     }
+}
+
+/// What tells the place, and what else does, each with the SI units in one of its own.
+#[derive(Debug)]
+pub(super) struct Places<T> {
+    /// None for a speed that is given.
+    pub(super) signal: Option<(T, f64)>,
+    pub(super) by: PlaceBy,
+    pub(super) witness: Option<(T, f64)>,
+    pub(super) witness_by: Option<PlaceBy>,
 }
 
 pub(super) fn unreadable(path: &Path, reason: std::io::Error) -> CaseError {

@@ -1,7 +1,9 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
+use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
 use super::sensor::Sensor;
+use super::witness::Witness;
 use crate::refusal::Refusal;
 
 /// Largest fall of an odometer that is rounding \[m\].
@@ -23,11 +25,13 @@ pub(super) struct Listener<'a> {
     odometer: Option<f64>,
     /// Reading of the odometer \[m\] at the beginning of the present second, and samples since.
     second: (f64, usize),
-    time: Option<f64>,
+    ticking: Option<Ticking>,
+    witness: Option<Witness>,
     /// Whether the last row was a sample.
     pub(super) is_there: bool,
     rows: usize,
     leaps: Counted,
+    still: Counted,
     jumps: Counted,
     missing: Counted,
     /// The first number that marks a missing value, and how often there is one.
@@ -71,10 +75,14 @@ impl<'a> Listener<'a> {
             speed: None,
             odometer: None,
             second: (0.0, 0),
-            time: None,
+            ticking: head.clock.map(Ticking::new),
+            witness: head
+                .witness
+                .map(|by| Witness::new(head.place, by, head.rate)),
             is_there: false,
             rows: 0,
             leaps: Counted::default(),
+            still: Counted::default(),
             jumps: Counted::default(),
             missing: Counted::default(),
             marked: (0.0, Counted::default()),
@@ -89,21 +97,25 @@ impl<'a> Listener<'a> {
     pub(super) fn row(&mut self, row: &Row<'_>) -> Result<bool, Refusal> {
         self.rows += 1;
         let mut there = row.accelerations.iter().all(|value| value.is_finite());
-        let mut leap = false;
-        if let Some(time) = row.time {
-            if let Some(before) = self.time {
-                let steps = (time - before) * self.head.rate;
-                if steps <= 0.0 {
+        let (mut leap, mut lost) = (false, 0.0);
+        if let (Some(time), Some(ticking)) = (row.time, &mut self.ticking) {
+            let before = ticking.last();
+            match ticking.tick(time) {
+                Tick::Steady => {}
+                Tick::Leap => {
+                    (leap, lost) = (true, time - before - 1.0 / self.head.rate);
+                    self.leaps.at(row.number);
+                }
+                Tick::Still => {
+                    self.still.at(row.number);
+                    return Ok(std::mem::take(&mut self.is_there));
+                }
+                Tick::Back => {
                     let message = format!("the time falls from {before} s to {time} s");
                     return self.refuse(row.number, message);
                 }
-                leap = steps > 1.5;
             }
             there &= time.is_finite();
-            self.time = Some(time).filter(|time| time.is_finite()).or(self.time);
-        }
-        if leap {
-            self.leaps.at(row.number);
         }
         if let Some(mark) = row.marked {
             if self.marked.1.count == 0 {
@@ -111,11 +123,17 @@ impl<'a> Listener<'a> {
             }
             self.marked.1.at(row.number);
         }
+        // The train runs on while samples are lost.
+        self.position += lost * self.speed.unwrap_or(0.0);
+        let before = self.position;
         there &= match self.head.place {
             PlaceBy::Constant(speed) => self.advance(speed),
             PlaceBy::Speed => self.with_speed(row.place, row.number)?,
             PlaceBy::Odometer => self.with_odometer(row.place, row.number, &mut leap)?,
         };
+        if let Some(witness) = &mut self.witness {
+            witness.hear(self.position - before, row.witness, leap || !there);
+        }
         if !there {
             self.missing.at(row.number);
         } else {
@@ -202,7 +220,12 @@ impl<'a> Listener<'a> {
     pub(super) fn finish(self) -> Result<Vec<String>, Refusal> {
         let counting = self.head.counting;
         let found = [
-            self.leaps.remark("the time leaps", counting),
+            self.leaps
+                .remark("samples are lost where the time leaps", counting),
+            self.still.remark(
+                "a row has no time of its own and is left out: the time is repeated",
+                counting,
+            ),
             self.jumps
                 .remark("the odometer leaps by more than 20 m", counting),
             self.missing.remark("a value is missing", counting),
@@ -219,6 +242,9 @@ impl<'a> Listener<'a> {
         if self.missing.count == self.rows {
             let message = "every row lacks a value that is needed";
             return Err(counting.refuse(self.missing.first, message));
+        }
+        if let Some(witness) = self.witness {
+            remarks.extend(witness.judged()?);
         }
         for sensor in self.sensors {
             remarks.extend(sensor.judged()?);

@@ -1,6 +1,7 @@
 //! Runs of axle-box acceleration: text in columns, WAV, universal files and arrays, read sample by sample.
 
 mod arrays;
+mod clock;
 mod columns;
 mod file;
 mod head;
@@ -10,6 +11,7 @@ mod sensor;
 mod table;
 mod universal;
 mod wave;
+mod witness;
 
 pub use arrays::AxleBoxPlace;
 pub use file::{AxleBoxFile, AxleBoxReading};

@@ -8,14 +8,15 @@ use riffel_keys::CaseError;
 use riffel_keys::table::{NumberColumns, Table, is_comment, is_mark};
 use riffel_keys::text_file::Encoding;
 
+use super::clock::{Clock, Regression};
 use super::columns::{Content, channel_name, content, other_axes};
-use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, Signals, unreadable};
+use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Places, Row, Signals, unreadable};
 use crate::refusal::Refusal;
 
 /// Longest line \[bytes\].
 const LONGEST_LINE: u64 = 1 << 16;
-/// Share by which a rate that is given may differ from that of the times.
-const SAME_RATE: f64 = 0.02;
+/// Share by which a rate that is given may differ from that of the times, and share from which it is said.
+const SAME_RATE: (f64, f64) = (0.02, 1e-3);
 
 /// By how much a mark of a missing value is above all values before.
 const FAR: f64 = 3.0;
@@ -25,20 +26,83 @@ const FAR: f64 = 3.0;
 pub(super) struct AxleBoxTable {
     columns: NumberColumns,
     header_lines: usize,
-    /// SI units in one of each column: the channels, then the place and the time if they are read.
+    /// SI units in one of each column: the channels, then place, witness and time if they are read.
     units: Vec<f64>,
     channels: usize,
     has_place: bool,
+    has_witness: bool,
     /// Largest values of the columns in the first rows.
     largest: Vec<f64>,
 }
 
 impl AxleBoxTable {
-    /// Find the columns by the first bytes of a file.
+    /// Find the columns by the first bytes of a file, and the sampling rate by all of its times.
     pub(super) fn find(
+        path: &Path,
         head: &[u8],
         layout: &AxleBoxLayout,
-    ) -> Result<(Self, AxleBoxHead), Refusal> {
+    ) -> Result<(Self, AxleBoxHead), CaseError> {
+        let found = Self::columns(head, layout).map_err(|refusal| refusal.of(path));
+        let (table, signals, places, mut remarks) = found?;
+        let style = (table.delimiter, table.decimal);
+        let clock = match signals.time {
+            Some((column, unit)) => {
+                let first: Vec<f64> = (table.sample.iter())
+                    .map(|row| unit * row[column])
+                    .filter(|time| time.is_finite())
+                    .collect();
+                let columns = NumberColumns::new(style, &[column], &[], 0, true);
+                let regression = Clock::of(&first).map(Regression::new);
+                let found = regression.map(|mut regression| {
+                    let mut take = |_: usize, times: &mut [f64]| {
+                        regression.add(unit * times[0]);
+                        Ok(())
+                    };
+                    each_row(path, table.header_lines, &columns, 1, &mut take, &|_| ())?;
+                    Ok(regression.finish())
+                });
+                found.transpose()?
+            }
+            None => None,
+        };
+        let at = signals.time.map(|_| table.header_lines + 1);
+        let rate = rate(clock, at, layout.rate, &mut remarks);
+        let (rate, clock) = rate.map_err(|refusal| refusal.of(path))?;
+        let channels = signals.channels;
+        let names = channels
+            .iter()
+            .map(|&(column, _)| channel_name(&table.heading, column));
+        let head = AxleBoxHead {
+            names: names.collect(),
+            rate,
+            clock,
+            place: places.by,
+            witness: places.witness_by,
+            counting: Counting::Lines,
+            remarks,
+        };
+        let time = signals.time.filter(|_| clock.is_some());
+        let all = channels.iter().copied();
+        let all = all.chain(places.signal).chain(places.witness).chain(time);
+        let (columns, units): (Vec<usize>, Vec<f64>) = all.unzip();
+        let largest = columns.iter().map(|&column| {
+            let values = table.sample.iter().map(|row| row[column].abs());
+            values.filter(|value| !is_mark(*value)).fold(0.0, f64::max)
+        });
+        let read = Self {
+            columns: NumberColumns::new(style, &columns, &[], 0, true),
+            header_lines: table.header_lines,
+            largest: largest.collect(),
+            units,
+            channels: channels.len(),
+            has_place: places.signal.is_some(),
+            has_witness: places.witness.is_some(),
+        };
+        Ok((read, head))
+    }
+
+    /// The table, where in it what is, and what is to be said of that.
+    fn columns(head: &[u8], layout: &AxleBoxLayout) -> Result<Found, Refusal> {
         let refuse = |message: &str| Refusal::new(None, message);
         match Encoding::of(head) {
             Ok(Encoding::Utf8 | Encoding::Windows1252) => {}
@@ -78,9 +142,12 @@ impl AxleBoxTable {
             ));
         }
         let remarks = leave_out_other_axes(&mut signals, written);
-        let time = signals.time.take();
-        let place = signals.place(layout.speed);
-        if let Some((Some((column, _)), _)) = place {
+        let places = signals.place(layout.speed);
+        if let Some(Places {
+            signal: Some((column, _)),
+            ..
+        }) = places
+        {
             let missing = table
                 .sample
                 .iter()
@@ -96,40 +163,13 @@ impl AxleBoxTable {
             );
             return Err(Refusal::new(Some(table.header_lines), message));
         }
-        let Some((place, by)) = place else {
+        let Some(places) = places else {
             return Err(refuse(
                 "there is no column of speeds or of an odometer, as speed_km_per_h or odometer_m; \
                  give the speed by --speed where it was constant",
             ));
         };
-        let rate = rate(&table, time, layout.rate)?;
-        let channels = signals.channels;
-        let names = channels
-            .iter()
-            .map(|&(column, _)| channel_name(&table.heading, column));
-        let head = AxleBoxHead {
-            names: names.collect(),
-            rate,
-            place: by,
-            counting: Counting::Lines,
-            remarks,
-        };
-        let time = time.filter(|_| layout.rate.is_none());
-        let all = channels.iter().copied().chain(place).chain(time);
-        let (columns, units): (Vec<usize>, Vec<f64>) = all.unzip();
-        let largest = columns.iter().map(|&column| {
-            let values = table.sample.iter().map(|row| row[column].abs());
-            values.filter(|value| !is_mark(*value)).fold(0.0, f64::max)
-        });
-        let read = Self {
-            columns: NumberColumns::new((table.delimiter, table.decimal), &columns, &[], 0, true),
-            header_lines: table.header_lines,
-            largest: largest.collect(),
-            units,
-            channels: channels.len(),
-            has_place: place.is_some(),
-        };
-        Ok((read, head))
+        Ok((table, signals, places, remarks))
     }
 
     /// Hand on row by row; `progress` is told of bytes done. Memory: a line.
@@ -139,30 +179,8 @@ impl AxleBoxTable {
         take: &mut dyn FnMut(&Row<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
     ) -> Result<(), CaseError> {
-        let failed = |reason| unreadable(path, reason);
-        let file = File::open(path).map_err(failed)?;
-        let mut reader = BufReader::with_capacity(1 << 20, file);
-        let mut values = vec![0.0; self.units.len()];
         let mut largest = self.largest.clone();
-        let mut bytes = Vec::new();
-        for number in 1.. {
-            bytes.clear();
-            let read = reader
-                .by_ref()
-                .take(LONGEST_LINE)
-                .read_until(b'\n', &mut bytes)
-                .map_err(failed)?;
-            if read == 0 {
-                break;
-            }
-            progress(read);
-            let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
-            let line = line.strip_suffix(b"\r").unwrap_or(line);
-            if number <= self.header_lines || is_comment(line) {
-                continue;
-            }
-            let parsed = self.columns.parse_line(line, &mut values, &mut Vec::new());
-            parsed.map_err(|message| Refusal::new(Some(number), message).of(path))?;
+        let mut row = |number: usize, values: &mut [f64]| {
             let mut marked = None;
             for ((value, unit), largest) in values.iter_mut().zip(&self.units).zip(&mut largest) {
                 if is_mark(*value) && value.abs() > FAR * *largest {
@@ -173,17 +191,66 @@ impl AxleBoxTable {
                 *value *= unit;
             }
             let (accelerations, others) = values.split_at(self.channels);
-            let (place, time) = others.split_at(usize::from(self.has_place));
+            let mut others = others.iter().copied();
+            let mut next = |there: bool| there.then(|| others.next()).flatten();
             take(&Row {
                 accelerations,
-                time: time.first().copied(),
-                place: place.first().copied().unwrap_or(f64::NAN),
+                place: next(self.has_place).unwrap_or(f64::NAN),
+                witness: next(self.has_witness).unwrap_or(f64::NAN),
+                time: next(true),
                 marked,
                 number,
-            })?;
-        }
-        Ok(())
+            })
+        };
+        let (header, width) = (self.header_lines, self.units.len());
+        each_row(path, header, &self.columns, width, &mut row, progress)
     }
+}
+
+/// A table, where in it what is, and what is to be said of that.
+type Found = (Table, Signals<usize>, Places<usize>, Vec<String>);
+
+/// Hand on the numbers of each row of some columns with its line; `progress` is told of bytes done. Memory: a line.
+fn each_row(
+    path: &Path,
+    header_lines: usize,
+    columns: &NumberColumns,
+    width: usize,
+    take: &mut dyn FnMut(usize, &mut [f64]) -> Result<(), CaseError>,
+    progress: &dyn Fn(usize),
+) -> Result<(), CaseError> {
+    let failed = |reason| unreadable(path, reason);
+    let file = File::open(path).map_err(failed)?;
+    let mut reader = BufReader::with_capacity(1 << 20, file);
+    let mut values = vec![0.0; width];
+    let mut bytes = Vec::new();
+    for number in 1.. {
+        bytes.clear();
+        let read = reader
+            .by_ref()
+            .take(LONGEST_LINE)
+            .read_until(b'\n', &mut bytes)
+            .map_err(failed)?;
+        if read == 0 {
+            break;
+        }
+        let refuse = |message: String| Refusal::new(Some(number), message).of(path);
+        if read as u64 == LONGEST_LINE && !bytes.ends_with(b"\n") {
+            return Err(refuse(format!(
+                "the line is longer than {LONGEST_LINE} bytes"
+            )));
+        }
+        progress(read);
+        let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        if number <= header_lines || is_comment(line) {
+            continue;
+        }
+        let parsed = columns.parse_line(line, &mut values, &mut Vec::new());
+        parsed.map_err(refuse)?;
+        take(number, &mut values)?;
+    }
+    Ok(())
 }
 
 /// Leave out what a box felt along and across the rail; as a sentence.
@@ -211,49 +278,46 @@ fn leave_out_other_axes(signals: &mut Signals<usize>, names: &[String]) -> Vec<S
     )]
 }
 
-/// Samples per second: those that are given, which must agree with the times, or else those of the times.
-fn rate(table: &Table, time: Option<(usize, f64)>, given: Option<f64>) -> Result<f64, Refusal> {
-    match (
-        given,
-        time.map(|(column, unit)| rate_of(table, column, unit)),
-    ) {
-        (None, Some(rate)) => rate,
-        (Some(rate), Some(Ok(other))) if (rate / other - 1.0).abs() > SAME_RATE => {
-            let message =
-                format!("the times make {other} samples a second, but --rate says {rate}");
-            Err(Refusal::new(Some(table.header_lines + 1), message))
+/// Samples per second: those that are given, which must agree with the times, or else those of the times; with the clock of
+/// the times. `at` is the first line with a time.
+fn rate(
+    clock: Option<Result<(Clock, Option<String>), String>>,
+    at: Option<usize>,
+    given: Option<f64>,
+    remarks: &mut Vec<String>,
+) -> Result<(f64, Option<Clock>), Refusal> {
+    let (clock, given) = match (clock, given) {
+        (Some(Ok((clock, drift))), given) => {
+            remarks.extend(drift);
+            (clock, given)
         }
-        (Some(rate), _) => Ok(rate),
-        (None, None) => Err(Refusal::new(
-            None,
-            "there is no column of times, as time_s; give the sampling rate by --rate",
-        )),
+        (_, Some(rate)) => return Ok((rate, None)),
+        (Some(Err(message)), None) => return Err(Refusal::new(at, message)),
+        (None, None) => {
+            let message = match at {
+                Some(_) => {
+                    "the times do not rise from line to line; give the sampling rate by --rate"
+                }
+                None => "there is no column of times, as time_s; give the sampling rate by --rate",
+            };
+            return Err(Refusal::new(at, message));
+        }
+    };
+    let Some(rate) = given else {
+        return Ok((clock.rate, Some(clock)));
+    };
+    let off = (rate / clock.rate - 1.0).abs();
+    let contrary = format!(
+        "the times make {} samples a second, but --rate says {rate}",
+        clock.rate
+    );
+    if off > SAME_RATE.0 {
+        return Err(Refusal::new(at, contrary));
     }
-}
-
-/// Samples per second by the times of the first rows: the mean of the steps between rows that follow each other.
-fn rate_of(table: &Table, column: usize, unit: f64) -> Result<f64, Refusal> {
-    let times = table.sample.iter().map(|row| unit * row[column]);
-    let times: Vec<f64> = times.filter(|time| time.is_finite()).collect();
-    let mut steps: Vec<f64> = times.windows(2).map(|pair| pair[1] - pair[0]).collect();
-    steps.sort_by(f64::total_cmp);
-    let median = steps.get(steps.len() / 2).copied().unwrap_or(0.0);
-    if median <= 0.0 {
-        return Err(Refusal::new(
-            Some(table.header_lines + 1),
-            "the times do not rise from line to line; give the sampling rate by --rate",
+    if off > SAME_RATE.1 {
+        remarks.push(format!(
+            "{contrary}, which is taken: one of the two clocks is wrong"
         ));
     }
-    // Rounded times have steps that differ by as much as a step; leaps are longer.
-    let mean_about = |middle: f64, width: f64| {
-        let like = steps
-            .iter()
-            .filter(|step| (**step / middle - 1.0).abs() < width);
-        let (count, sum) = like.fold((0.0, 0.0), |(count, sum), step| (count + 1.0, sum + step));
-        sum / count
-    };
-    // To nine digits, which is more than times have.
-    let rate: f64 = mean_about(mean_about(median, 1.5), 0.7).recip();
-    let digits = 10f64.powi(9 - rate.log10().ceil() as i32);
-    Ok((rate * digits).round() / digits)
+    Ok((rate, Some(clock)))
 }

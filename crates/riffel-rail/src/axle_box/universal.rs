@@ -23,6 +23,8 @@ const SAME_STEP: f64 = 1e-5;
 pub(super) struct AxleBoxUniversal {
     channels: Vec<(Signal, f64)>,
     place: Option<(Signal, f64)>,
+    /// What else tells the place.
+    witness: Option<(Signal, f64)>,
 }
 
 /// Whether a file is a universal file by its first line that is not blank.
@@ -82,7 +84,7 @@ impl AxleBoxUniversal {
             };
             found.push(signal, content);
         }
-        let place = found.place(layout.speed);
+        let places = found.place(layout.speed);
         let channels = found.channels;
         let Some((first, _)) = channels.first() else {
             return refuse(
@@ -90,7 +92,7 @@ impl AxleBoxUniversal {
                     .to_owned(),
             );
         };
-        let Some((place, by)) = place else {
+        let Some(places) = places else {
             return refuse(
                 "the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by --speed where \
                  it was constant"
@@ -99,7 +101,7 @@ impl AxleBoxUniversal {
         };
         let names = names(&channels);
         let (points, step) = (first.points, first.step.unwrap_or(1.0));
-        for (signal, _) in channels.iter().chain(&place) {
+        for (signal, _) in channels.iter().chain(&places.signal).chain(&places.witness) {
             let same = signal
                 .step
                 .is_some_and(|other| (other / step - 1.0).abs() < SAME_STEP);
@@ -131,11 +133,18 @@ impl AxleBoxUniversal {
         let head = AxleBoxHead {
             names,
             rate,
-            place: by,
+            clock: None,
+            place: places.by,
+            witness: places.witness_by,
             counting: Counting::Samples,
             remarks: Vec::new(),
         };
-        Ok((Self { channels, place }, head))
+        let read = Self {
+            channels,
+            place: places.signal,
+            witness: places.witness,
+        };
+        Ok((read, head))
     }
 
     /// Hand on sample by sample; `progress` is told of bytes done. Memory: 256 KB for each signal, which are read side by side
@@ -146,7 +155,8 @@ impl AxleBoxUniversal {
         take: &mut dyn FnMut(&Row<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
     ) -> Result<(), CaseError> {
-        let signals: Vec<&(Signal, f64)> = self.channels.iter().chain(&self.place).collect();
+        let signals = self.channels.iter().chain(&self.place);
+        let signals: Vec<&(Signal, f64)> = signals.chain(&self.witness).collect();
         let mut values = Vec::new();
         for (signal, _) in &signals {
             let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
@@ -165,11 +175,13 @@ impl AxleBoxUniversal {
                 let next = of.next().unwrap_or(Ok(f64::NAN));
                 *value = unit * next.map_err(|error| at_fault(path, error))?;
             }
-            let count = self.channels.len();
+            let (accelerations, others) = sample.split_at(self.channels.len());
+            let (place, witness) = others.split_at(usize::from(self.place.is_some()));
             take(&Row {
-                accelerations: &sample[..count],
+                accelerations,
                 time: None,
-                place: sample.get(count).copied().unwrap_or(f64::NAN),
+                place: place.first().copied().unwrap_or(f64::NAN),
+                witness: witness.first().copied().unwrap_or(f64::NAN),
                 marked: None,
                 number,
             })?;

@@ -20,6 +20,8 @@ pub(super) struct AxleBoxWave {
     channels: Vec<(usize, f64)>,
     /// Channel and value at full scale of the speed \[m/s\] or the odometer \[m\].
     place: Option<(usize, f64)>,
+    /// What else tells the place.
+    witness: Option<(usize, f64)>,
 }
 
 /// Whether a file is a WAV file by its first bytes, or one of the forms for files of more than 4 GB.
@@ -78,7 +80,7 @@ impl AxleBoxWave {
                 "--channels names no acceleration, as in {EXAMPLE}"
             )));
         }
-        let Some((place, by)) = signals.place(layout.speed) else {
+        let Some(places) = signals.place(layout.speed) else {
             return Err(refuse(
                 "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
                  --speed where it was constant"
@@ -94,12 +96,18 @@ impl AxleBoxWave {
         let head = AxleBoxHead {
             names,
             rate,
-            place: by,
+            clock: None,
+            place: places.by,
+            witness: places.witness_by,
             counting: Counting::Samples,
             remarks: Vec::new(),
         };
-        let channels = signals.channels;
-        Ok((Self { channels, place }, head))
+        let read = Self {
+            channels: signals.channels,
+            place: places.signal,
+            witness: places.witness,
+        };
+        Ok((read, head))
     }
 
     /// Hand on sample by sample; `progress` is told of bytes done. Memory: a sample.
@@ -116,12 +124,14 @@ impl AxleBoxWave {
             for (acceleration, (channel, scale)) in accelerations.iter_mut().zip(&self.channels) {
                 *acceleration = scale * sample[*channel];
             }
+            let of = |signal: Option<(usize, f64)>| {
+                signal.map_or(f64::NAN, |(channel, scale)| scale * sample[channel])
+            };
             take(&Row {
                 accelerations: &accelerations,
                 time: None,
-                place: self
-                    .place
-                    .map_or(f64::NAN, |(channel, scale)| scale * sample[channel]),
+                place: of(self.place),
+                witness: of(self.witness),
                 marked: None,
                 number,
             })

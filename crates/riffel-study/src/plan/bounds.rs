@@ -33,6 +33,20 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
             let Err(error) = plan.outputs.on(case, &settings) else {
                 continue;
             };
+            // Beside other values it may be right, and the middle of all ranges is no sample.
+            let beside_others = |number: u32| {
+                let mut settings = elsewhere(plan, number);
+                settings[index] = parameter.setting(&value);
+                plan.outputs.on(case, &settings).is_ok()
+            };
+            if plan.parameters.len() > 1 && (0..ELSEWHERE).any(beside_others) {
+                let sentence = format!("{error}{}", beside(&middle, index));
+                remarks.push(format!(
+                    "the case takes {}={value} beside some values of the others only: {sentence}; samples that it refuses fail",
+                    parameter.key.key
+                ));
+                continue;
+            }
             // The end itself reads better than the number next to it, where it is refused as well.
             settings[index] = parameter.setting(&parameter.value(share.round()));
             let at_end = plan
@@ -56,6 +70,23 @@ pub(super) fn check(source: &KeyFile, plan: &mut Plan, case: &Case) -> Result<()
     }
     plan.remarks.extend(remarks);
     Ok(())
+}
+
+/// Places in the ranges of the others at which a value is tried that the case refuses in their middle.
+const ELSEWHERE: u32 = 32;
+
+/// The parameters at the place of a number, spread over their ranges evenly: multiples of the powers of the root of
+/// x^(n + 1) = x + 1 (Roberts 2018), modulo 1.
+fn elsewhere(plan: &Plan, number: u32) -> Vec<Setting> {
+    let count = plan.parameters.len() as i32;
+    let root = (0..60).fold(2.0f64, |root, _| {
+        (1.0 + root).powf(1.0 / f64::from(count + 1))
+    });
+    let shares = (1..=count).map(|axis| (f64::from(number + 1) * root.powi(-axis)).fract());
+    let settings = plan.parameters.iter().zip(shares);
+    settings
+        .map(|(parameter, share)| parameter.setting(&parameter.value(share)))
+        .collect()
 }
 
 /// Most other parameters that are named.

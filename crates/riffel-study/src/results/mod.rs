@@ -13,6 +13,7 @@
 //! files have the checksums that the record tells.
 
 mod arrays;
+mod in_use;
 mod merge;
 mod record;
 
@@ -22,6 +23,7 @@ use std::path::{Component, Path, PathBuf};
 use rayon::prelude::*;
 use riffel_arrays::{Values, json, whole_file};
 
+pub use in_use::InUse;
 pub use merge::MergeReport;
 pub use record::{Reason, Summary};
 

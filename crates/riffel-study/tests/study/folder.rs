@@ -321,3 +321,26 @@ fn data_of_the_case_is_recorded() {
         Err(StudyError::OtherPlan { .. })
     ));
 }
+
+/// A second run of the same shard is told, and so is one of all beside shards; other shards go on, and nothing is left.
+#[test]
+fn two_runs_into_one_folder_are_noticed() {
+    let place = tempfile::tempdir().unwrap();
+    let study = study_of(PLAN);
+    let folder = ResultFolder::begin(&study, place.path()).unwrap();
+    let before = files(place.path());
+    let shard = |index: u64| format!("{index}/3").parse::<Shard>().unwrap();
+    let is_taken = |shard: Shard| {
+        let taken = folder.occupy(shard);
+        matches!(taken, Err(riffel_study::StudyError::InUse { .. }))
+    };
+    let whole = folder.occupy(Shard::ALL).unwrap();
+    assert!(is_taken(Shard::ALL) && is_taken(shard(1)));
+    drop(whole);
+    let one = folder.occupy(shard(1)).unwrap();
+    let two = folder.occupy(shard(2)).unwrap();
+    assert!(is_taken(shard(1)) && is_taken(Shard::ALL) && !is_taken(shard(3)));
+    drop((one, two));
+    assert!(!is_taken(Shard::ALL));
+    assert!(files(place.path()) == before);
+}

@@ -143,9 +143,24 @@ impl Question {
             Err(fault) => json!({ "fault": fault }),
         };
         let remarks = self.told(&outlines.remarks, &paths);
-        Ok(Json(
-            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks }),
-        ))
+        let mut document =
+            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks });
+        self.name(&mut document, &paths);
+        Ok(Json(document))
+    }
+
+    /// Put the names that the user knows in place of paths in all texts of a document.
+    fn name(&self, document: &mut Value, paths: &[String]) {
+        match document {
+            Value::String(words) => *words = self.named(words, paths),
+            Value::Array(items) => items.iter_mut().for_each(|item| self.name(item, paths)),
+            Value::Object(fields) => {
+                fields
+                    .values_mut()
+                    .for_each(|field| self.name(field, paths));
+            }
+            _ => {}
+        }
     }
 
     fn told(&self, remarks: &[Message], paths: &[String]) -> Vec<Note> {

@@ -50,6 +50,11 @@ impl RunSettings {
         self.shortest / HEIGHTS
     }
 
+    /// Length at either end of a stretch that is lost at a speed \[m/s\]: \[m\].
+    pub fn lost_at_ends(&self, speed: f64) -> f64 {
+        speed * (EDGE * self.longest / self.slowest + SMOOTHING)
+    }
+
     fn check(&self) -> Result<(), Error> {
         Error::unless_positive("sampling rate", self.sampling_rate, "Hz")?;
         Error::unless_positive("shortest wavelength", self.shortest, "m")?;

@@ -16,39 +16,61 @@ pub struct EquivalentConicity {
     pub harmonic: f64,
     /// ∫yΔr / 2∫y² over the amplitude.
     pub regression: f64,
-    /// Wavelength of the free motion \[m\].
+    /// Wavelength of the free motion \[m\], infinite without conicity.
     pub wavelength: f64,
 }
 
 impl EquivalentConicity {
-    /// Of the rolling radius difference Δr(y) \[m\], right less left, over the lateral shift \[m\], at half the peak-to-peak
-    /// amplitude A \[m\]; e \[m\] is the spacing of the contacts, r₀ \[m\] the rolling radius. None where the motion does not
-    /// swing at this amplitude.
+    /// Of the rolling radius difference Δr(y) \[m\], right less left, over the lateral shift \[m\] between two ends, at half
+    /// the peak-to-peak amplitude A \[m\]; e \[m\] is the spacing of the contacts, r₀ \[m\] the rolling radius. The motion has
+    /// its middle where wheels of unequal diameter run, and not at y = 0. None where no motion between the ends swings at
+    /// this amplitude.
     ///
-    /// On a cone of conicity γ, Δr = 2γy, all three are γ. Source: Klingel (1883); the rules are those of EN 15302.
+    /// On a cone of conicity γ, Δr = 2γy, all three are γ, and so for γ = 0, whose wave has no end. Source: Klingel (1883); the
+    /// rules are those of EN 15302.
     pub fn at(
         rolling_radius_difference: impl Fn(f64) -> f64,
+        [leftmost, rightmost]: [f64; 2],
         amplitude: f64,
         contact_spacing: f64,
         rolling_radius: f64,
     ) -> Option<Self> {
+        /// Less \[m\] is no difference: profiles are not known to a nanometre.
+        const NO_DIFFERENCE: f64 = 1e-9;
         let difference = rolling_radius_difference;
         let scale = contact_spacing * rolling_radius;
         // The middle of the motion: as much work to either side.
-        let work = |middle: f64| {
+        let phases = || {
             let step = PI / PIECES as f64;
-            let piece = |index: usize| {
-                let phase = -FRAC_PI_2 + (index as f64 + 0.5) * step;
+            (0..PIECES).map(move |index| (-FRAC_PI_2 + (index as f64 + 0.5) * step, step))
+        };
+        let work = |middle: f64| {
+            let piece = |(phase, step): (f64, f64)| {
                 difference(middle + amplitude * phase.sin()) * phase.cos() * step
             };
-            (0..PIECES).map(piece).sum::<f64>()
+            phases().map(piece).sum::<f64>()
         };
-        let (mut low, mut high) = (-amplitude, amplitude);
-        let (at_low, at_middle) = (work(low), work(0.0));
-        let middle = if at_middle.abs() <= 1e-12 * work(high).abs().max(at_low.abs()) {
+        let (mut low, mut high) = (leftmost + amplitude, rightmost - amplitude);
+        // Ends of a table are steps of a rounded number.
+        if high - low < -1e-9 {
+            return None;
+        }
+        let is_between = low <= 0.0 && high >= 0.0;
+        let is_nought =
+            |(phase, _): (f64, f64)| difference(amplitude * phase.sin()).abs() < NO_DIFFERENCE;
+        if is_between && phases().all(is_nought) {
+            return Some(Self {
+                klingel: 0.0,
+                harmonic: 0.0,
+                regression: 0.0,
+                wavelength: f64::INFINITY,
+            });
+        }
+        let (at_low, at_high) = (work(low), work(high));
+        let middle = if is_between && work(0.0).abs() <= 1e-12 * at_high.abs().max(at_low.abs()) {
             0.0
         } else {
-            if at_low > 0.0 || work(high) < 0.0 {
+            if at_low > 0.0 || at_high < 0.0 {
                 return None;
             }
             for _ in 0..60 {
@@ -85,11 +107,11 @@ impl EquivalentConicity {
             let phases = (0..pieces).map(|index| -FRAC_PI_2 + (index as f64 + 0.5) * step);
             phases.map(value).sum::<f64>() * step
         };
-        let harmonic =
-            mean(&|phase| difference(amplitude * phase.sin()) * phase.sin()) / (PI * amplitude);
+        let harmonic = mean(&|phase| difference(middle + amplitude * phase.sin()) * phase.sin())
+            / (PI * amplitude);
         let moment = mean(&|phase| {
             let y = amplitude * phase.sin();
-            y * difference(y) * amplitude * phase.cos()
+            y * difference(middle + y) * amplitude * phase.cos()
         });
         Some(Self {
             klingel: (PI / wavelength).powi(2) * 2.0 * scale,

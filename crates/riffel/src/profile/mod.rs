@@ -7,13 +7,13 @@
 mod conicity;
 mod contact_gap;
 mod contact_surface;
-mod contact_table;
 mod crossing;
 mod error;
 mod loaded_contact;
 mod nominal;
 #[expect(clippy::module_inception, reason = "the noun is that of the folder")]
 mod profile;
+mod radius_difference;
 mod rolling_table;
 mod smoothing;
 mod spline;
@@ -24,11 +24,11 @@ mod worn_dimensions;
 pub use conicity::EquivalentConicity;
 pub use contact_gap::ContactGap;
 pub use contact_surface::ContactSurface;
-pub use contact_table::ContactTable;
 pub use error::ProfileError;
 pub use loaded_contact::LoadedContact;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};
+pub use radius_difference::RadiusDifference;
 pub use rolling_table::RollingTable;
 pub use smoothing::SmoothedPoints;
 pub use wear::{ProfileAlignment, ProfileWear, WornPoint};

@@ -2,7 +2,7 @@
 
 use rayon::prelude::*;
 
-use super::contact_table::around_middle;
+use super::radius_difference::around_middle;
 use super::{ProfileError, WheelsetContact, WheelsetOnTrack};
 use crate::Rail;
 use crate::curving::{RollingPosition, RunningSurfaces, TwoPoints};

@@ -11,7 +11,11 @@ fn nominal(name: &str) -> Profile {
 }
 
 fn wheelset(rail: &str, inclination: f64) -> WheelsetOnTrack {
-    let (wheel, rail) = (nominal("S1002"), nominal(rail));
+    of_wheel("S1002", rail, inclination)
+}
+
+fn of_wheel(wheel: &str, rail: &str, inclination: f64) -> WheelsetOnTrack {
+    let (wheel, rail) = (nominal(wheel), nominal(rail));
     WheelsetOnTrack {
         wheels: Wheels::new([&wheel, &wheel], [0.46, 0.46], 1.36, -0.07).unwrap(),
         track: Track::new([&rail, &rail], 1.435, 0.014, inclination).unwrap(),
@@ -159,12 +163,52 @@ fn wheels_and_rails_that_do_not_fit_are_refused() {
 #[test]
 fn a_cone_has_its_conicity() {
     for (conicity, amplitude) in [(0.05, 1e-3), (0.3, 7e-3)] {
-        let found = EquivalentConicity::at(|y| 2.0 * conicity * y, amplitude, 1.5, 0.46).unwrap();
+        let found =
+            EquivalentConicity::at(|y| 2.0 * conicity * y, ENDS, amplitude, 1.5, 0.46).unwrap();
         assert_relative_eq!(found.klingel, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.harmonic, conicity, max_relative = 1e-6);
         assert_relative_eq!(found.regression, conicity, max_relative = 1e-6);
     }
-    assert!(EquivalentConicity::at(|y| -0.1 * y, 3e-3, 1.5, 0.46).is_none());
+    assert!(EquivalentConicity::at(|y| -0.1 * y, ENDS, 3e-3, 1.5, 0.46).is_none());
+    let nought = EquivalentConicity::at(|_| 1e-12, ENDS, 3e-3, 1.5, 0.46).unwrap();
+    assert_eq!((nought.klingel, nought.wavelength), (0.0, f64::INFINITY));
+}
+
+/// Wheels of unequal diameter run about another middle, d/2γ to the side, with the conicity of their cone; where that lies too
+/// far out for the amplitude there is no motion.
+#[test]
+fn unequal_wheels_have_the_conicity_of_their_cone() {
+    let at = |unequal: f64, amplitude: f64| {
+        EquivalentConicity::at(|y| 0.2 * y + unequal, ENDS, amplitude, 1.5, 0.46)
+    };
+    for unequal in [-1e-3, 0.4e-3, 1.6e-3] {
+        let found = at(unequal, 3e-3).unwrap();
+        for conicity in [found.klingel, found.harmonic, found.regression] {
+            assert_relative_eq!(conicity, 0.1, max_relative = 1e-6);
+        }
+    }
+    assert!(at(1.6e-3, 5e-3).is_none());
+}
+
+/// Ends of the lateral shift \[m\].
+const ENDS: [f64; 2] = [-12e-3, 12e-3];
+
+/// A level axle and one that rolls have one rolling radius difference but on flanks. On cones, which
+/// touch their rails at one place of the head, a level axle's is 2 tan γ times its shift.
+#[test]
+fn a_level_axle_has_the_conicity_of_the_standard() {
+    let wheelset = wheelset("60E1", 0.025);
+    let of = |table: Result<RadiusDifference, ProfileError>, amplitude: f64| {
+        let conicity = table.unwrap().equivalent_conicity(amplitude, 1.5);
+        conicity.unwrap().klingel
+    };
+    let level = || RadiusDifference::level(&wheelset, 0.46, 12e-3, 1e-4);
+    let rolling = || RadiusDifference::rolling(&wheelset, 0.46, 12e-3, 1e-4);
+    let (one, other) = (of(level(), 3e-3), of(rolling(), 3e-3));
+    assert!((one / other - 1.0).abs() < 0.02, "{one} {other}");
+    let cones = of_wheel("cone-1:40", "60E1", 0.025);
+    let table = RadiusDifference::level(&cones, 0.46, 4e-3, 1e-4).unwrap();
+    assert_relative_eq!(table.at(2e-3), 2.0 * 2e-3 / 40.0, max_relative = 1e-6);
 }
 
 /// The cone of 1:40 has its slope and a continuous tangent from the flange of S1002 to the field side.

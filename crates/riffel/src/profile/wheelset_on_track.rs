@@ -318,6 +318,26 @@ impl WheelsetOnTrack {
         places.par_iter().map(contact).collect()
     }
 
+    /// Rolling radius difference \[m\], right less left, at a lateral shift \[m\] of an axle that stays level: each wheel
+    /// touches where the vertical distance to its rail is least, as EN 15302 has it.
+    ///
+    /// # Errors
+    /// [`ProfileError::NoContact`] where a wheel has left its rail.
+    pub fn level_radius_difference(&self, lateral_shift: f64) -> Result<f64, ProfileError> {
+        let [left, right] = Rail::BOTH.map(|rail| {
+            let attitude = attitude(rail, lateral_shift, 0.0, 0.0);
+            let touch = *self.touches(rail, &attitude, &mut Vec::new())?.first()?;
+            let wheel = self.wheel(rail);
+            Some(wheel.rolling_radius - wheel.profile.at(touch.x_wheel)?.height)
+        });
+        let failed = |rail: Rail| ProfileError::NoContact {
+            lateral_shift,
+            yaw: 0.0,
+            rail: rail.name(),
+        };
+        Ok(right.ok_or_else(|| failed(Rail::Right))? - left.ok_or_else(|| failed(Rail::Left))?)
+    }
+
     /// Where the wheelset touches if it is shifted by η \[m\] at the level of the rails: its axle has the lateral shift
     /// y = η + r₀ sin φ, with the radius r₀ of the right wheel on its datum circle.
     ///

@@ -27,6 +27,7 @@ mod defect;
 mod drawn;
 mod grinding;
 mod hann_window;
+mod judged_section;
 mod level;
 mod limit;
 mod method_a;
@@ -46,6 +47,7 @@ pub use band_statistics::{BandSettings, BandStatistics, Exceedance};
 pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
 pub use defect::RailDefect;
 pub use grinding::{GrindSection, GrindSettings, grind_sections, line_length};
+pub use judged_section::{JUDGED_LENGTH, JudgedSection};
 pub use level::{REFERENCE_ROUGHNESS, level, mean_square};
 pub use limit::{LevelExcess, LevelLimit, RmsLimit};
 

@@ -1,7 +1,7 @@
 //! Files of MiniProf (Greenwood Engineering): lines `key=value`, an empty line, then columns in millimetres.
 //!
 //! The columns are those of `ColumnDef`, X and Y among them; a line that begins with a quotation mark is a point that was masked at the
-//! device. Files `.mpt` have heads in brackets and `[…Points]` before the columns. What X and Y point to depends on how the device was
+//! device. `XOffset` and `YOffset` are added to the columns. Files `.mpt` have heads in brackets and `[…Points]` before the columns. What X and Y point to depends on how the device was
 //! set up: it is found. Sources: the manual of Gensys' converter of such files, and the files of the Manchester contact benchmark that
 //! CONTACT ships.
 
@@ -72,6 +72,16 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                             format!("ColumnDef is \"{shown}\", but must name the columns X and Y"),
                         )
                     })?;
+                }
+                "xoffset" | "yoffset" => {
+                    let offset = number_in(value).ok_or_else(|| {
+                        let shown = clipped(line);
+                        Fault::at(
+                            index + 1,
+                            format!("\"{shown}\" has no number in millimetres"),
+                        )
+                    })?;
+                    written.offset[usize::from(key == "yoffset")] = offset;
                 }
                 "xypoints" => announced = value.parse::<usize>().ok(),
                 key if !value.is_empty() && OF_WHEELS.contains(&key) => {

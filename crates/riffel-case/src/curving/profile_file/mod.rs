@@ -45,6 +45,8 @@ pub struct ProfileReading {
     pub orientation: Option<ProfileOrientation>,
     /// Standard deviation of the points across their curve \[m\], which is then a smooth one.
     pub scatter: Option<f64>,
+    /// Where the flange back of a wheel is taken to lie \[m\], from its datum circle.
+    pub flange_back: f64,
 }
 
 impl Default for ProfileReading {
@@ -54,6 +56,7 @@ impl Default for ProfileReading {
             side: Rail::Right,
             orientation: None,
             scatter: None,
+            flange_back: -0.07,
         }
     }
 }
@@ -105,7 +108,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         .map_err(|binary| at_fault(Some(binary.line), binary.to_string()))?;
     let extension = path.extension().and_then(|extension| extension.to_str());
     let extension = extension.unwrap_or_default().to_lowercase();
-    let mut written = of_format(&text, &extension, reading.side).map_err(of_fault)?;
+    let mut written = of_format(&text, &extension, reading).map_err(of_fault)?;
     let kind = match (reading.kind, written.kind) {
         (Some(asked), Some(kind)) if asked != kind => {
             let message = format!(
@@ -133,7 +136,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         );
         return Err(at_fault(None, message));
     }
-    orientation::turn(&mut written, reading.orientation, kind).map_err(of_fault)?;
+    orientation::turn(&mut written, reading, kind).map_err(of_fault)?;
     let WrittenProfile {
         points,
         lines,
@@ -196,7 +199,11 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
 }
 
 /// The points of a text, by its format.
-fn of_format(text: &str, extension: &str, side: Rail) -> Result<WrittenProfile, Fault> {
+fn of_format(
+    text: &str,
+    extension: &str,
+    reading: ProfileReading,
+) -> Result<WrittenProfile, Fault> {
     if matches!(extension, "slcs" | "slcw") {
         let message = "is a list of slices along the rail or around the wheel: give one of the files it names";
         return Err(Fault::of_file(message));
@@ -207,7 +214,9 @@ fn of_format(text: &str, extension: &str, side: Rail) -> Result<WrittenProfile, 
         .find(|line| !line.is_empty());
     let written = match first.unwrap_or_default() {
         line if simpack::is_first_line(line) => simpack::read(text)?,
-        line if vampire::is_first_line(line) => vampire::read(text, side)?,
+        line if vampire::is_first_line(line) => {
+            vampire::read(text, reading.side, 1e3 * reading.flange_back)?
+        }
         line if mini_prof::is_first_line(line) => mini_prof::read(text, extension)?,
         _ => table::read(text)?,
     };

@@ -2,6 +2,7 @@
 
 use riffel_keys::{Message, fixed, say};
 
+use super::ProfileReading;
 use super::written::{Fault, WrittenProfile};
 use crate::file::{ProfileKind, ProfileOrientation};
 
@@ -13,42 +14,104 @@ const TIP: std::ops::RangeInclusive<f64> = -0.068..=-0.035;
 const BACK: f64 = 0.070;
 /// How far from the inner end of an outline its tip lies at least if it shows the flange back \[m\].
 const BEFORE_TIP: f64 = 0.008;
+/// By how much a flange back that was measured may lie elsewhere than it is taken to \[m\]: a tenth of the play of a wheelset.
+const OFF_BACK: f64 = 1e-3;
 /// Distances of the origin from the crown of a rail, and of its height from the tread of a wheel, beyond which it lies elsewhere \[m\].
 const OFF_CROWN: f64 = 0.015;
 const OFF_HEIGHT: f64 = 0.010;
 
-/// Turn the points to x positive to the field side and y upward, as it is asked or as it is found.
+/// Turn the points to x positive to the field side and y upward, as it is asked or as it is found, and put the origin in its
+/// place.
 pub(super) fn turn(
     written: &mut WrittenProfile,
-    asked: Option<ProfileOrientation>,
+    reading: ProfileReading,
     kind: ProfileKind,
 ) -> Result<(), Fault> {
     let default = match written.of_any_orientation {
         true => ProfileOrientation::Found,
         false => ProfileOrientation::AsWritten,
     };
-    let [across, up] = match asked.unwrap_or(default) {
-        ProfileOrientation::AsWritten => return Ok(()),
+    let orientation = reading.orientation.unwrap_or(default);
+    let is_found = orientation == ProfileOrientation::Found;
+    let [across, up] = match orientation {
+        ProfileOrientation::AsWritten => [1.0, 1.0],
         ProfileOrientation::Mirrored => [-1.0, 1.0],
         ProfileOrientation::UpsideDown => [1.0, -1.0],
         ProfileOrientation::Turned => [-1.0, -1.0],
-        ProfileOrientation::Found => {
-            if written.points.len() < 3 {
-                return Ok(());
-            }
-            let signs = match kind {
-                ProfileKind::Wheel => of_wheel(&written.points),
-                ProfileKind::Rail => of_rail(&written.points),
-            };
-            tell(written, kind, signs);
-            signs
-        }
+        ProfileOrientation::Found if written.points.len() < 3 => return Ok(()),
+        ProfileOrientation::Found => match kind {
+            ProfileKind::Wheel => of_wheel(&written.points),
+            ProfileKind::Rail => of_rail(written),
+        },
     };
     written.map(|[x, y]| [across * x, up * y]);
-    if asked.unwrap_or(default) == ProfileOrientation::Found {
+    let [x, y] = written.offset;
+    add_offset(written, [across * x, up * y], reading.flange_back, kind);
+    match kind {
+        ProfileKind::Rail => tell_of_rail(written, is_found, [across, up]),
+        ProfileKind::Wheel if is_found => {
+            let changes = changes([across, up]);
+            written.remarks.push(say!(read_as_wheel, changes = changes));
+        }
+        ProfileKind::Wheel => {}
+    }
+    if is_found {
         place_origin(written, kind)?;
     }
+    if kind == ProfileKind::Wheel {
+        tell_of_flange_back(written, reading.flange_back);
+    }
     Ok(())
+}
+
+/// Add what the head says is to be added, unless the flange back shows that it is in the coordinates already.
+fn add_offset(written: &mut WrittenProfile, offset: [f64; 2], usual: f64, kind: ProfileKind) {
+    if offset == [0.0; 2] {
+        return;
+    }
+    let [x, y] = offset.map(|value| fixed(1e3 * value, 2));
+    let back = flange_back(&written.points).filter(|_| kind == ProfileKind::Wheel);
+    let is_in = |back: f64| {
+        let off = (back - usual).abs();
+        off < OFF_BACK && off < (back + offset[0] - usual).abs()
+    };
+    if back.is_some_and(is_in) {
+        written.remarks.push(say!(offset_is_in, x = x));
+        return;
+    }
+    written.map(|[x, y]| [x + offset[0], y + offset[1]]);
+    written.remarks.push(say!(offset_added, x = x, y = y));
+}
+
+/// Where the flange back lies across, if the points reach round to where it is nearly upright.
+fn flange_back(points: &[[f64; 2]]) -> Option<f64> {
+    /// Slope of 75°, within half a millimetre of the upright for fillets of 12 mm and more.
+    const UPRIGHT: f64 = 3.7;
+    /// Length across from the innermost point in which the back turns \[m\].
+    const NEAR: f64 = 1e-3;
+    let inner = points.iter().fold(f64::MAX, |inner, [x, _]| inner.min(*x));
+    let is_upright = |pair: &[[f64; 2]]| {
+        let [across, up] = [pair[1][0] - pair[0][0], pair[1][1] - pair[0][1]];
+        let near = pair.iter().all(|point| point[0] - inner < NEAR);
+        near && up.abs() > UPRIGHT * across.abs()
+    };
+    points.windows(2).any(is_upright).then_some(inner)
+}
+
+/// Say of a flange back that lies elsewhere than it is taken to lie, for the wheel is then placed wrongly on its axle.
+fn tell_of_flange_back(written: &mut WrittenProfile, usual: f64) {
+    let Some(back) = flange_back(&written.points) else {
+        return;
+    };
+    if (back - usual).abs() > OFF_BACK {
+        let millimetres = |length: f64| fixed(1e3 * length, 1);
+        written.remarks.push(say!(
+            flange_back_elsewhere,
+            back = millimetres(back),
+            usual = millimetres(usual),
+            off = millimetres((back - usual).abs())
+        ));
+    }
 }
 
 /// Wheel or rail, by the width, where nothing else tells.
@@ -86,10 +149,47 @@ fn of_wheel(points: &[[f64; 2]]) -> [f64; 2] {
     [outward, -area.signum()]
 }
 
-/// Signs of x and y of a rail: its crown is above its ends; which side is the gauge side does not show.
-fn of_rail(points: &[[f64; 2]]) -> [f64; 2] {
+/// Signs of x and y of a rail: its crown is above its ends, and if it is inclined its head leans to the gauge side.
+fn of_rail(written: &WrittenProfile) -> [f64; 2] {
+    let points = &written.points;
     let ends = 0.5 * (points[0][1] + points[points.len() - 1][1]);
-    [1.0, if level(points) < ends { -1.0 } else { 1.0 }]
+    let up = if level(points) < ends { -1.0 } else { 1.0 };
+    let upright: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, up * y]).collect();
+    let leans_outward = !written.gauge_side_known && lean(&upright).is_some_and(|lean| lean > 0.0);
+    [if leans_outward { -1.0 } else { 1.0 }, up]
+}
+
+/// How far the middle of a head lies beside its highest point \[m\], where that is farther than side wear makes it.
+///
+/// A rail that is inclined by α has its highest point on the arc of its crown, of radius R, R tan α off the middle: 7.5 mm for
+/// 1:40 and 300 mm, and the middle of its head lies at its gauge side. Side wear of 10 mm moves the middle by 5 mm the other way.
+fn lean(points: &[[f64; 2]]) -> Option<f64> {
+    /// How far below the crown the middle is looked for, and where a head must reach to at least \[m\].
+    const DEPTHS: (f64, f64) = (5e-3, 14e-3);
+    /// Of heads of new rails that stand upright, and of some that are worn \[m\].
+    const UPRIGHT: f64 = 5e-3;
+    let crown = points
+        .iter()
+        .max_by(|one, other| one[1].total_cmp(&other[1]))?;
+    let depth_of_side = |side: f64| {
+        let beside = points.iter().filter(|[x, _]| side * (x - crown[0]) > 0.0);
+        beside.fold(0.0, |deepest: f64, [_, y]| deepest.max(crown[1] - y))
+    };
+    let depth = depth_of_side(-1.0).min(depth_of_side(1.0)).min(DEPTHS.1);
+    if depth < DEPTHS.0 {
+        return None;
+    }
+    let height = crown[1] - depth;
+    let sides = points.windows(2).filter_map(|pair| {
+        let [one, other] = [pair[0], pair[1]];
+        let crosses = (one[1] - height) * (other[1] - height) <= 0.0 && one[1] != other[1];
+        crosses.then(|| one[0] + (height - one[1]) / (other[1] - one[1]) * (other[0] - one[0]))
+    });
+    let [low, high] = sides.fold([f64::MAX, f64::MIN], |[low, high], x| {
+        [low.min(x), high.max(x)]
+    });
+    let lean = 0.5 * (low + high) - crown[0];
+    (high > low && lean.abs() > UPRIGHT).then_some(lean)
 }
 
 /// Median of the heights over the width.
@@ -113,16 +213,27 @@ fn level(points: &[[f64; 2]]) -> f64 {
     at_half.map_or(0.0, |(height, _)| *height)
 }
 
-fn tell(written: &mut WrittenProfile, kind: ProfileKind, [across, up]: [f64; 2]) {
-    let changes = match (across < 0.0, up < 0.0) {
+fn changes([across, up]: [f64; 2]) -> Message {
+    match (across < 0.0, up < 0.0) {
         (false, false) => say!(coordinates_right),
         (true, false) => say!(coordinates_mirrored),
         (false, true) => say!(coordinates_upside_down),
         (true, true) => say!(coordinates_turned),
-    };
-    written.remarks.push(match kind {
-        ProfileKind::Wheel => say!(read_as_wheel, changes = changes),
-        ProfileKind::Rail => say!(read_as_rail, changes = changes),
+    }
+}
+
+/// Say how a rail was found to stand, or that its head leans to what is given as its field side.
+fn tell_of_rail(written: &mut WrittenProfile, is_found: bool, signs: [f64; 2]) {
+    let lean = lean(&written.points);
+    let off = lean.map(|lean| fixed(1e3 * lean.abs(), 1));
+    let changes = changes(signs);
+    written.remarks.extend(match (is_found, off) {
+        (true, Some(off)) if lean < Some(0.0) => {
+            Some(say!(read_as_leaning_rail, changes = changes, off = off))
+        }
+        (true, _) => Some(say!(read_as_rail, changes = changes)),
+        (false, Some(off)) if lean > Some(0.0) => Some(say!(rail_leans_outward, off = off)),
+        (false, _) => None,
     });
 }
 

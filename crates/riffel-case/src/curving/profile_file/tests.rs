@@ -360,3 +360,132 @@ fn closed_and_crossing_outlines_are_refused() {
         "{message}"
     );
 }
+
+/// A wheel of MiniProf 5 mm off its datum circle is put there by XOffset, unless its flange back shows that it is there already;
+/// without the offset its place on the axle is said to be 5 mm off.
+#[test]
+fn offsets_of_a_file_are_added() {
+    let nominal = NominalProfile::named("S1002").unwrap().profile();
+    let folder = tempfile::tempdir().unwrap();
+    let read = |off: f64, head: &str| {
+        let points = nominal.sampled(2.5e-4);
+        let rows = points
+            .iter()
+            .map(|point| format!("{:.4}\t{:.4}\n", 1e3 * point.x - off, 1e3 * point.height));
+        let text = format!(
+            "Filename=x.whl\n{head}ColumnDef=X,Y\n\n{}",
+            rows.collect::<String>()
+        );
+        let path = folder.path().join("x.whl");
+        std::fs::write(&path, text).unwrap();
+        let read = read_profile(&path, ProfileReading::default()).unwrap();
+        let told: Vec<String> = read.remarks.iter().map(ToString::to_string).collect();
+        let height = read.profile.at(-30e-3).unwrap().height;
+        (height - nominal.at(-30e-3).unwrap().height, told.join("\n"))
+    };
+    let (off, told) = read(5.0, "XOffset=5.0\nYOffset=0.0\n");
+    assert!(
+        off.abs() < 1e-6 && told.contains("are added, 5.00 mm"),
+        "{off} {told}"
+    );
+    let (off, told) = read(0.0, "XOffset=5.0\n");
+    assert!(
+        off.abs() < 1e-6 && told.contains("is left out"),
+        "{off} {told}"
+    );
+    let (off, told) = read(5.0, "");
+    assert!(
+        off.abs() > 1e-4 && told.contains("the wheel stands 5.0 mm off"),
+        "{off} {told}"
+    );
+    let (_, told) = read(0.4, "");
+    assert!(!told.contains("flange back"), "{told}");
+    let bad = folder.path().join("bad.whl");
+    std::fs::write(&bad, "XOffset=five\nColumnDef=X,Y\n\n0 0\n").unwrap();
+    let refused = read_profile(&bad, ProfileReading::default()).err().unwrap();
+    assert!(
+        refused.to_string().contains("no number in millimetres"),
+        "{refused}"
+    );
+}
+
+/// Whatever datum a file of Vampire names, the wheel stands where its flange back says.
+#[test]
+fn a_tread_datum_does_not_move_the_wheel() {
+    let text = std::fs::read_to_string(file("wheel.whe")).unwrap();
+    assert!(text.contains("TREADDATUM"));
+    let folder = tempfile::tempdir().unwrap();
+    let read = |datum: &str| {
+        let lines = text
+            .lines()
+            .map(|line| match line.starts_with("TREADDATUM") {
+                true => format!("TREADDATUM {datum}\n"),
+                false => format!("{line}\n"),
+            });
+        let path = folder.path().join("wheel.whe");
+        std::fs::write(&path, lines.collect::<String>()).unwrap();
+        let read = read_profile(&path, ProfileReading::default()).unwrap();
+        let told: Vec<String> = read.remarks.iter().map(ToString::to_string).collect();
+        (read.profile.at(-30e-3).unwrap().height, told.join("\n"))
+    };
+    let (european, plain) = read("EUROPEAN");
+    for (datum, place) in [("US1", "72.23"), ("US2", "77.79"), ("65", "65.00")] {
+        let (height, told) = read(datum);
+        assert_eq!(height, european, "{datum}");
+        assert!(
+            told.contains(&format!("its tread datum lies {place} mm")),
+            "{told}"
+        );
+    }
+    assert!(!plain.contains("tread datum"), "{plain}");
+}
+
+/// The head of a rail that is inclined 1:40 or 1:20 leans to its gauge side: drawn the other way round it is turned over where the
+/// format leaves that open, and said where it does not; a rail that stands upright, worn at its side or not, is not.
+#[test]
+fn an_inclined_rail_shows_its_gauge_side() {
+    let nominal = NominalProfile::named("60E1").unwrap().profile();
+    let folder = tempfile::tempdir().unwrap();
+    let read = |name: &str, slope: f64, side: f64, worn: f64| {
+        // Turned inward: the head leans to x below zero.
+        let points = nominal.turned(slope.atan()).sampled(2.5e-4).into_iter();
+        let kept = points.filter(|point| point.x > nominal.range()[0] + worn);
+        let mut rows: Vec<String> = kept
+            .map(|point| format!("{:.4} {:.4}\n", 1e3 * side * point.x, 1e3 * point.height))
+            .collect();
+        if side < 0.0 {
+            rows.reverse();
+        }
+        let head = if name.ends_with("ban") {
+            "Filename=x\nColumnDef=X,Y\n\n"
+        } else {
+            ""
+        };
+        let path = folder.path().join(name);
+        std::fs::write(&path, format!("{head}{}", rows.concat())).unwrap();
+        let read = read_profile(&path, ProfileReading::default()).unwrap();
+        let told: Vec<String> = read.remarks.iter().map(ToString::to_string).collect();
+        (read.profile.at(-30e-3).unwrap().height, told.join("\n"))
+    };
+    for slope in [1.0 / 40.0, 1.0 / 20.0] {
+        let (as_it_is, told) = read("x.ban", slope, 1.0, 0.0);
+        assert!(
+            told.contains("stand as they should; its head leans by"),
+            "{told}"
+        );
+        let (turned, told) = read("x.ban", slope, -1.0, 0.0);
+        assert!((turned - as_it_is).abs() < 1e-6, "{turned} {as_it_is}");
+        assert!(told.contains("are mirrored; its head leans by"), "{told}");
+        let (_, told) = read("x.txt", slope, -1.0, 0.0);
+        assert!(told.contains("to x above zero"), "{told}");
+        let (_, told) = read("x.txt", slope, 1.0, 0.0);
+        assert!(!told.contains("leans"), "{told}");
+    }
+    for worn in [0.0, 5e-3] {
+        let (_, told) = read("x.ban", 0.0, 1.0, worn);
+        assert!(
+            told.contains("x below zero is taken as the gauge side"),
+            "{told}"
+        );
+    }
+}

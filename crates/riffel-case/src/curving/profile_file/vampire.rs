@@ -28,9 +28,13 @@ fn kind_of(line: &str) -> Option<ProfileKind> {
 }
 
 /// The profile of one side; the right one is drawn as it is, the left one turned over.
-pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
+///
+/// `flange_back` \[mm\] is where the flange back lies in the coordinates of a wheel, by which it is placed on its axle; heights are
+/// from the file's own datum.
+pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenProfile, Fault> {
     let mut written = WrittenProfile {
         of_any_orientation: true,
+        gauge_side_known: true,
         ..WrittenProfile::default()
     };
     let mut lines = text
@@ -112,11 +116,18 @@ pub(super) fn read(text: &str, side: Rail) -> Result<WrittenProfile, Fault> {
     if let Some(distance) = distance {
         match kind {
             Some(ProfileKind::Wheel) => {
-                let origin = 0.5 * distance + datum.unwrap_or(70.0);
+                let origin = 0.5 * distance - flange_back;
                 written.map(|[y, z]| [y - origin, z]);
                 written
                     .remarks
                     .push(say!(flange_backs_apart, distance = fixed(distance, 1)));
+                if let Some(datum) = datum.filter(|datum| (datum + flange_back).abs() > 0.05) {
+                    written.remarks.push(say!(
+                        tread_datum_elsewhere,
+                        datum = fixed(datum, 2),
+                        origin = fixed(-flange_back, 2)
+                    ));
+                }
             }
             _ => {
                 let depth = datum.unwrap_or(14.0);

@@ -41,6 +41,10 @@ pub(super) struct WrittenProfile {
     pub(super) kind: Option<ProfileKind>,
     /// Whether the format leaves open how the coordinates stand, so that it is found.
     pub(super) of_any_orientation: bool,
+    /// Whether the format tells the gauge side of a rail, x below zero.
+    pub(super) gauge_side_known: bool,
+    /// What the head of the file says is to be added to x and y.
+    pub(super) offset: [f64; 2],
     pub(super) remarks: Vec<Message>,
 }
 
@@ -52,6 +56,7 @@ impl WrittenProfile {
 
     pub(super) fn scale(&mut self, factor: f64) {
         self.map(|point| point.map(|value| factor * value));
+        self.offset = self.offset.map(|value| factor * value);
     }
 
     pub(super) fn map(&mut self, change: impl Fn([f64; 2]) -> [f64; 2]) {

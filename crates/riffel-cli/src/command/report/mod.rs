@@ -316,8 +316,8 @@ fn measured(
                 diagnosis,
             }
         }
-        RoughnessFile::Spectra(spectra) => {
-            let survey = Survey::new(path, spectra, Vec::new())?.choose(&record.choose)?;
+        RoughnessFile::Spectra(spectra, warnings) => {
+            let survey = Survey::new(path, spectra, warnings)?.choose(&record.choose)?;
             let by = record.by.as_deref().or_else(|| survey.date_column());
             let before = Before::of_table(&survey);
             let (latest, date) = survey.clone().latest();

@@ -48,8 +48,8 @@ pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {
             choose_nothing(path, &arguments.choose, arguments.by.as_deref())?;
             profile::run(path, record, &limits, arguments)
         }
-        RoughnessFile::Spectra(spectra) => {
-            let survey = Survey::new(path, spectra, Vec::new())?;
+        RoughnessFile::Spectra(spectra, warnings) => {
+            let survey = Survey::new(path, spectra, warnings)?;
             spectra::run(survey, &limits, arguments)
         }
     }

@@ -6,6 +6,7 @@ use riffel_rail::{LimitTable, Survey};
 use super::folder;
 use crate::arguments::Roughness;
 use crate::error::CliError;
+use crate::messages::print_remarks;
 use crate::output::{json, print, table};
 use crate::staging::Staging;
 
@@ -40,6 +41,7 @@ pub(super) fn run(
     if arguments.json {
         print(&document)?;
         if arguments.output.is_none() {
+            print_remarks(&survey.warnings);
             return Ok(());
         }
     }
@@ -70,6 +72,7 @@ pub(super) fn run(
             files.join(" ")
         ))?;
     }
+    print_remarks(&survey.warnings);
     Ok(())
 }
 

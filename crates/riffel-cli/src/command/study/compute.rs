@@ -42,6 +42,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let stop = stop_on_interrupt();
     say(beginning(&study));
     let folder = ResultFolder::begin(&study, &path)?;
+    let _in_use = folder.occupy(shard)?;
     let states = folder.states(shard)?;
     for (chunk, state) in &states {
         if let ChunkState::Damaged(file) = state {

@@ -1,0 +1,133 @@
+//! What grows, and what grinding takes off.
+
+use riffel_network::{Aim, Budget, DefectKind, NetworkError, growth, plan, worst};
+
+use crate::{grassie, store, survey, take};
+
+/// Joints every 18 m from one place on, and between 200 and 300 m corrugation \[µm\].
+fn line(place: f64, joint: f64, corrugation: f64) -> f64 {
+    if (place - joint).rem_euclid(18.0) < 1.0 {
+        36.0
+    } else if (200.0..300.0).contains(&place) {
+        corrugation
+    } else {
+        2.0 + 0.1 * (place * 7.3).sin()
+    }
+}
+
+/// Joints that a second survey has a metre off do not grow by 22.8 dB a year; corrugation between them does grow, is told first, and is
+/// what is ground. Joints are named as what they are.
+#[test]
+fn joints_a_metre_off_do_not_grow() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let (_, before) = survey(folder.path(), "a.csv", [0, 600], |_, place| {
+        line(place, 17.0, 8.0)
+    });
+    let (_, after) = survey(folder.path(), "b.csv", [0, 600], |_, place| {
+        line(place - 1.0, 17.0, 10.0)
+    });
+    take(&store, "A", "2026-03-16", &before);
+    take(&store, "A", "2026-11-16", &after);
+    let judgement = grassie(&store);
+    let grown = growth(&store, &judgement, 100.0, None)?;
+    let yearly = 20.0 * (10.0f64 / 8.0).log10() / 245.0 * 365.2425;
+    for section in &grown {
+        match section.from_m {
+            200.0 => {
+                // Joints grow no more than the rail between them: their share of the energy stays.
+                assert!(section.growth_db_per_year > 0.5, "{section:?}");
+                assert!(section.growth_db_per_year < yearly + 0.1, "{section:?}");
+                assert_eq!(section.kind, Some(DefectKind::Corrugation));
+            }
+            _ => {
+                // A joint that comes in at an end or goes out there.
+                assert!(section.growth_db_per_year.abs() < 2.5, "{section:?}");
+                assert_eq!(section.months_to_limit.filter(|months| *months > 0.0), None);
+            }
+        }
+    }
+    let places = worst(&store, &judgement, 100.0, None, 20)?;
+    assert_eq!(
+        (places[0].from_m, places[0].kind),
+        (200.0, Some(DefectKind::Corrugation))
+    );
+    assert!(
+        places[2..]
+            .iter()
+            .all(|place| place.kind != Some(DefectKind::Corrugation))
+    );
+    assert!(
+        places
+            .iter()
+            .any(|place| place.kind == Some(DefectKind::SinglePlaces))
+    );
+    let budget = Budget::of_length(600.0);
+    let found = plan(&store, &judgement, 100.0, 12.0, &budget, Aim::WorstFirst)?;
+    let sites: Vec<(f64, f64)> = found
+        .sites
+        .iter()
+        .map(|site| (site.from_m, site.to_m))
+        .collect();
+    assert_eq!(sites, [(200.0, 300.0)]);
+    assert!(found.single_places_m > 0.0);
+    let told = found.remarks.concat();
+    assert!(told.contains("at single places alone"), "{told}");
+    Ok(())
+}
+
+/// A trend goes through all dates, from where the rail was ground; a repeated survey tells the scatter, within which nothing grows.
+#[test]
+fn a_trend_goes_through_all_dates() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let levels = [
+        ("2024-01-01", 12.0),
+        ("2025-01-01", 1.0),
+        ("2025-07-02", 2.4),
+        ("2026-01-01", 3.0),
+        ("2026-01-03", 3.4),
+    ];
+    for (date, level) in levels {
+        // Sections scatter: by half a decibel at every date, and each in its own way.
+        let (_, file) = survey(
+            folder.path(),
+            &format!("{date}.csv"),
+            [0, 1000],
+            |rail, place| {
+                let section = (place / 100.0).floor() + 10.0 * rail as f64;
+                let off = 0.5 * (section * 12.9898 + level * 78.233).sin();
+                10f64.powf((level + off) / 20.0)
+            },
+        );
+        take(&store, "A", date, &file);
+    }
+    let judgement = grassie(&store);
+    let grown = growth(&store, &judgement, 100.0, None)?;
+    assert_eq!(grown.len(), 20);
+    for section in &grown {
+        assert_eq!((section.surveys, &*section.dates[0]), (4, "2025-01-01"));
+        let error = section.growth_error_db_per_year.unwrap();
+        // By hand: 2.1 dB a year through the four means; their spread of 0.86 years and 0.5 dB leave 1.2.
+        assert!(
+            (section.growth_db_per_year - 2.2).abs() < 1.6,
+            "{section:?}"
+        );
+        assert!((0.8..2.0).contains(&error), "{error}");
+    }
+    let mean = grown
+        .iter()
+        .map(|section| section.growth_db_per_year)
+        .sum::<f64>()
+        / 20.0;
+    assert!((mean - 2.2).abs() < 0.5, "{mean}");
+    // Two surveys within a week show no growth.
+    let between = Some(["2026-01-01".parse().unwrap(), "2026-01-03".parse().unwrap()]);
+    let repeated = growth(&store, &judgement, 100.0, between)?;
+    assert!(
+        repeated
+            .iter()
+            .all(|section| section.months_to_limit.is_none())
+    );
+    Ok(())
+}
