@@ -1,9 +1,9 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
 use riffel::growth::{RidgeBranch, RidgePoint};
-use riffel::{Axis, GrowthMap, Loop, Ridge};
+use riffel::{Axis, GrowthMap, Loop};
 use riffel_answers::map::DerivedDocument;
-use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
+use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -130,7 +130,7 @@ impl Computed {
         wanted: Wanted,
     ) -> Self {
         let map = GrowthMap::compute_while(feedback, wavelength, speed, wanted, |_| ());
-        let ridge = Ridge::of_map(feedback, &map);
+        let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
         let growing: Vec<&RidgePoint> = ridge

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
+use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, say};
 use serde::Serialize;
@@ -25,6 +25,17 @@ const NAMED: usize = 3;
 pub fn best_fit_frequency(ridge: &Ridge) -> Option<f64> {
     let strongest = ridge.branches.first()?;
     (!strongest.only_at_edge()).then(|| strongest.frequency())
+}
+
+/// The ridge of a loop of the case over the wavelengths of which growth is told; of none where the contact averages all out.
+pub fn ridge_of(case: &Case, feedback: &Loop) -> Ridge {
+    ridge_in(case, feedback, [case.wavelength, case.speed])
+}
+
+/// The same in a window of wavelengths and speeds.
+pub fn ridge_in(case: &Case, feedback: &Loop, [wavelength, speed]: [Axis; 2]) -> Ridge {
+    let told = case.told_of(wavelength);
+    told.map_or_else(Ridge::nothing, |told| Ridge::search(feedback, told, speed))
 }
 
 /// A branch of the ridge, as documents hold it.

@@ -9,6 +9,7 @@ use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
+use crate::growth_window::shortest_not_averaged;
 use crate::measurement;
 use crate::stability;
 use crate::track::Track;
@@ -22,10 +23,6 @@ const FREE_BEAM_FROM_HZ: f64 = 500.0;
 /// rail (shear coefficient 0.4) the phase is 9° off at 500 Hz, 17° at 1000 Hz and 24° at 1500 Hz, the
 /// modulus 2, 7 and 14 %.
 const EULER_BEAM_UP_TO_HZ: f64 = 500.0;
-
-/// Shortest wavelength in contact lengths 2a₀ at which averaging over the patch may be left out;
-/// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
-const CONTACT_FILTER_LENGTHS: f64 = 1.5;
 
 /// Share of the pinned-pinned frequency up to which supports may be taken as spread evenly without a
 /// remark. Even then the receptance of five of the tracks under `presets/` (rail 60E1) is up to 9 to
@@ -126,7 +123,7 @@ pub(crate) fn of_contact(
 ) -> Vec<Message> {
     let mut remarks = Vec::new();
     let file = &keys.file;
-    let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
+    let shortest = shortest_not_averaged(hertz);
     let resolved = file.contact.response == ContactDynamics::NonSteady;
     if !resolved && shortest_asked < shortest {
         let shortest = 1e3 * shortest;
