@@ -1,7 +1,7 @@
 //! `POST /api/map`: the growth map of a case, as numbers for the page to colour.
 
 use riffel::growth::{RidgeBranch, RidgePoint};
-use riffel::{Axis, GrowthMap, Loop};
+use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
@@ -85,9 +85,13 @@ struct BranchColumns {
     wavelength_m: Vec<f64>,
 }
 
-impl From<&RidgeBranch> for BranchColumns {
-    fn from(branch: &RidgeBranch) -> Self {
-        let column = |value: fn(&RidgePoint) -> f64| branch.crest().map(value).collect();
+impl BranchColumns {
+    /// Of all pieces of a branch.
+    fn of(ridge: &Ridge, document: &BranchDocument) -> Self {
+        let pieces = document.pieces.iter().map(|&piece| &ridge.branches[piece]);
+        let mut points: Vec<&RidgePoint> = pieces.flat_map(RidgeBranch::crest).collect();
+        points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let column = |value: fn(&RidgePoint) -> f64| points.iter().map(|&p| value(p)).collect();
         Self {
             speed_m_per_s: column(|point| point.speed),
             wavelength_m: column(|point| point.wavelength),
@@ -155,10 +159,9 @@ impl Computed {
                 },
                 branches: branches
                     .into_iter()
-                    .zip(&ridge.branches)
-                    .map(|(document, branch)| Branch {
+                    .map(|document| Branch {
+                        points: BranchColumns::of(&ridge, &document),
                         document,
-                        points: branch.into(),
                     })
                     .collect(),
                 branches_in_words,

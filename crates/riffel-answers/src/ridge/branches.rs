@@ -17,6 +17,9 @@ use serde::Serialize;
 const NEAR: f64 = 0.10;
 /// The same for natural modes of the wheelset, which have little damping and lie closer together.
 const NEAR_MODE: f64 = 0.05;
+/// Branches whose frequencies are nearer to one another by ratio are pieces of one line: a map of coarse speeds parts it, and so
+/// do lines that cross it.
+const ONE: f64 = 1.02;
 /// Branches named in a sentence after the strongest.
 const NAMED: usize = 3;
 
@@ -58,6 +61,9 @@ pub struct BranchDocument {
     pub mechanism: Option<&'static str>,
     #[serde(skip)]
     kind: Option<MechanismKind>,
+    /// The places of its pieces among the branches of the ridge.
+    #[serde(skip)]
+    pub pieces: Vec<usize>,
 }
 
 impl BranchDocument {
@@ -68,8 +74,32 @@ impl BranchDocument {
         } else {
             resonances(case)
         };
-        let document = |branch: &RidgeBranch| Self::new(branch, &resonances);
-        ridge.branches.iter().map(document).collect()
+        let mut documents: Vec<Self> = Vec::new();
+        for (piece, branch) in ridge.branches.iter().enumerate() {
+            let document = Self {
+                pieces: vec![piece],
+                ..Self::new(branch, &resonances)
+            };
+            match documents.iter_mut().find(|stronger| stronger.is_one_with(&document)) {
+                Some(stronger) => stronger.take_in(&document),
+                None => documents.push(document),
+            }
+        }
+        documents
+    }
+
+    /// Whether both are pieces of one line: within 2 % in frequency, each seen at its crest.
+    fn is_one_with(&self, other: &Self) -> bool {
+        let apart = (other.frequency_hz / self.frequency_hz).ln().abs();
+        apart < ONE.ln() && !self.only_at_edge && !other.only_at_edge
+    }
+
+    /// A weaker piece of the same line.
+    fn take_in(&mut self, other: &Self) {
+        let both = |[from, to]: [f64; 2], other: [f64; 2]| [from.min(other[0]), to.max(other[1])];
+        self.pieces.extend(&other.pieces);
+        self.speed_m_per_s = both(self.speed_m_per_s, other.speed_m_per_s);
+        self.wavelength_m = both(self.wavelength_m, other.wavelength_m);
     }
 
     fn new(branch: &RidgeBranch, resonances: &[(MechanismKind, f64)]) -> Self {
@@ -90,6 +120,7 @@ impl BranchDocument {
             only_at_edge,
             mechanism: kind.map(MechanismKind::name),
             kind,
+            pieces: Vec::new(),
         }
     }
 

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use riffel::curving::{Curve, WheelState};
 use riffel::growth::GrowthCourse;
 use riffel_case::file::{ContactOfWheel, CurveRail};
+use riffel_keys::Message;
 use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
 use riffel_plot::{LineFigure, MapFigure};
 
@@ -58,6 +59,8 @@ pub struct WheelGrowth {
     pub rates: Vec<f64>,
     /// The fastest wavelength; none where nothing grows.
     pub highest: Option<Highest>,
+    /// What the reader should know, of stability at the speed of the curve.
+    pub remarks: Vec<Message>,
     /// Frequency \[Hz\] at which the loop oscillates without any profile at the speed of the curve, if it does.
     pub unstable: Option<f64>,
 }
@@ -223,6 +226,7 @@ impl WheelGrowth {
         let growth = Self {
             map: MapAnswer::new(&case, progress),
             highest,
+            remarks: case.remarks_at(speed),
             unstable: stability.and_then(|stability| stability.frequency),
             rates: Vec::new(),
             case,

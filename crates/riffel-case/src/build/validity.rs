@@ -234,18 +234,14 @@ fn readable(growth: f64) -> Value {
 /// of measured frequencies; only these can.
 fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
     let judged: Vec<_> = stability::over(feedback, speed).collect();
-    let grows = |(speed, stability): &(f64, Result<Stability, Error>)| {
-        Some((*speed, stability.as_ref().ok()?.frequency?))
+    let said = |(speed, found): &(f64, Result<Stability, Error>)| stability::said(*speed, found);
+    let grows = |judged: &&(f64, Result<Stability, Error>)| {
+        judged.1.as_ref().is_ok_and(|found| found.frequency.is_some())
     };
-    let Some((speed, frequency)) = judged.iter().find_map(grows) else {
-        let (speed, _) = judged.iter().find(|(_, stability)| stability.is_err())?;
-        return Some(say!(loop_not_judged, speed = fixed(3.6 * speed, 0)));
-    };
-    Some(say!(
-        loop_unstable,
-        speed = fixed(3.6 * speed, 0),
-        frequency = fixed(frequency, 0)
-    ))
+    match judged.iter().find(grows) {
+        Some(judged) => said(judged),
+        None => judged.iter().find_map(said),
+    }
 }
 
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on

@@ -119,7 +119,7 @@ impl ModelOnCase {
         };
         move |wavelength| {
             let rates = places.iter().map(|(feedback, weight)| {
-                weight * feedback.complex_growth_rate(wavelength, speed).re
+                weight * feedback.at(wavelength, speed).growth_rate
             });
             let filtered = self
                 .filter
@@ -443,7 +443,7 @@ impl ModelKeys<'_> {
 }
 
 /// Mass \[kg\] and inertia about the axle \[kg m²\] of half a wheelset; none of one that is known by its receptances alone.
-fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
+pub(crate) fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
     let [mass, inertia] = match wheelset.model {
         WheelsetModel::Measured => return None,
         WheelsetModel::Rigid | WheelsetModel::Modal => {

@@ -216,7 +216,8 @@ pub(super) fn chains(rows: &[(f64, &[Minimum])]) -> Vec<Vec<Place>> {
                 let expected = chain.expected(ln_speed, minimum.at_end);
                 let distance = (ln_frequency(minimum) - expected).abs();
                 let [shortest, longest] = minimum.between;
-                let step = 0.5 * (longest - shortest) / minimum.wavelength;
+                let at = minimum.wavelength;
+                let step = (longest - at).max(at - shortest) / at;
                 let allowed = (ln_speed - last_speed).min(LARGEST_STEP) + step;
                 if distance <= allowed {
                     pairs.push((distance, index, place));

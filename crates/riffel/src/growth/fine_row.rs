@@ -12,6 +12,8 @@ const STEP: f64 = 0.005;
 const SHORTEST: f64 = 1e-6;
 /// Deviation from a straight line between two values up to which a step is left whole, over the size of the row.
 const STRAIGHT: f64 = 0.01;
+/// How often in a row a step must be straight: the middle of a resonance that turns its phase may lie on the line by chance.
+const LOOKS: usize = 2;
 /// Size of a row over its largest value, at least: growth below that beside the decay elsewhere is not resolved for its own sake.
 const LEAST_SIZE: f64 = 1e-3;
 /// Most values of a row after the first ones: some hundred lines.
@@ -20,7 +22,7 @@ const MOST: usize = 6000;
 /// Re Ŵ₁ at rising wavelengths of a window, close together where it changes fast.
 ///
 /// Method: equal steps in ln λ of at most half a per cent, each of which is halved until the
-/// value in its middle lies on the straight line between its ends, to 1 % of the largest growth of the row. What a row
+/// value in its middle lies on the straight line between its ends, twice in a row, to 1 % of the largest growth of the row. What a row
 /// says does therefore not depend on the points of a map. A resonance of less than 0.02 % of the critical damping may be
 /// missed.
 #[derive(Debug, Clone, PartialEq)]
@@ -125,23 +127,23 @@ impl FineRow {
         };
         for index in 1..=last {
             let mut here = (first[index - 1], values[index - 1]);
-            // Ends still ahead, the nearest last; each with whether the step to it is looked into.
-            let mut ahead = vec![(
-                first[index],
-                values[index],
-                bends(index - 1) || bends(index),
-            )];
-            while let Some(&(wavelength, at_end, look)) = ahead.last() {
+            // Ends still ahead, the nearest last; each with how often the step to it is still looked into.
+            let looks = if bends(index - 1) || bends(index) { LOOKS } else { 0 };
+            let mut ahead = vec![(first[index], values[index], looks)];
+            while let Some(&(wavelength, at_end, looks)) = ahead.last() {
                 let added = refined.wavelengths.len() + ahead.len() - index;
-                if look && added < MOST && wavelength / here.0 > 1.0 + SHORTEST {
+                if looks > 0 && added < MOST && wavelength / here.0 > 1.0 + SHORTEST {
                     let middle = (here.0 * wavelength).sqrt();
                     let in_middle = value(middle);
                     let off = (in_middle - 0.5 * (here.1 + at_end)).abs();
-                    let bent = off > straight(size, &[here.1, in_middle, at_end]);
+                    let left = match off > straight(size, &[here.1, in_middle, at_end]) {
+                        true => LOOKS,
+                        false => looks - 1,
+                    };
                     if let Some(end) = ahead.last_mut() {
-                        end.2 = bent;
+                        end.2 = left;
                     }
-                    ahead.push((middle, in_middle, bent));
+                    ahead.push((middle, in_middle, left));
                 } else {
                     refined.wavelengths.push(wavelength);
                     refined.values.push(at_end);
@@ -196,7 +198,7 @@ mod tests {
                 // (1 + x)/(1 + x²) is at most (1 + √2)/2.
                 let highest = -3.0 * 0.5 * (1.0 + 2f64.sqrt());
                 assert!((least - highest).abs() < 0.06, "{half_width} {at}: {least}");
-                assert!(row.wavelengths.is_sorted() && row.wavelengths.len() < 1000);
+                assert!(row.wavelengths.is_sorted() && row.wavelengths.len() < 1500);
             }
         }
     }
