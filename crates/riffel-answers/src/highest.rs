@@ -2,32 +2,34 @@
 
 use std::f64::consts::LN_2;
 
+use riffel::Axis;
+use riffel::growth::GrowthCourse;
+use riffel_case::Case;
 use serde::Serialize;
 
 /// The wavelength that grows fastest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Highest {
-    /// Wavelength \[m\], one of those of the answer.
+    /// Wavelength \[m\].
     pub wavelength: f64,
     /// Frequency \[Hz\].
     pub frequency: f64,
     /// Growth rate per passage \[-\].
     pub rate: f64,
-    /// It is the first or the last of the wavelengths: a shorter or longer one may grow faster.
+    /// It stands at an end of the wavelengths: a shorter or longer one may grow faster.
     pub at_edge: bool,
 }
 
 impl Highest {
-    /// Of rates at wavelengths \[m\] and one speed \[m/s\]; none where none is above zero.
-    pub(crate) fn of(wavelengths: &[f64], rates: &[f64], speed: f64) -> Option<Self> {
-        let rates = rates.iter().enumerate();
-        let (place, &rate) = rates.max_by(|a, b| a.1.total_cmp(b.1))?;
-        let wavelength = *wavelengths.get(place)?;
+    /// Of a course of growth at one speed \[m/s\]; none where nothing grows.
+    pub(crate) fn of(course: &GrowthCourse, speed: f64) -> Option<Self> {
+        let place = course.highest();
+        let (wavelength, rate) = (course.wavelengths[place], course.rates[place]);
         (rate > 0.0).then(|| Self {
             wavelength,
             frequency: speed / wavelength,
             rate,
-            at_edge: place == 0 || place + 1 == wavelengths.len(),
+            at_edge: place == 0 || place + 1 == course.rates.len(),
         })
     }
 
@@ -58,4 +60,42 @@ impl From<Highest> for HighestDocument {
             at_edge: highest.at_edge,
         }
     }
+}
+
+/// Growth of a case at one speed \[m/s\] over the wavelengths of its map, with its narrow lines, and the wavelength that grows
+/// fastest of those of which that is told: all, where growth is filtered by the contact.
+pub(crate) fn over_the_window(
+    case: &Case,
+    filtered: bool,
+    speed: f64,
+    rate: impl Fn(f64) -> f64 + Sync,
+) -> (GrowthCourse, Option<Highest>) {
+    let window = case.wavelength;
+    let told = match filtered {
+        true => Some(window),
+        false => case.growth_window(),
+    };
+    let Some(told) = told else {
+        return (GrowthCourse::of(window, rate), None);
+    };
+    let course = GrowthCourse::of(told, &rate);
+    let highest = Highest::of(&course, speed);
+    let below = Axis::new(window.min(), told.min(), 2).ok();
+    let course = match below {
+        Some(below) => GrowthCourse::of(below, rate).followed_by(course),
+        None => course,
+    };
+    (course, highest)
+}
+
+/// The wavelengths of courses, rising, each once: those at which all of them are drawn.
+pub(crate) fn wavelengths_of<'a>(courses: impl Iterator<Item = &'a GrowthCourse>) -> Vec<f64> {
+    /// Wavelengths whose ratio is nearer to one are the same.
+    const SAME: f64 = 1e-7;
+    let mut all: Vec<f64> = courses
+        .flat_map(|course| course.wavelengths.iter().copied())
+        .collect();
+    all.sort_by(f64::total_cmp);
+    all.dedup_by(|later, earlier| *later < *earlier * (1.0 + SAME));
+    all
 }

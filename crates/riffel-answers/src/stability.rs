@@ -10,6 +10,8 @@ pub(crate) struct StabilityDocument {
     unstable_roots: usize,
     /// That of the highest; none where the loop is stable.
     frequency_hz: Option<f64>,
+    /// Of its amplitude in time; none where the loop is stable, or the root is not found.
+    growth_rate_per_s: Option<f64>,
 }
 
 /// The same at one of several speeds.
@@ -25,6 +27,7 @@ impl From<Stability> for StabilityDocument {
         Self {
             unstable_roots: stability.unstable_roots,
             frequency_hz: stability.frequency,
+            growth_rate_per_s: stability.growth_rate,
         }
     }
 }

@@ -29,6 +29,7 @@ mod fill_in;
 mod from_curve;
 mod from_profiles;
 mod general_keys;
+mod growth_window;
 mod hold;
 mod idle_key;
 mod kept_state;

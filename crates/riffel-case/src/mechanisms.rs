@@ -130,7 +130,7 @@ impl Case {
                 if self.track.support.is_none() {
                     "the rail of this case has no support"
                 } else {
-                    "damping leaves no resonance"
+                    "damping, or the suspension and the bending of the axle, leave no resonance of the unsprung mass on the track"
                 }
             )),
         }

@@ -2,7 +2,7 @@
 
 use std::f64::consts::TAU;
 
-use riffel::receptance::{Extremum, Resonance, ResonanceKind};
+use riffel::receptance::{Extremum, MassOnRail, Resonance, ResonanceKind};
 use riffel::{Complex64, Direction, Receptance};
 
 use crate::Case;
@@ -38,7 +38,8 @@ impl Case {
     /// wheel balance: the real part of the sum passes zero upward, and its modulus is least. On a model that is
     /// looked for above 10 Hz and below the frequency at which the track moves on its own, on another receptance
     /// below its first peak and where the rail is a spring, Re H_rail > 0, down to half the frequency: at the
-    /// least sum near a dip of the rail it is a mass below.
+    /// least sum near a dip of the rail it is a mass below. Where the wheel does not move as its unsprung mass, within a
+    /// factor of two, the sum is least for another reason: a suspension or an axle that holds the wheel still.
     pub fn p2(&self) -> Option<Resonance> {
         if !matches!(self.track.origin, Origin::Model) {
             return self.p2_of_lines();
@@ -46,7 +47,37 @@ impl Case {
         let rail_mass = self.track.rail_mass?;
         let cut_on = self.track.support?.cut_on_frequencies(rail_mass);
         let &highest = cut_on.first()?;
-        Resonance::p2(|w| self.total(w), [TAU * 10.0, highest])
+        Resonance::p2(
+            |w| self.total(w),
+            |w| self.inertia(w),
+            [TAU * 10.0, highest],
+        )
+    }
+
+    /// The closed form of P2 beside it: the unsprung mass on the static shape of an evenly supported rail that bends alone.
+    /// None without a model of the track, or a mass of the wheel.
+    pub fn p2_closed_form(&self) -> Option<MassOnRail> {
+        let rail = self.keys.vertical_bending_stiffness()?;
+        let contact = self.feedback.contacts()[0].stiffness;
+        let (support, rail_mass) = (self.track.support?, self.track.rail_mass?);
+        MassOnRail::new(self.unsprung_mass()?, rail, rail_mass, support, contact).ok()
+    }
+
+    /// Mass \[kg\] that a contact feels of the wheel, or of the wheelset whose other wheel is free; none where no key tells it.
+    fn unsprung_mass(&self) -> Option<f64> {
+        if let (Some(wheelset), Some(keys)) = (&self.wheelset, &self.file.wheelset) {
+            return wheelset.mass_at_contact(0.5 * keys.contact_spacing.si());
+        }
+        let mass = self.file.wheel.mass.map(|mass| mass.si());
+        mass.filter(|_| self.keys.given.wheel.is_none())
+    }
+
+    /// Inertia that the wheel has at an angular frequency over its unsprung mass, −1/(ω² m_u Re H_wheel); one where that is not
+    /// known.
+    fn inertia(&self, w: f64) -> f64 {
+        let [_, wheel] = self.feedback.normal_receptances(w, self.speed.max());
+        self.unsprung_mass()
+            .map_or(1.0, |mass| -(w * w * mass * wheel.re).recip())
     }
 
     /// H_rail + H_wheel + 1/k_H \[m/N\].
@@ -70,17 +101,21 @@ impl Case {
         let first_peak = Extremum::peaks(&rail)
             .first()
             .map_or(f64::INFINITY, |peak| peak.angular_frequency);
-        Extremum::dips(&total)
+        let dips = Extremum::dips(&total)
             .into_iter()
             .take_while(|least| least.angular_frequency < first_peak)
-            .find(|least| {
+            .filter(|least| {
                 let w = least.angular_frequency;
                 let below = rail
                     .iter()
                     .filter(|line| SPRING_DOWN_TO * w <= line.0 && line.0 <= w);
                 below.map(|(_, h)| h.re).sum::<f64>() > 0.0
-            })
-            .map(|least| self.named(ResonanceKind::P2, least))
+            });
+        let dips: Vec<Extremum> = dips.collect();
+        let places = dips.iter().map(|least| least.angular_frequency);
+        let p2 = Resonance::as_mass(places, |w| self.inertia(w))?;
+        let least = dips.into_iter().find(|least| least.angular_frequency == p2);
+        least.map(|least| self.named(ResonanceKind::P2, least))
     }
 
     fn peaks_and_dips(&self) -> Vec<Resonance> {

@@ -2,6 +2,7 @@
 
 use riffel::feedback::Stability;
 use riffel::{Axis, Error, Loop};
+use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::Case;
 
@@ -16,12 +17,53 @@ impl Case {
         judged(&self.feedback, speed)?.ok()
     }
 
+    /// What the reader should know about the validity of the models where one speed \[m/s\] is asked about: as
+    /// [`remarks`](Self::remarks), but whether the loop oscillates without any profile is said of that speed.
+    pub fn remarks_at(&self, speed: f64) -> Vec<Message> {
+        let of_stability = [
+            say!(loop_not_judged, speed = ""),
+            say!(loop_unstable, speed = "", frequency = "", growth = ""),
+        ];
+        let other = |remark: &&Message| of_stability.iter().all(|of| of.id() != remark.id());
+        let own = judged(&self.feedback, speed).and_then(|found| said(speed, &found));
+        self.remarks.iter().filter(other).cloned().chain(own).collect()
+    }
+
     /// The speeds \[m/s\] of the map at which the loop is judged, with what it is there.
     pub fn stability_over_the_map(&self) -> Vec<(f64, Stability)> {
         let judged = over(&self.feedback, self.speed);
         judged
             .filter_map(|(speed, stability)| Some((speed, stability.ok()?)))
             .collect()
+    }
+}
+
+/// What is to be said of a loop at a speed \[m/s\], if anything: that it oscillates, or that it cannot be told.
+pub(crate) fn said(speed: f64, found: &Result<Stability, Error>) -> Option<Message> {
+    let speed = fixed(3.6 * speed, 0);
+    let Ok(found) = found else {
+        return Some(say!(loop_not_judged, speed = speed));
+    };
+    let frequency = fixed(found.frequency?, 0);
+    let growth = found.growth_rate.map(|growth| {
+        let time = duration(growth.recip());
+        Value::from(say!(loop_unstable_growth, time = time))
+    });
+    Some(say!(
+        loop_unstable,
+        speed = speed,
+        frequency = frequency,
+        growth = growth.unwrap_or("".into())
+    ))
+}
+
+/// A time \[s\] to two digits.
+fn duration(seconds: f64) -> Value {
+    match seconds {
+        seconds if seconds >= 10.0 => number(format_args!("{seconds:.0} s")),
+        seconds if seconds >= 0.995 => number(format_args!("{seconds:.1} s")),
+        seconds if seconds >= 0.00995 => number(format_args!("{:.0} ms", 1e3 * seconds)),
+        seconds => number(format_args!("{:.1} ms", 1e3 * seconds)),
     }
 }
 

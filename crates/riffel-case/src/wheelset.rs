@@ -46,6 +46,17 @@ impl CaseWheelset {
         }
     }
 
+    /// Mass \[kg\] that the vertical motion of one contact feels of the body without suspension and bending, where the other wheel
+    /// is free: 1/(1/M + s²/J_x), with s \[m\] the half distance of the contacts. None of a measured one.
+    pub(crate) fn mass_at_contact(&self, half_spacing: f64) -> Option<f64> {
+        let body = match self {
+            Self::Rigid(rigid) | Self::Modal(_, rigid) => rigid.body(),
+            Self::Flexible(flexible) => flexible.rigid_body(),
+            Self::Measured(_) => return None,
+        };
+        Some((body.mass.recip() + half_spacing.powi(2) / body.roll_inertia).recip())
+    }
+
     /// A sentence where frequencies up to one \[Hz\] leave those that the modes of a file describe.
     pub(crate) fn beyond_its_modes(&self, highest: f64) -> Option<Message> {
         let Self::Modal(modal, _) = self else {

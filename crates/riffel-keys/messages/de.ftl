@@ -135,10 +135,10 @@ profile-over-wheel = Δ/H Rad
 
 ## A wheel in time
 
-loss-factors-not-causal = Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis das nächste kausale, Rezeptanz im Mittel { $per_cent } % daneben
+loss-factors-not-causal = Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis ein kausales nahebei, wo nötig mit Dämpfern in den Schichten, Rezeptanz im Mittel { $per_cent } % daneben
 fitted-receptances-off = in der Zeit liegen die Rezeptanzen von Gleis und Rädern bis 3 kHz im Mittel { $per_cent } % daneben, höchstens { $most } %: Verlustfaktoren sind nicht kausal, und Wellen zwischen weit entfernten Rädern brauchen mehr Schwingungen, als angepasst werden
 wave-geometry-not-in-time = in der Zeit spürt ein Kontakt, der verspätet antwortet oder überall gleitet, nichts von der Geometrie der Welle selbst, die der Kreis dieses Falls hat: Wachstum ist hier das von contact.wave_geometry = false
-unstable-but-at-rest = linear ist der Kreis instabil, doch der Anstoß ist abgeklungen: was wächst, wächst langsamer, als diese Rechnung zeigt
+unstable-but-still = linear ist der Kreis instabil, doch nichts ist sichtbar gewachsen: was wächst, wächst langsamer, als diese Rechnung zeigt, oder die Strukturen in der Zeit sind stabil, wo die des Kreises es nicht sind
 stable-but-limit-cycle = linear ist der Kreis stabil, doch der Anstoß reicht für einen Grenzzyklus neben der Ruhelage
 support-passing-close-to-wave = auch die Überfahrt der Stützpunkte regt das Rad alle { $length } mm an, zu nahe an dieser Welle, um beide zu trennen: die Harmonischen enthalten beides
 airborne-run-ends = nach { $passages } Überrollungen ist das Rad mehr als die halbe Zeit in der Luft, und dort endet die Rechnung: wo es aufschlägt, fließt der Stahl
@@ -171,7 +171,6 @@ yaw-takes-play = mit seinem Gierwinkel von { $yaw } mrad hat Radsatz { $number }
 
 ## The mean state from a curve
 
-wheel-past-crown = das Rad steht jenseits der höchsten Stelle der Schiene, bei { $degrees }°: { $key } ist 0
 creep-law-without-spin = contact.creep_law = "{ $name }" kennt keinen Bohrschlupf: die { $spin } 1/m des Bogens bleiben weg ({ $key })
 case-has-own-values = statt dessen, was der Bogen sagt, hat der Fall eigene Werte: { $instead }
 no-rigid-contact-at-angle = kein starrer Kontakt hat den Winkel des Gleichgewichts, { $degrees }°
@@ -182,7 +181,8 @@ two-points-join-under-load = das Rad steht auf zwei Punkten, die unter Last zu e
 
 ellipse-too-wide = die Kontaktellipse ist { $width } mm breit: darüber hat kein Profil eine einzige Krümmung, und die Theorie von Hertz endet
 loop-not-judged = ob der Kreis bei { $speed } km/h stabil ist, ist nicht zu erkennen: seine Phase springt, wie an einer Resonanz ohne Dämpfung oder außerhalb gemessener Frequenzen; Radsatz, Schiene und Zwischenlagen einen Verlustfaktor geben
-loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz schwingt er ohne jedes Profil (Quietschen, Haften und Gleiten), und Wachstumsraten bedeuten dort nichts
+loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz schwingt er ohne jedes Profil (Quietschen, Haften und Gleiten){ $growth }, und Wachstumsraten bedeuten dort nichts
+loop-unstable-growth = , wächst e-fach in { $time }
 wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: contact.longitudinal_radius angeben
 track-moves-downward-only = dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr
 
@@ -253,6 +253,8 @@ ringing-wheel = das Rad klingt, wie seine Moden und die Schiene es zulassen: üb
 modes-of-other-wheel = die Moden sind die eines Rades von { $of_modes } mm, das Rad des Falls hat { $of_case } mm: ein kleineres Rad klingt höher
 far-away = in { $distance } m nehmen Boden und Luft, die hier fehlen, etwas davon weg: Pegel jenseits von { $far } m sind zu hoch
 smooth-wheels = die Räder gelten als glatt: sind sie rauer als die Schiene, steigen alle Pegel, und Schleifen spart weniger
+noise-before-and-after = vorher { $before } dB(A), jetzt { $after } dB(A): { $change } dB
+noise-on-mean-of-rails = auf dem energetischen Mittel der Schienen { $rails }, da Räder auf beiden laufen; mit --rail eine wählen, für den Lärm eines Zugs auf Schienen wie dieser
 noise-beyond-linear-range = außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀, Rad und Schiene trennen sich also, was die Kraft begrenzt; die Pegel sind die eines Kontakts, der hält
 rail-cut-short = die Schiene trägt mehr als ein Zehntel ihrer Schwingung weiter als 66 Schwellenfächer, wo ihre Länge endet: ihr Pegel ist zu niedrig bei { $frequencies } Hz
 bands-left-out = fehlt in jedem Pegel, mangels Rauheit, Abklingrate oder Rezeptanz dort: { $frequencies } Hz

@@ -143,10 +143,10 @@ profile-over-wheel = Δ/H wheel
 
 ## A wheel in time
 
-loss-factors-not-causal = loss factors are not causal: in time the track is the nearest causal one, { $per_cent } % rms off in receptance
+loss-factors-not-causal = loss factors are not causal: in time the track is a causal one near it, with dashpots in its layers where need be, { $per_cent } % rms off in receptance
 fitted-receptances-off = in time receptances of track and wheels are { $per_cent } % rms off up to 3 kHz, { $most } % at worst: loss factors are not causal, and waves between wheels far apart take more oscillations than are fitted
 wave-geometry-not-in-time = in time a contact that answers late, or slides everywhere, does not feel the wave's own geometry, which the loop of this case has: growth here is that of contact.wave_geometry = false
-unstable-but-at-rest = the linear loop is unstable, but what the push began has died out: what grows does so more slowly than this run shows
+unstable-but-still = the linear loop is unstable, but nothing has been seen to grow: what grows does so more slowly than this run shows, or the structures in time are stable where those of the loop are not
 stable-but-limit-cycle = the linear loop is stable, but the push is large enough for a limit cycle beside the state of rest
 support-passing-close-to-wave = passing the supports shakes the wheel every { $length } mm as well, too close to this wave to tell them apart: harmonics hold both
 airborne-run-ends = after { $passages } passages the wheel is in the air for more than half of the time, and the run ends there: steel yields where it comes down
@@ -179,7 +179,6 @@ yaw-takes-play = with its yaw of { $yaw } mrad wheelset { $number } has { $yawed
 
 ## The mean state from a curve
 
-wheel-past-crown = the wheel stands past the crown of its rail, at { $degrees }°: { $key } is 0
 creep-law-without-spin = contact.creep_law = "{ $name }" knows no spin: the { $spin } 1/m of the curve are left out ({ $key })
 case-has-own-values = in place of what that curve says the case has its own { $instead }
 no-rigid-contact-at-angle = no rigid contact has the angle of the equilibrium, { $degrees }°
@@ -190,7 +189,8 @@ two-points-join-under-load = the wheel stands on two points, which a patch under
 
 ellipse-too-wide = the ellipse of the contact is { $width } mm wide: over that no profile has one curvature, and Hertz's theory ends
 loop-not-judged = whether the loop is stable at { $speed } km/h cannot be told: its phase jumps, as at a resonance without damping or beyond measured frequencies; give wheelset, rail and pads a loss factor
-loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz it oscillates without any profile (squeal, stick and slip), and growth rates mean nothing there
+loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz it oscillates without any profile (squeal, stick and slip){ $growth }, and growth rates mean nothing there
+loop-unstable-growth = , growing e-fold in { $time }
 wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give contact.longitudinal_radius
 track-moves-downward-only = this track moves downward alone; along and across the rail it is taken as rigid
 
@@ -261,6 +261,8 @@ ringing-wheel = the wheel rings as its modes and the rail let it: above 2 kHz su
 modes-of-other-wheel = the modes are those of a wheel of { $of_modes } mm, the wheel of the case has { $of_case } mm: a smaller wheel rings higher
 far-away = { $distance } m away ground and air take some of it, which are left out: levels beyond { $far } m are too high
 smooth-wheels = the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what grinding saves
+noise-before-and-after = { $before } dB(A) before, { $after } dB(A) now: { $change } dB
+noise-on-mean-of-rails = on the energy mean of the rails { $rails }, as wheels run on both; choose one by --rail for the noise of a train on rails like it
 noise-beyond-linear-range = beyond the linear range: |P₁| is { $ratio } P₀, so that wheel and rail part, which bounds the force; the levels are those of a contact that holds
 rail-cut-short = the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level is too low at { $frequencies } Hz
 bands-left-out = left out of every level, for want of roughness, decay or receptance there: { $frequencies } Hz

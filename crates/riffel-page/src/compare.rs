@@ -125,7 +125,11 @@ impl Growth {
                 .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
                 .collect(),
             wavelength_m,
-            lines: Ridge::lines_at(&case.feedback, window, speed)
+            lines: case
+                .told_of(window)
+                .map_or_else(Vec::new, |told| {
+                    Ridge::lines_at(&case.feedback, told, speed)
+                })
                 .iter()
                 .map(RidgePointDocument::from)
                 .collect(),

@@ -3,7 +3,7 @@
 use riffel::growth::{RidgeBranch, RidgePoint};
 use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
-use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
+use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -85,9 +85,13 @@ struct BranchColumns {
     wavelength_m: Vec<f64>,
 }
 
-impl From<&RidgeBranch> for BranchColumns {
-    fn from(branch: &RidgeBranch) -> Self {
-        let column = |value: fn(&RidgePoint) -> f64| branch.crest().map(value).collect();
+impl BranchColumns {
+    /// Of all pieces of a branch.
+    fn of(ridge: &Ridge, document: &BranchDocument) -> Self {
+        let pieces = document.pieces.iter().map(|&piece| &ridge.branches[piece]);
+        let mut points: Vec<&RidgePoint> = pieces.flat_map(RidgeBranch::crest).collect();
+        points.sort_by(|a, b| a.speed.total_cmp(&b.speed));
+        let column = |value: fn(&RidgePoint) -> f64| points.iter().map(|&p| value(p)).collect();
         Self {
             speed_m_per_s: column(|point| point.speed),
             wavelength_m: column(|point| point.wavelength),
@@ -130,7 +134,7 @@ impl Computed {
         wanted: Wanted,
     ) -> Self {
         let map = GrowthMap::compute_while(feedback, wavelength, speed, wanted, |_| ());
-        let ridge = Ridge::of_map(feedback, &map);
+        let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
         let growing: Vec<&RidgePoint> = ridge
@@ -155,10 +159,9 @@ impl Computed {
                 },
                 branches: branches
                     .into_iter()
-                    .zip(&ridge.branches)
-                    .map(|(document, branch)| Branch {
+                    .map(|document| Branch {
+                        points: BranchColumns::of(&ridge, &document),
                         document,
-                        points: branch.into(),
                     })
                     .collect(),
                 branches_in_words,

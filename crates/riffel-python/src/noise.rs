@@ -52,6 +52,8 @@ pub(crate) fn noise<'py>(
     let question = NoiseQuestion {
         speed,
         roughness: roughness_of(&spectrum)?,
+        rails: Vec::new(),
+        before: None,
         wheel_roughness: match wheel_roughness {
             Some(GivenWheels::Table(name)) => Some(RoughWheels::Named(name)),
             Some(GivenWheels::Levels(levels)) => Some(RoughWheels::Given(roughness_of(&levels)?)),

@@ -167,6 +167,12 @@ impl Survey {
             .unwrap_or_else(|| vec![(String::new(), self.clone())])
     }
 
+    /// The names of the rails, in the order of the file; none where they are not named.
+    pub fn rails(&self) -> Vec<String> {
+        let rails = self.by_rail().into_iter().map(|(name, _)| name);
+        rails.filter(|name| !name.is_empty()).collect()
+    }
+
     /// The records by the dates in a column, the earliest first.
     ///
     /// # Errors

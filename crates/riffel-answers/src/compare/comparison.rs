@@ -1,6 +1,5 @@
 //! What would help: one traffic on a case and on variants of it, side by side.
 
-use riffel::Ridge;
 use riffel::forecast::{Reach, TrafficGrowth};
 use riffel::growth::RidgePoint;
 use riffel::roughness::{LevelLimit, ThirdOctave};
@@ -10,7 +9,7 @@ use riffel_keys::{CaseError, Message};
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
-use crate::ridge::best_fit_frequency;
+use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
 #[derive(Debug, Clone, PartialEq)]
@@ -128,7 +127,7 @@ impl Effect {
 /// The wavelength that grows fastest under the traffic.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct FastestLine {
-    /// Its wavelength \[m\], one of the lines: to 1.5 %.
+    /// Its wavelength \[m\]; under a distribution of speeds one of the lines, to 1.5 %.
     pub wavelength: f64,
     /// Its growth rate per axle passage \[-\]; below zero where nothing grows.
     pub rate: f64,
@@ -156,7 +155,7 @@ impl Comparison {
         for variant in std::iter::once(&as_it_is).chain(variants) {
             let on = traffic.on(case, &bands, variant, progress)?;
             let changed = variant.applied_to(case)?;
-            let ridge = Ridge::search(&changed.feedback, changed.wavelength, changed.speed);
+            let ridge = ridge_of(&changed, &changed.feedback);
             let rails = RailForecast::of_rails(rails, &on.growth, limit)
                 .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
             let effect = match outcomes.first() {
@@ -165,7 +164,7 @@ impl Comparison {
             };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
-                fastest: FastestLine::of(&on.growth),
+                fastest: FastestLine::of(&on.growth, case),
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
@@ -230,16 +229,17 @@ impl Outcome {
 }
 
 impl FastestLine {
-    fn of(growth: &TrafficGrowth) -> Self {
-        let (wavelengths, rates) = (growth.wavelengths(), growth.rates());
+    /// Of the wavelengths of which growth is told in a case; of all, where the contact averages them out.
+    fn of(growth: &TrafficGrowth, case: &Case) -> Self {
+        let told = case.growth_window().unwrap_or(case.wavelength);
+        let told = growth.fastest([told.min(), told.max()]);
+        let fastest = told.or_else(|| growth.fastest([0.0, f64::INFINITY]));
         // Every traffic has a line.
-        let place = (0..rates.len())
-            .max_by(|&a, &b| rates[a].total_cmp(&rates[b]))
-            .unwrap_or(0);
+        let (wavelength, rate, at_edge) = fastest.unwrap_or_default();
         Self {
-            wavelength: wavelengths[place],
-            rate: rates[place],
-            at_edge: place == 0 || place + 1 == rates.len(),
+            wavelength,
+            rate,
+            at_edge,
         }
     }
 }

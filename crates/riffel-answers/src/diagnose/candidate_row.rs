@@ -17,7 +17,7 @@ pub fn candidate_row(candidate: &Candidate) -> [String; 4] {
         }
     };
     [
-        candidate.kind.name().to_owned(),
+        candidate.name(),
         format!("{:.3}", candidate.share),
         candidate
             .frequency

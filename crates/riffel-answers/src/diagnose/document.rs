@@ -87,6 +87,9 @@ struct CourseDocument {
 #[derive(Serialize)]
 struct CandidateDocument {
     mechanism: &'static str,
+    /// Which of several: the wheel under which it grows.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    of: Option<String>,
     share: f64,
     frequency_hz: Option<f64>,
     wavelength_min_m: Option<f64>,
@@ -195,6 +198,7 @@ impl CandidateDocument {
     fn new(candidate: &Candidate) -> Self {
         Self {
             mechanism: candidate.kind.name(),
+            of: candidate.of.clone(),
             share: candidate.share,
             frequency_hz: candidate.frequency,
             wavelength_min_m: candidate.wavelengths.map(|range| range.0),

@@ -1,6 +1,6 @@
 //! The figure of a diagnosis.
 
-use riffel::diagnosis::{FineBand, FineSpectrum};
+use riffel::diagnosis::{Candidate, FineBand, FineSpectrum};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
 use riffel_rail::history::Curves;
 
@@ -73,7 +73,7 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {
         let leads = finding
             .candidates
             .first()
-            .map_or("", |first| first.kind.name());
+            .map_or_else(String::new, Candidate::name);
         Mark {
             x: wavelength,
             label: format!("{wavelength:.1} mm: {leads}?"),

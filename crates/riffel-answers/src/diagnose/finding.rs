@@ -116,9 +116,9 @@ impl Finding {
         };
         let mut text = format!(
             "{} leads with a share of {:.2}, next is {} with {:.2}.",
-            first.kind.name(),
+            first.name(),
             first.share,
-            second.kind.name(),
+            second.name(),
             second.share
         );
         let rises = self

@@ -1,6 +1,7 @@
 //! Diagnosis: the dominant wavelengths of a rail, held against a case.
 
 mod candidate_row;
+mod case_mechanisms;
 mod document;
 mod figure;
 mod finding;
@@ -10,8 +11,10 @@ use std::io::{self, Write};
 
 use riffel::contact::ContactFilter;
 use riffel::diagnosis::{
-    Evidence, GrowthDensity, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart,
+    Evidence, Instrument, Mechanism, MechanismKind, TrafficSpeeds, rank, tell_apart,
 };
+
+use case_mechanisms::{Wheels, near, wheelset_modes};
 
 pub use candidate_row::candidate_row;
 pub use document::{DiagnosisDocument, SHARE};
@@ -31,9 +34,9 @@ pub struct DiagnosisSettings<'a> {
     pub speeds: TrafficSpeeds,
     /// Which spectra of a table are meant.
     pub spectra: SpectraChoice<'a>,
-    /// Frequencies of torsional modes of the wheelset \[Hz\].
+    /// Frequencies of torsional modes of the wheelset \[Hz\], in place of those of the case.
     pub torsion: Vec<f64>,
-    /// Frequencies of bending modes of the wheelset \[Hz\].
+    /// Frequencies of bending modes of the wheelset \[Hz\], in place of those of the case.
     pub bending: Vec<f64>,
     /// What the records were taken with.
     pub instrument: Instrument,
@@ -73,13 +76,17 @@ impl Diagnosis {
     ) -> Result<Self, CaseError> {
         let speeds = &settings.speeds;
         let (mut mechanisms, unknown) = case.mechanisms();
+        let mut own_modes = wheelset_modes(case);
         for (kind, frequencies) in [
             (MechanismKind::WheelsetTorsion, &settings.torsion),
             (MechanismKind::WheelsetBending, &settings.bending),
         ] {
             let modes = frequencies.iter();
             mechanisms.extend(modes.map(|&frequency| Mechanism::of_frequency(kind, frequency)));
+            // What was measured of the wheelset goes before what its model says.
+            own_modes.retain(|mode| mode.0 != kind || frequencies.is_empty());
         }
+        let wheels = Wheels::of(case);
         let records = RailHistory::new(present, earlier, settings.spectra)?;
         let mut warnings = records.warnings;
         if !records.measured.is_empty() {
@@ -89,12 +96,11 @@ impl Diagnosis {
         let mut findings = Vec::new();
         for measured in records.measured {
             let mut mechanisms = mechanisms.clone();
-            match growth(case, measured.peak.wavelength, speeds) {
-                Ok(density) => mechanisms.insert(0, Mechanism::growth_ridge(density)),
-                Err(message) => warnings.push(format!(
-                    "the growth ridge is not among the candidates: {message}"
-                )),
-            }
+            let wavelength = measured.peak.wavelength;
+            let (growth, unknown) = wheels.growth(measured.rail.as_deref(), wavelength, speeds);
+            mechanisms.splice(0..0, growth);
+            mechanisms.extend(near(&own_modes, wavelength, speeds));
+            warnings.extend(unknown);
             let evidence = Evidence {
                 peak: &measured.peak,
                 course: measured.course.as_ref(),
@@ -161,36 +167,4 @@ impl Diagnosis {
         );
         Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
     }
-}
-
-/// Growth of the case over every wavelength that the other candidates are compared over, but for those that the patch
-/// does not let through or at which the track is not known at all speeds. The window of the map has no part in it: a
-/// prediction that ends where the user's window ends would explain any wavelength within a narrow one.
-fn growth(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, String> {
-    /// Wavelengths \[m\] that a cause not listed may have.
-    const ANY: (f64, f64) = (5e-3, 2.0);
-    /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
-    /// 2009).
-    const SHORTEST: f64 = 3.0;
-    let (slowest, fastest) = (speeds.slowest(), speeds.fastest());
-    case.check_frequencies(slowest / measured, fastest / measured)
-        .map_err(|error| error.to_string())?;
-    let (lowest, highest) = case.known_frequencies();
-    let shortest = SHORTEST * case.hertz.semi_axis_longitudinal();
-    let from = ANY.0.max(shortest).max(fastest / highest);
-    let to = ANY.1.min(slowest / lowest);
-    if from >= to {
-        return Err(format!(
-            "at {:.0} to {:.0} km/h the track is known up to {:.0} mm, and waves shorter than 1.5 contact lengths, \
-             {:.0} mm, pass unseen",
-            3.6 * slowest,
-            3.6 * fastest,
-            1e3 * to,
-            1e3 * shortest
-        ));
-    }
-    let covered = case
-        .covering(from, to)
-        .map_err(|error| error.without_key())?;
-    Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
 }

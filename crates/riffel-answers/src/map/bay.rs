@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::{Shown, panel};
 use crate::AnswerError;
 use crate::parameters::parameters;
-use crate::ridge::{BranchDocument, best_fit_frequency};
+use crate::ridge::{BranchDocument, best_fit_frequency, ridge_of};
 
 /// Points of the curve from one support to the next.
 const POINTS: usize = 121;
@@ -70,9 +70,10 @@ impl BayGrowth {
             })?;
         let maps = bay.maps(case.wavelength, case.speed, progress);
         let ridges = [
-            Ridge::of_map(bay.at(0.0), &maps.over_support),
-            Ridge::of_map(bay.at(0.5 * bay.spacing()), &maps.mid_span),
-            bay.ridge(&maps.mean),
+            ridge_of(case, &bay.at(0.0)),
+            ridge_of(case, &bay.at(0.5 * bay.spacing())),
+            case.growth_window()
+                .map_or_else(Ridge::nothing, |window| bay.ridge(&maps.mean, window)),
         ];
         let fastest = ridges[2].highest();
         let (wavelength, speed) = curve

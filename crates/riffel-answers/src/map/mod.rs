@@ -12,7 +12,7 @@ use riffel_keys::Message;
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
-use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency};
+use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_of};
 use crate::stability::StabilityAtSpeed;
 
 pub use bay::{BayDocument, BayGrowth};
@@ -137,7 +137,7 @@ impl MapAnswer {
     /// The map over the window of the case; `progress` is told of rows done, one for each speed.
     pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Self {
         let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, progress);
-        let ridge = Ridge::of_map(&case.feedback, &map);
+        let ridge = ridge_of(case, &case.feedback);
         Self {
             branches: BranchDocument::all(case, &ridge),
             map,

@@ -1,10 +1,11 @@
 //! Why two models differ: one joint changed at a time.
 
+use riffel::growth::GrowthCourse;
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joint, Joints};
 
 use super::on_case;
-use crate::highest::Highest;
+use crate::highest::{Highest, over_the_window};
 
 /// A joint of a model, replaced alone by that of the case with the exact contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -29,26 +30,22 @@ pub struct Effect {
 impl Difference {
     /// All joints by which a model with its growth rates differs, the one that moves growth most first; joints that move
     /// none are left out, as a free beam on a case that has one.
-    pub(super) fn all(
-        case: &Case,
-        joints: Joints,
-        wavelengths: &[f64],
-        rates: &[f64],
-        speed: f64,
-    ) -> Vec<Self> {
+    pub(super) fn all(case: &Case, joints: Joints, course: &GrowthCourse, speed: f64) -> Vec<Self> {
         let exact = FieldModel::EXACT.joints;
         let mut differences: Vec<Self> = joints
             .differences(exact)
             .map(|joint| {
                 let replaced = joints.with(joint, exact);
-                let changed = on_case(case, replaced, wavelengths, speed);
+                let changed = on_case(case, replaced, speed);
                 let effect = changed.map(|on| {
-                    let changed = on.growth_rates(wavelengths, speed);
-                    let changes = rates.iter().zip(&changed);
-                    let changes = changes.map(|(rate, changed)| (changed - rate).abs());
+                    let filtered = on.has_filter();
+                    let rate = on.growth_rate(speed);
+                    let (changed, highest) = over_the_window(&on.case, filtered, speed, rate);
+                    let places = course.wavelengths.iter().chain(&changed.wavelengths);
+                    let changes = places.map(|&place| (changed.at(place) - course.at(place)).abs());
                     Effect {
                         largest_change: changes.fold(0.0, f64::max),
-                        highest: Highest::of(wavelengths, &changed, speed),
+                        highest,
                     }
                 });
                 Self {

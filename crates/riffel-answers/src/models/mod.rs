@@ -6,6 +6,7 @@ mod figure;
 
 use std::io::{self, Write};
 
+use riffel::growth::GrowthCourse;
 use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
@@ -15,7 +16,7 @@ pub use difference::Difference;
 pub use document::ModelsDocument;
 
 use crate::AnswerError;
-use crate::highest::Highest;
+use crate::highest::{Highest, over_the_window, wavelengths_of};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -32,7 +33,7 @@ pub struct ModelsRequest {
 pub struct ModelsAnswer {
     /// The speed \[m/s\].
     pub speed: f64,
-    /// The wavelengths \[m\].
+    /// Wavelengths \[m\] of the window of the map, rising, close together at narrow lines of any model.
     pub wavelengths: Vec<f64>,
     /// The models in their order.
     pub models: Vec<ModelGrowth>,
@@ -94,23 +95,31 @@ impl ModelsAnswer {
             .unwrap_or(0.5 * (case.speed.min() + case.speed.max()));
         case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
         let case = case.sharing_tables();
-        let wavelengths = case.wavelength.values();
         let growth = |model: &'static FieldModel| {
-            let growth = Growth::of(&case, model, &wavelengths, speed);
+            let growth = Growth::of(&case, model, speed);
             progress(1);
             match growth {
                 Err(reason) if named => Err(AnswerError::NotOnCase {
                     model: model.name,
                     reason,
                 }),
-                growth => Ok(ModelGrowth { model, growth }),
+                growth => Ok((model, growth)),
             }
         };
-        let models: Result<Vec<ModelGrowth>, AnswerError> =
-            models.into_iter().map(growth).collect();
+        let models: Result<Vec<_>, AnswerError> = models.into_iter().map(growth).collect();
+        let models = models?;
+        let on_case = models.iter().filter_map(|(_, growth)| growth.as_ref().ok());
+        let wavelengths = wavelengths_of(on_case.map(|(_, course, _)| course));
+        let models = models.into_iter().map(|(model, growth)| ModelGrowth {
+            model,
+            growth: growth.map(|(on, _, growth)| Growth {
+                rates: on.growth_rates(&wavelengths, speed),
+                ..growth
+            }),
+        });
         Ok(Self {
             speed,
-            models: models?,
+            models: models.collect(),
             wavelengths,
         })
     }
@@ -146,14 +155,16 @@ impl ModelsAnswer {
 }
 
 impl Growth {
+    /// Growth but for its rates, with its course.
     fn of(
         case: &Case,
         model: &'static FieldModel,
-        wavelengths: &[f64],
         speed: f64,
-    ) -> Result<Self, String> {
-        let on = on_case(case, model.joints, wavelengths, speed)?;
-        let rates = on.growth_rates(wavelengths, speed);
+    ) -> Result<(ModelOnCase, GrowthCourse, Self), String> {
+        let on = on_case(case, model.joints, speed)?;
+        let rate = on.growth_rate(speed);
+        let (course, highest) = over_the_window(&on.case, on.has_filter(), speed, &rate);
+        drop(rate);
         let known = &case.remarks;
         let remarks = on.case.remarks.iter();
         let remarks = remarks.filter(|remark| !known.contains(remark));
@@ -168,17 +179,18 @@ impl Growth {
                 3.6 * speed
             )
         });
-        Ok(Self {
-            highest: Highest::of(wavelengths, &rates, speed),
-            differs_by: Difference::all(case, model.joints, wavelengths, &rates, speed),
+        let growth = Self {
+            rates: Vec::new(),
+            highest,
+            differs_by: Difference::all(case, model.joints, &course, speed),
             complex_plane: model
                 .has_complex_plane()
-                .then(|| ComplexPlane::of(&on, frequencies(wavelengths, speed), speed))
+                .then(|| ComplexPlane::of(&on, frequencies(case, speed), speed))
                 .flatten(),
             remarks: remarks.map(ToString::to_string).collect(),
             unstable,
-            rates,
-        })
+        };
+        Ok((on, course, growth))
     }
 }
 
@@ -205,23 +217,15 @@ impl ComplexPlane {
     }
 }
 
-/// Lowest and highest frequency \[Hz\] of wavelengths at one speed.
-fn frequencies(wavelengths: &[f64], speed: f64) -> [f64; 2] {
-    let frequencies = wavelengths.iter().map(|wavelength| speed / wavelength);
-    frequencies.fold([f64::INFINITY, 0.0], |[low, high], frequency| {
-        [low.min(frequency), high.max(frequency)]
-    })
+/// Lowest and highest frequency \[Hz\] of the wavelengths of the map at one speed.
+fn frequencies(case: &Case, speed: f64) -> [f64; 2] {
+    [case.wavelength.max(), case.wavelength.min()].map(|wavelength| speed / wavelength)
 }
 
 /// The case with joints, known at the frequencies that are asked for.
-fn on_case(
-    case: &Case,
-    joints: Joints,
-    wavelengths: &[f64],
-    speed: f64,
-) -> Result<ModelOnCase, String> {
+fn on_case(case: &Case, joints: Joints, speed: f64) -> Result<ModelOnCase, String> {
     let on = ModelOnCase::new(case, joints).map_err(|lacks| lacks.0)?;
-    let [lowest, highest] = frequencies(wavelengths, speed);
+    let [lowest, highest] = frequencies(case, speed);
     let known = on.case.check_frequencies(lowest, highest);
     known.map_err(|error| error.to_string())?;
     Ok(on)

@@ -13,7 +13,7 @@ use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelMo
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_keys::{Message, PhysicalRange};
+use riffel_keys::{Message, PhysicalRange, fixed, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
     LimitTable, RoughnessFile, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
@@ -47,6 +47,10 @@ pub struct NoiseQuestion {
     pub speed: f64,
     /// Roughness of the rail.
     pub roughness: Spectrum,
+    /// What it was before, as before grinding.
+    pub before: Option<Spectrum>,
+    /// Names of the rails of which the roughness is the mean, where they are several.
+    pub rails: Vec<String>,
     /// Roughness of the wheels; none for smooth ones.
     pub wheel_roughness: Option<RoughWheels>,
     /// Modes of the web and tyre of the wheels, by name or file; none for rigid wheels.
@@ -86,6 +90,8 @@ impl NoiseQuestion {
         Self {
             speed,
             roughness,
+            rails: Vec::new(),
+            before: None,
             wheel_roughness: None,
             wheel_modes: None,
             decay_rate: None,
@@ -211,7 +217,22 @@ impl NoiseQuestion {
             }
             None => None,
         };
+        let before = match &self.before {
+            Some(before) => Some(Levels::from(&train.levels(case, before, self.speed)?)),
+            None => None,
+        };
         let level = Levels::from(&levels);
+        if let Some((before, after)) = before
+            .as_ref()
+            .and_then(|before| before.total_dba.zip(level.total_dba))
+        {
+            remarks.push(say!(
+                noise_before_and_after,
+                before = fixed(before, 1),
+                after = fixed(after, 1),
+                change = number(format_args!("{:+.1}", after - before))
+            ));
+        }
         let total = level.total_dba.unwrap_or(f64::NEG_INFINITY);
         let duration = self.length() / self.speed;
         let name = |(name, _): &(String, Spectrum)| name.clone();
@@ -230,6 +251,7 @@ impl NoiseQuestion {
             sound_exposure_level_dba: total + 10.0 * duration.log10(),
             measures: measure::measures(case, &train, &levels)?,
             level,
+            before,
             course,
             left_out_hz: left_out.iter().map(|band| band.nominal()).collect(),
             remarks,
@@ -326,6 +348,8 @@ pub struct NoiseAnswer {
     pub frequency_hz: Vec<f64>,
     /// Over the passage of the train.
     pub level: Levels,
+    /// The same with the roughness of before; null where none was given.
+    pub before: Option<Levels>,
     /// Of one wheel with the rail and the sleepers under it.
     pub sound_power_level: Levels,
     /// Null without transfer functions.

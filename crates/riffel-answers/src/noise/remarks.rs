@@ -18,6 +18,12 @@ pub(super) fn remarks(
     left_out: &[FrequencyBand],
 ) -> Vec<Message> {
     let mut remarks = Vec::new();
+    if let [_, _, ..] = &train.question.rails[..] {
+        remarks.push(say!(
+            noise_on_mean_of_rails,
+            rails = train.question.rails.join(", ")
+        ));
+    }
     match &train.modes {
         None => remarks.push(say!(rigid_wheel)),
         Some(table) => {

@@ -6,7 +6,7 @@ mod matrix;
 use std::f64::consts::TAU;
 use std::io::{self, Write};
 
-use riffel::receptance::{DecayRate, Resonance, ResonanceKind};
+use riffel::receptance::{DecayRate, MassOnRail, Resonance, ResonanceKind};
 use riffel::{Complex64, Direction};
 use riffel_case::{Case, Track};
 use riffel_keys::CaseError;
@@ -37,6 +37,8 @@ pub struct ReceptanceAnswer {
     pub curves: ReceptanceCurves,
     /// The resonances, lowest first.
     pub resonances: Vec<Resonance>,
+    /// The closed form of P2, vertically: the unsprung mass on the static shape of the rail.
+    pub p2_closed_form: Option<MassOnRail>,
     /// Named frequencies \[Hz\] of the rail across the track, where it moves so in the loop.
     pub lateral_resonances: Vec<(ResonanceKind, f64)>,
     speed: f64,
@@ -52,6 +54,9 @@ fn pairs(values: &[Complex64]) -> Vec<[f64; 2]> {
 pub struct ReceptanceDocument {
     frequency_hz: Vec<f64>,
     resonances: Vec<ResonanceDocument>,
+    /// Beside P2, as a check; of a model of the track.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    p2_closed_form: Option<ClosedFormDocument>,
     /// Across the track, where the rail moves so.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     lateral_resonances: Vec<LateralResonance>,
@@ -64,6 +69,26 @@ pub struct ReceptanceDocument {
 struct LateralResonance {
     resonance: String,
     frequency_hz: f64,
+}
+
+/// P2 of the unsprung mass on the static shape of the rail.
+#[derive(Serialize)]
+struct ClosedFormDocument {
+    frequency_hz: f64,
+    unsprung_mass_kg: f64,
+    track_mass_kg: f64,
+    stiffness_n_per_m: f64,
+}
+
+impl From<MassOnRail> for ClosedFormDocument {
+    fn from(closed: MassOnRail) -> Self {
+        Self {
+            frequency_hz: closed.angular_frequency() / TAU,
+            unsprung_mass_kg: closed.mass,
+            track_mass_kg: closed.track_mass,
+            stiffness_n_per_m: closed.stiffness,
+        }
+    }
 }
 
 /// One resonance; damping and resolution where the receptance has no model.
@@ -113,6 +138,9 @@ impl ReceptanceAnswer {
             track,
             curves,
             resonances,
+            p2_closed_form: (direction == Direction::Vertical)
+                .then(|| case.p2_closed_form())
+                .flatten(),
             lateral_resonances: (case.lateral_resonances.iter())
                 .map(|(kind, w)| (*kind, w / TAU))
                 .collect(),
@@ -138,6 +166,7 @@ impl ReceptanceAnswer {
         ReceptanceDocument {
             frequency_hz: self.curves.frequencies.clone(),
             resonances: self.resonances.iter().map(ResonanceDocument::new).collect(),
+            p2_closed_form: self.p2_closed_form.map(ClosedFormDocument::from),
             lateral_resonances: (self.lateral_resonances.iter())
                 .map(|(kind, frequency_hz)| LateralResonance {
                     resonance: kind.to_string(),

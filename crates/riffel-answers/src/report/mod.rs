@@ -19,6 +19,8 @@ pub use page::GENERATOR;
 pub use roughness::block_of_strip;
 pub use site::Site;
 
+use riffel_case::traffic::is_of_reported_growth;
+
 use crate::AnswerError;
 use crate::capital;
 use crate::compare::CompareAnswer;
@@ -98,6 +100,16 @@ pub struct ReportRequest<'a> {
     pub inputs: &'a Inputs,
 }
 
+/// Why growth under the traffic is not to be believed, if it is not.
+fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> Option<String> {
+    let remarks = forecast.into_iter().flat_map(|answer| &answer.on.remarks);
+    let of_compare = compare.into_iter();
+    let of_compare = of_compare.flat_map(|answer| &answer.comparison.base().remarks);
+    let mut remarks = remarks.chain(of_compare);
+    let found = remarks.find(|remark| is_of_reported_growth(remark))?;
+    Some(crate::capital(&found.to_string()))
+}
+
 /// The report as a page of HTML that loads nothing and prints on A4.
 ///
 /// # Errors
@@ -155,6 +167,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 }
             }
             warnings.extend(case.remarks.iter().map(ToString::to_string));
+            let of_growth = doubt(forecast.ok(), compare.ok());
             let forecast = match forecast {
                 Ok(answer) => outlook::forecast(case, answer)?,
                 Err(why) => Outlook::left_out("Forecast", why),
@@ -167,9 +180,17 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 Ok(answer) => noise::heard(answer)?,
                 Err(why) => Outlook::left_out("Rolling noise", why),
             };
-            for outlook in [forecast, what_if, noise] {
+            let doubt = of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
+            for mut outlook in [forecast, what_if, noise] {
+                // No dates of a growth that nobody has seen.
+                if doubt.is_some() {
+                    outlook.brief.clear();
+                }
                 outlook.put(&mut sections, &mut brief, &mut warnings);
             }
+            let no_dates = "Dates, times and what measures would save are therefore left out here; below they stand as the model has them.";
+            let doubt = doubt.map(|doubt| format!("{doubt} {no_dates}"));
+            brief.splice(0..0, doubt);
         }
         None => {
             let all = [

@@ -2,10 +2,10 @@
 
 use std::collections::BTreeSet;
 
-use riffel::Ridge;
 use riffel::diagnosis::MechanismKind;
 use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
+use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, say};
 use serde::Serialize;
@@ -17,6 +17,9 @@ use serde::Serialize;
 const NEAR: f64 = 0.10;
 /// The same for natural modes of the wheelset, which have little damping and lie closer together.
 const NEAR_MODE: f64 = 0.05;
+/// Branches whose frequencies are nearer to one another by ratio are pieces of one line: a map of coarse speeds parts it, and so
+/// do lines that cross it.
+const ONE: f64 = 1.02;
 /// Branches named in a sentence after the strongest.
 const NAMED: usize = 3;
 
@@ -25,6 +28,17 @@ const NAMED: usize = 3;
 pub fn best_fit_frequency(ridge: &Ridge) -> Option<f64> {
     let strongest = ridge.branches.first()?;
     (!strongest.only_at_edge()).then(|| strongest.frequency())
+}
+
+/// The ridge of a loop of the case over the wavelengths of which growth is told; of none where the contact averages all out.
+pub fn ridge_of(case: &Case, feedback: &Loop) -> Ridge {
+    ridge_in(case, feedback, [case.wavelength, case.speed])
+}
+
+/// The same in a window of wavelengths and speeds.
+pub fn ridge_in(case: &Case, feedback: &Loop, [wavelength, speed]: [Axis; 2]) -> Ridge {
+    let told = case.told_of(wavelength);
+    told.map_or_else(Ridge::nothing, |told| Ridge::search(feedback, told, speed))
 }
 
 /// A branch of the ridge, as documents hold it.
@@ -47,6 +61,9 @@ pub struct BranchDocument {
     pub mechanism: Option<&'static str>,
     #[serde(skip)]
     kind: Option<MechanismKind>,
+    /// The places of its pieces among the branches of the ridge.
+    #[serde(skip)]
+    pub pieces: Vec<usize>,
 }
 
 impl BranchDocument {
@@ -57,8 +74,32 @@ impl BranchDocument {
         } else {
             resonances(case)
         };
-        let document = |branch: &RidgeBranch| Self::new(branch, &resonances);
-        ridge.branches.iter().map(document).collect()
+        let mut documents: Vec<Self> = Vec::new();
+        for (piece, branch) in ridge.branches.iter().enumerate() {
+            let document = Self {
+                pieces: vec![piece],
+                ..Self::new(branch, &resonances)
+            };
+            match documents.iter_mut().find(|stronger| stronger.is_one_with(&document)) {
+                Some(stronger) => stronger.take_in(&document),
+                None => documents.push(document),
+            }
+        }
+        documents
+    }
+
+    /// Whether both are pieces of one line: within 2 % in frequency, each seen at its crest.
+    fn is_one_with(&self, other: &Self) -> bool {
+        let apart = (other.frequency_hz / self.frequency_hz).ln().abs();
+        apart < ONE.ln() && !self.only_at_edge && !other.only_at_edge
+    }
+
+    /// A weaker piece of the same line.
+    fn take_in(&mut self, other: &Self) {
+        let both = |[from, to]: [f64; 2], other: [f64; 2]| [from.min(other[0]), to.max(other[1])];
+        self.pieces.extend(&other.pieces);
+        self.speed_m_per_s = both(self.speed_m_per_s, other.speed_m_per_s);
+        self.wavelength_m = both(self.wavelength_m, other.wavelength_m);
     }
 
     fn new(branch: &RidgeBranch, resonances: &[(MechanismKind, f64)]) -> Self {
@@ -79,6 +120,7 @@ impl BranchDocument {
             only_at_edge,
             mechanism: kind.map(MechanismKind::name),
             kind,
+            pieces: Vec::new(),
         }
     }
 

@@ -4,6 +4,6 @@ mod branches;
 mod point;
 mod table;
 
-pub use branches::{BranchDocument, best_fit_frequency};
+pub use branches::{BranchDocument, best_fit_frequency, ridge_in, ridge_of};
 pub use point::RidgePointDocument;
 pub use table::{branches_csv, ridge_csv};

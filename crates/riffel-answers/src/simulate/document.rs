@@ -109,6 +109,8 @@ pub struct SmoothRailDocument {
     pub linear_unstable_roots: Option<usize>,
     /// Frequency that grows in the linear loop.
     pub linear_frequency_hz: Option<f64>,
+    /// How fast its amplitude grows.
+    pub linear_growth_rate_per_s: Option<f64>,
     /// Every contact, that of the first wheel on the rail under study first.
     pub contacts: Vec<ContactSwingDocument>,
     /// Mean square of the relative error of track and wheels in time.

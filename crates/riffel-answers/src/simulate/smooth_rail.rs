@@ -54,13 +54,17 @@ impl SmoothRailAnswer {
                 )
                 .into());
         }
+        let stability = case.stability(speed);
+        // Where the root is not found, an unstable loop is given its time all the same.
+        let growth = stability
+            .filter(|stability| stability.unstable_roots > 0)
+            .map(|stability| stability.growth_rate.unwrap_or(1.0));
         let motion = model
-            .on_smooth_rail(step)
+            .on_smooth_rail(step, growth)
             .map_err(|error| CaseError::Physics {
                 input: "--smooth".to_owned(),
                 error,
             })?;
-        let stability = case.stability(speed);
         let roots = stability.map(|stability| stability.unstable_roots);
         Ok(Self {
             speed,
@@ -70,7 +74,7 @@ impl SmoothRailAnswer {
             remarks: remarks::of_track(&model)
                 .into_iter()
                 .chain((motion.outcome == Outcome::RunsAway).then(remarks::of_sliding))
-                .chain(remarks::of_linear_loop(motion.outcome, roots))
+                .chain(remarks::of_linear_loop(&motion, roots))
                 .collect(),
             motion,
         })
@@ -97,6 +101,7 @@ impl SmoothRailAnswer {
             frequency_hz: self.motion.frequency,
             linear_unstable_roots: self.stability.map(|stability| stability.unstable_roots),
             linear_frequency_hz: self.stability.and_then(|stability| stability.frequency),
+            linear_growth_rate_per_s: self.stability.and_then(|stability| stability.growth_rate),
             contacts: pairs
                 .map(|(&name, swing)| ContactSwingDocument::new(name, swing))
                 .collect(),

@@ -86,6 +86,6 @@ fn of(wheel: &WheelAnswer) -> WheelDocument<'_> {
         highest: known.and_then(|growth| growth.highest).map(Into::into),
         branches: known.map_or(&[], |growth| &growth.map.branches),
         unstable_frequency_hz: known.and_then(|growth| growth.unstable),
-        remarks: known.map_or(&[], |growth| &growth.case.remarks),
+        remarks: known.map_or(&[], |growth| &growth.remarks),
     }
 }

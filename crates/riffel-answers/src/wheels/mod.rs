@@ -7,19 +7,20 @@ mod table;
 use std::io::{self, Write};
 use std::path::Path;
 
+use rayon::prelude::*;
 use riffel::curving::{Curve, WheelState};
-use riffel::{Axis, Ridge};
+use riffel::growth::GrowthCourse;
 use riffel_case::file::{ContactOfWheel, CurveRail};
+use riffel_keys::Message;
 use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
 use riffel_plot::{LineFigure, MapFigure};
 
 pub use document::WheelsDocument;
 
+use crate::highest::{over_the_window, wavelengths_of};
 use crate::map::MapAnswer;
 use crate::{AnswerError, Highest};
 
-/// Points of a curve of growth: some tenths of a hertz apart.
-const POINTS: usize = 2001;
 /// Contact angles that differ by no more are one \[rad\]: case files hold them rounded.
 const SAME_ANGLE: f64 = 1e-6;
 
@@ -27,8 +28,8 @@ const SAME_ANGLE: f64 = 1e-6;
 pub struct WheelsAnswer {
     /// The curve.
     pub curve: Curve,
-    /// Wavelengths \[m\] of the window of the map, rising: at the speed of the curve their frequencies are evenly spaced, so
-    /// that the narrow resonances of a wheelset are seen.
+    /// Wavelengths \[m\] of the window of the map, rising, close together where growth under a wheel has a narrow line at the
+    /// speed of the curve.
     pub wavelengths: Vec<f64>,
     /// Wheelset by wheelset from the front, the low rail first; of a wheel that stands on two points both, the tread first.
     pub wheels: Vec<WheelAnswer>,
@@ -56,8 +57,10 @@ pub struct WheelGrowth {
     pub map: MapAnswer,
     /// Growth rates per passage \[-\] at the wavelengths of the answer and the speed of the curve.
     pub rates: Vec<f64>,
-    /// The fastest wavelength, searched on between those of the answer; none where nothing grows.
+    /// The fastest wavelength; none where nothing grows.
     pub highest: Option<Highest>,
+    /// What the reader should know, of stability at the speed of the curve.
+    pub remarks: Vec<Message>,
     /// Frequency \[Hz\] at which the loop oscillates without any profile at the speed of the curve, if it does.
     pub unstable: Option<f64>,
 }
@@ -92,7 +95,7 @@ impl WheelsAnswer {
         let ends = [case.wavelength.min(), case.wavelength.max()];
         case.check_points(ends, [curve.speed; 2])?;
         case.check_window()?;
-        let wavelengths = wavelengths(ends);
+        let mut courses = Vec::new();
         let wheels = wheels.into_iter().map(|wheel| {
             let name = wheel.name();
             let WheelOfCurve {
@@ -102,7 +105,11 @@ impl WheelsAnswer {
                 case,
             } = wheel;
             let state = case.as_ref().map_or(state, |case| in_loop(state, case));
-            let growth = case.map(|case| WheelGrowth::of(case, &wavelengths, &curve, &progress));
+            let growth = case.map(|case| {
+                let (course, growth) = WheelGrowth::of(case, &curve, &progress);
+                courses.push(course);
+                growth
+            });
             WheelAnswer {
                 name,
                 state,
@@ -111,8 +118,19 @@ impl WheelsAnswer {
                 growth: growth.map_err(|error| error.to_string()),
             }
         });
+        let mut wheels: Vec<WheelAnswer> = wheels.collect();
+        let wavelengths = wavelengths_of(courses.iter());
+        for growth in wheels
+            .iter_mut()
+            .filter_map(|wheel| wheel.growth.as_mut().ok())
+        {
+            let feedback = &growth.case.feedback;
+            let rates = wavelengths.par_iter();
+            let rates = rates.map(|&w| feedback.complex_growth_rate(w, curve.speed).re);
+            growth.rates = rates.collect();
+        }
         Ok(Self {
-            wheels: wheels.collect(),
+            wheels,
             curve,
             wavelengths,
         })
@@ -199,20 +217,21 @@ impl WheelsAnswer {
 }
 
 impl WheelGrowth {
-    fn of(case: Case, wavelengths: &[f64], curve: &Curve, progress: impl Fn(usize) + Sync) -> Self {
+    /// Growth but for its rates, with its course.
+    fn of(case: Case, curve: &Curve, progress: impl Fn(usize) + Sync) -> (GrowthCourse, Self) {
         let speed = curve.speed;
-        let rates: Vec<f64> = (wavelengths.iter())
-            .map(|&wavelength| case.feedback.at(wavelength, speed).growth_rate)
-            .collect();
+        let rate = |wavelength| case.feedback.complex_growth_rate(wavelength, speed).re;
+        let (course, highest) = over_the_window(&case, false, speed, rate);
         let stability = case.stability(speed);
-        Self {
+        let growth = Self {
             map: MapAnswer::new(&case, progress),
-            highest: Highest::of(wavelengths, &rates, speed)
-                .map(|highest| refined(&case, wavelengths, highest)),
+            highest,
+            remarks: case.remarks_at(speed),
             unstable: stability.and_then(|stability| stability.frequency),
-            rates,
+            rates: Vec::new(),
             case,
-        }
+        };
+        (course, growth)
     }
 
     /// Growth rate per passage on the grid of the map, by speed and wavelength.
@@ -222,40 +241,5 @@ impl WheelGrowth {
         map.rows()
             .flat_map(|(_, row)| row)
             .map(move |value| rate * value.re)
-    }
-}
-
-/// Wavelengths between two ends \[m\], rising, evenly spaced by their wavenumbers.
-fn wavelengths([shortest, longest]: [f64; 2]) -> Vec<f64> {
-    let step = (shortest.recip() - longest.recip()) / (POINTS - 1) as f64;
-    let wavelength = |index: usize| match index {
-        0 => shortest,
-        _ if index == POINTS - 1 => longest,
-        _ => (shortest.recip() - step * index as f64).recip(),
-    };
-    (0..POINTS).map(wavelength).collect()
-}
-
-/// The highest growth between the neighbours of the wavelength at which it is found.
-fn refined(case: &Case, wavelengths: &[f64], highest: Highest) -> Highest {
-    /// Of the axis between the neighbours.
-    const BETWEEN: usize = 5;
-    let neighbours = wavelengths
-        .windows(3)
-        .find(|three| three[1] == highest.wavelength)
-        .and_then(|three| Axis::new(three[0], three[2], BETWEEN).ok());
-    let Some(axis) = neighbours else {
-        return highest;
-    };
-    let speed = highest.frequency * highest.wavelength;
-    let ridge = Ridge::search_at(&case.feedback, axis, &[speed]);
-    match ridge.points.first() {
-        Some(point) if point.growth_rate > highest.rate => Highest {
-            wavelength: point.wavelength,
-            frequency: point.frequency,
-            rate: point.growth_rate,
-            ..highest
-        },
-        _ => highest,
     }
 }

@@ -21,6 +21,7 @@ use riffel_keys::{CaseError, Message};
 
 pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
+pub(crate) use wheelset::disc;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{DissipationPhase, Rotation};

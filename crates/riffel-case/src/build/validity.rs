@@ -9,6 +9,7 @@ use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
+use crate::growth_window::shortest_not_averaged;
 use crate::measurement;
 use crate::stability;
 use crate::track::Track;
@@ -22,10 +23,6 @@ const FREE_BEAM_FROM_HZ: f64 = 500.0;
 /// rail (shear coefficient 0.4) the phase is 9° off at 500 Hz, 17° at 1000 Hz and 24° at 1500 Hz, the
 /// modulus 2, 7 and 14 %.
 const EULER_BEAM_UP_TO_HZ: f64 = 500.0;
-
-/// Shortest wavelength in contact lengths 2a₀ at which averaging over the patch may be left out;
-/// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
-const CONTACT_FILTER_LENGTHS: f64 = 1.5;
 
 /// Share of the pinned-pinned frequency up to which supports may be taken as spread evenly without a
 /// remark. Even then the receptance of five of the tracks under `presets/` (rail 60E1) is up to 9 to
@@ -126,7 +123,7 @@ pub(crate) fn of_contact(
 ) -> Vec<Message> {
     let mut remarks = Vec::new();
     let file = &keys.file;
-    let shortest = CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal();
+    let shortest = shortest_not_averaged(hertz);
     let resolved = file.contact.response == ContactDynamics::NonSteady;
     if !resolved && shortest_asked < shortest {
         let shortest = 1e3 * shortest;
@@ -237,18 +234,14 @@ fn readable(growth: f64) -> Value {
 /// of measured frequencies; only these can.
 fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
     let judged: Vec<_> = stability::over(feedback, speed).collect();
-    let grows = |(speed, stability): &(f64, Result<Stability, Error>)| {
-        Some((*speed, stability.as_ref().ok()?.frequency?))
+    let said = |(speed, found): &(f64, Result<Stability, Error>)| stability::said(*speed, found);
+    let grows = |judged: &&(f64, Result<Stability, Error>)| {
+        judged.1.as_ref().is_ok_and(|found| found.frequency.is_some())
     };
-    let Some((speed, frequency)) = judged.iter().find_map(grows) else {
-        let (speed, _) = judged.iter().find(|(_, stability)| stability.is_err())?;
-        return Some(say!(loop_not_judged, speed = fixed(3.6 * speed, 0)));
-    };
-    Some(say!(
-        loop_unstable,
-        speed = fixed(3.6 * speed, 0),
-        frequency = fixed(frequency, 0)
-    ))
+    match judged.iter().find(grows) {
+        Some(judged) => said(judged),
+        None => judged.iter().find_map(said),
+    }
 }
 
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on

@@ -101,7 +101,7 @@ impl CheckedKeys {
         self.physics("wheelset.suspension", suspension)
     }
 
-    fn axle(&self, keys: &AxleKeys) -> Result<Axle, CaseError> {
+    pub(crate) fn axle(&self, keys: &AxleKeys) -> Result<Axle, CaseError> {
         let material = ElasticMaterial::new(keys.youngs_modulus, keys.poisson_ratio);
         let material = self.physics("wheelset.axle", material)?;
         let segments = keys.segments.iter();
@@ -113,7 +113,7 @@ impl CheckedKeys {
     }
 }
 
-fn disc(keys: &file::Disc) -> Disc {
+pub(crate) fn disc(keys: &file::Disc) -> Disc {
     Disc {
         position: keys.position.si(),
         mass: keys.mass.si(),

@@ -12,13 +12,39 @@ use std::path::{Path, PathBuf};
 
 use riffel::curving::{VehicleInCurve, VehicleState};
 use riffel::profile::NominalProfile;
+use riffel_keys::quantity::{Mass, Quantity};
 use riffel_keys::{CaseError, Message, say, text_file};
+use serde::Deserialize;
 
 use self::build::is_cone;
 use crate::Case;
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
-use crate::file::{CreepLawName, CurvingFile, CurvingLaw, RailProfiles};
+use crate::file::{CreepLawName, CurvingFile, CurvingLaw, RailProfiles, Wheelset};
+use crate::model::half;
+
+/// What a loop of growth knows of the mass of a wheelset.
+#[derive(Deserialize)]
+struct MassOfLoop {
+    wheelset: Option<Wheelset>,
+    wheel: Option<MassOfWheel>,
+}
+
+#[derive(Deserialize)]
+struct MassOfWheel {
+    mass: Option<Quantity<Mass>>,
+}
+
+impl MassOfLoop {
+    /// That of axle and discs, or of two wheels \[kg\].
+    fn of_a_wheelset(self) -> Option<f64> {
+        let [mass, _] = match self.wheelset {
+            Some(wheelset) => half(&wheelset)?,
+            None => [self.wheel?.mass?.si(), 0.0],
+        };
+        Some(2.0 * mass)
+    }
+}
 
 /// A case of curving, its keys checked. What is built of them is built where it is asked for: a wheelset on its track
 /// needs no bogie.
@@ -117,7 +143,13 @@ impl CurvingCase {
             of_loop = Some(say!(creep_law_of_growth_only, law = law));
             text.keys.remove(KEY);
         }
-        let file = text.keys.deserialize()?;
+        let mut file: CurvingFile = text.keys.deserialize()?;
+        if file.wheelset.mass.is_none() {
+            // Of what the keys of a loop say of it, if anything.
+            let of_loop: Option<MassOfLoop> = text.keys.deserialize().ok();
+            let mass = of_loop.and_then(|of_loop| of_loop.of_a_wheelset());
+            file.wheelset.mass = mass.map(Quantity::new);
+        }
         let mut remarks = keys::judge(&text.keys)?;
         remarks.extend(of_loop);
         Ok(Self {

@@ -47,8 +47,7 @@ impl CaseText {
         if self.is_written(&angle) {
             self.fill_number(&angle, contact.contact_angle, instead);
         } else {
-            let of_loop = self.not_below_zero(&angle, contact.contact_angle);
-            self.fill(&angle, format!("{of_loop} rad"));
+            self.fill(&angle, format!("{} rad", contact.contact_angle));
         }
         self.fill_number(&key("normal_load"), contact.normal_force, instead);
         if let Some(stiffness) = contact.stiffness {
@@ -81,23 +80,6 @@ impl CaseText {
             self.fill_number(&key("transverse_radius"), radius, instead);
         }
         Ok(())
-    }
-
-    /// A contact angle \[rad\] of the loop, which knows none below zero: a wheel past the crown of its rail stands inclined the other way by a little,
-    /// which is told.
-    fn not_below_zero(&mut self, key: &str, angle: f64) -> f64 {
-        /// \[rad\], of which the sine is 2 % of the normal force; steeper ones are refused as values of the key.
-        const SMALL: f64 = 0.02;
-        if !(-SMALL..0.0).contains(&angle) {
-            return angle;
-        }
-        let degrees = angle.to_degrees();
-        self.curve_remarks.push(say!(
-            wheel_past_crown,
-            degrees = fixed(degrees, 2),
-            key = key
-        ));
-        0.0
     }
 
     /// The radius of the rail where the contact moves across the profiles, if the case asks for that.

@@ -2,10 +2,12 @@
 
 use std::path::PathBuf;
 
+use riffel::wheelset::{ContactGeometry, FlexibleWheelset, RigidBody};
 use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 
 use super::or;
+use crate::build::disc;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{Axle, Disc, Suspension, Wheelset, WheelsetModel};
 
@@ -110,6 +112,19 @@ impl CheckedKeys {
     }
 
     fn rigid_body(&self, wheelset: &Wheelset) -> Result<RigidBodyKeys, CaseError> {
+        let written = [
+            wheelset.mass.is_some(),
+            wheelset.roll_inertia.is_some(),
+            wheelset.spin_inertia.is_some(),
+        ];
+        // A preset tells axle and discs, of which the body consists.
+        if let (true, Some(body)) = (written.contains(&false), self.body_of_axle(wheelset)?) {
+            return Ok(RigidBodyKeys {
+                mass: or(wheelset.mass, body.mass),
+                roll_inertia: or(wheelset.roll_inertia, body.roll_inertia),
+                spin_inertia: or(wheelset.spin_inertia, body.spin_inertia),
+            });
+        }
         Ok(RigidBodyKeys {
             mass: self.of_wheelset("wheelset.mass", wheelset.mass)?.si(),
             roll_inertia: self
@@ -119,6 +134,21 @@ impl CheckedKeys {
                 .of_wheelset("wheelset.spin_inertia", wheelset.spin_inertia)?
                 .si(),
         })
+    }
+
+    /// Mass and inertias of axle and discs; none without them.
+    fn body_of_axle(&self, wheelset: &Wheelset) -> Result<Option<RigidBody>, CaseError> {
+        let Some(axle) = wheelset.axle.as_ref().filter(|_| !wheelset.discs.is_empty()) else {
+            return Ok(None);
+        };
+        let contacts = ContactGeometry {
+            contact_spacing: wheelset.contact_spacing.si(),
+            rolling_radius: self.file.wheel.rolling_radius.si(),
+        };
+        let axle = self.axle(&self.axle_keys(axle)?)?;
+        let discs = wheelset.discs.iter().map(disc).collect();
+        let flexible = FlexibleWheelset::new(axle, discs, contacts);
+        Ok(Some(self.physics("wheelset", flexible)?.rigid_body()))
     }
 
     fn wheelset_file(&self, wheelset: &Wheelset) -> Result<PathBuf, CaseError> {

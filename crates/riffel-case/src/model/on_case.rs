@@ -97,22 +97,35 @@ impl ModelOnCase {
         })
     }
 
+    /// Whether its growth is filtered by the contact, beside what the response of the case does.
+    pub fn has_filter(&self) -> bool {
+        self.filter.is_some()
+    }
+
     /// Growth rates per passage at wavelengths \[m\] and one speed \[m/s\].
     pub fn growth_rates(&self, wavelengths: &[f64], speed: f64) -> Vec<f64> {
+        let rate = self.growth_rate(speed);
+        wavelengths
+            .par_iter()
+            .map(|&wavelength| rate(wavelength))
+            .collect()
+    }
+
+    /// The growth rate per passage over the wavelength \[m\] at one speed \[m/s\].
+    pub fn growth_rate(&self, speed: f64) -> impl Fn(f64) -> f64 + Sync + '_ {
         let places = match self.mean {
             true => self.case.places(),
             false => vec![(self.case.feedback.clone(), 1.0)],
         };
-        let rate = |&wavelength: &f64| {
-            let rates = places
-                .iter()
-                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
+        move |wavelength| {
+            let rates = places.iter().map(|(feedback, weight)| {
+                weight * feedback.at(wavelength, speed).growth_rate
+            });
             let filtered = self
                 .filter
                 .map_or(1.0, |filter| filter.amplitude(2.0 * PI / wavelength, 0.0));
             filtered * rates.sum::<f64>()
-        };
-        wavelengths.par_iter().map(rate).collect()
+        }
     }
 
     /// The loop over a support and in mid-span; none where supports are not discrete.
@@ -430,7 +443,7 @@ impl ModelKeys<'_> {
 }
 
 /// Mass \[kg\] and inertia about the axle \[kg m²\] of half a wheelset; none of one that is known by its receptances alone.
-fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
+pub(crate) fn half(wheelset: &Wheelset) -> Option<[f64; 2]> {
     let [mass, inertia] = match wheelset.model {
         WheelsetModel::Measured => return None,
         WheelsetModel::Rigid | WheelsetModel::Modal => {

@@ -28,14 +28,11 @@ pub(super) static MODEL: FieldModel = FieldModel {
          left",
         "wear by frictional work",
     ],
-    leaves_out: &[
-        "longitudinal creepage and spin",
-        "rotation of the wheel",
-        "his nonlinear treatment",
-    ],
+    leaves_out: &["longitudinal creepage and spin", "rotation of the wheel"],
     not_given: &[
         "the wave's own geometry: not found in what could be read of it, so none is taken",
         "his coefficients of the non-steady contact: the exact theory stands in",
         "his track, wheel and creepage: those of the case stand in, supports spread evenly",
+        "whether he goes beyond linear equations: Afferrante & Ciavarella (2009) name him among the linear models",
     ],
 };

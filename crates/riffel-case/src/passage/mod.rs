@@ -2,6 +2,7 @@
 
 mod contacts;
 mod structures;
+mod viscous_layers;
 
 use riffel::passage::{
     ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
@@ -82,12 +83,27 @@ impl CaseInTime<'_> {
 
     /// Track and wheels at a speed \[m/s\].
     fn structures(&self, speed: f64) -> Result<StructuresInTime, CaseError> {
-        match &self.structures {
-            Some(structures) => Ok(structures.clone()),
-            None if self.case.feedback.is_along_one_axis() => self.case.one_wheel_in_time(speed),
-            None => self
-                .case
-                .structures_in_time(speed, &self.natural_frequencies),
+        if let Some(structures) = &self.structures {
+            return Ok(structures.clone());
+        }
+        let error = match self.structures_of(self.case, speed) {
+            Err(error) => error,
+            structures => return structures,
+        };
+        // What has no causal track, for its loss factors, has dashpots in their place.
+        let Some((viscous, share)) = self.case.with_viscous_layers() else {
+            return Err(error);
+        };
+        match self.structures_of(&viscous, speed) {
+            Ok(structures) => Ok(structures.with_share_cut(share)),
+            Err(_) => Err(error),
+        }
+    }
+
+    fn structures_of(&self, case: &Case, speed: f64) -> Result<StructuresInTime, CaseError> {
+        match case.feedback.is_along_one_axis() {
+            true => case.one_wheel_in_time(speed),
+            false => case.structures_in_time(speed, &self.natural_frequencies),
         }
     }
 

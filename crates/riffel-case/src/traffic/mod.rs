@@ -11,6 +11,7 @@ use riffel::roughness::ThirdOctave;
 pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
+pub use reported_growth::is_of_reported_growth;
 pub use traffic_file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 
 use crate::Case;

@@ -200,13 +200,13 @@ impl Traffic {
         let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
         let (lowest, highest) = speeds.range();
         wheel.check_frequencies(lowest / longest, highest / shortest)?;
-        let growth = VehicleGrowth::compute(
-            &vehicle.name,
-            vehicle.share.si(),
-            &wheel.places(),
-            bands,
-            speeds,
-        );
+        let places = wheel.places();
+        let (name, share) = (&vehicle.name, vehicle.share.si());
+        let growth = VehicleGrowth::compute(name, share, &places, bands, speeds);
+        let growth = growth.map(|growth| match case.growth_window() {
+            Some(window) => growth.with_course(&places, window),
+            None => growth,
+        });
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
         let at = format!("vehicle[{index}]");

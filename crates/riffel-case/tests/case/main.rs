@@ -8,6 +8,7 @@ mod measured_resonances;
 mod measured_tables;
 mod measurement;
 mod models;
+mod p2;
 mod remarks;
 mod track;
 mod traffic;

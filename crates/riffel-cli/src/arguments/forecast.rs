@@ -88,9 +88,21 @@ pub(crate) struct Spectra {
     #[arg(long, value_name = "COLUMN", requires = "spectrum")]
     pub(crate) date_column: Option<String>,
 
-    /// An earlier measurement of the same rail, to fit the wear coefficient to.
+    /// An earlier measurement of the same rail, to fit the wear coefficient to; may be repeated, the oldest first: that is the one
+    /// taken.
     #[arg(long, value_name = "FILE", requires = "spectrum")]
-    pub(crate) earlier: Option<PathBuf>,
+    pub(crate) earlier: Vec<PathBuf>,
+
+    /// Dates of the measurements, as 2026-01-31: one for each --earlier and one for --spectrum.
+    #[arg(
+        long,
+        value_name = "DATE,…",
+        value_delimiter = ',',
+        requires = "earlier",
+        conflicts_with = "date_column",
+        value_parser = read_date
+    )]
+    pub(crate) dates: Vec<jiff::civil::Date>,
 
     /// Keep the earlier spectra whose column has this value [default file: that of --spectrum].
     #[arg(

@@ -20,8 +20,12 @@ pub(crate) struct Noise {
 
     /// Roughness of the rail: a table of one-third-octave levels or a longitudinal profile; the energy mean of its latest
     /// records is taken.
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, visible_alias = "after", value_name = "FILE")]
     pub(crate) roughness: PathBuf,
+
+    /// Roughness of the same rail before, as before grinding: a file like that of --roughness, which is compared with it.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) before: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) layout: Layout,

@@ -125,13 +125,13 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
         "passages to double",
         "",
     ]);
-    let last = ridge.points.len() - 1;
-    let rows = TABLE_ROWS.min(last + 1);
+    let last = ridge.points.len().saturating_sub(1);
+    let rows = TABLE_ROWS.min(ridge.points.len());
     // As many digits as tell the rows apart.
     let step = 3.6 * (case.speed.max() - case.speed.min()) / rows as f64;
     let digits = (1.0 - step.log10()).floor().clamp(0.0, 3.0) as usize;
     for row in 0..rows {
-        let point = &ridge.points[row * last / (rows - 1)];
+        let point = &ridge.points[row * last / (rows - 1).max(1)];
         let grows = point.growth_rate > 0.0;
         table.add_row([
             format!("{:.digits$}", 3.6 * point.speed),

@@ -45,7 +45,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
         },
         || readable(&case, &answer),
     )?;
-    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_at(answer.speed));
     for (model, growth) in answer.on_case() {
         if let Some(remark) = &growth.unstable {
             say(format!("note: {}: {remark}", model.title));

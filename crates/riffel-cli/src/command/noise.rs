@@ -14,12 +14,21 @@ use crate::results::Results;
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     let survey = survey(&arguments.roughness, &arguments.layout)?.choose(&arguments.choose)?;
     let (survey, _) = survey.latest();
+    let before = match &arguments.before {
+        Some(path) => {
+            let before = super::roughness::survey(path, &arguments.layout)?;
+            Some(before.choose(&arguments.choose)?.latest().0.mean())
+        }
+        None => None,
+    };
     let case = arguments.case.read()?;
     let length = arguments.train_length.as_ref();
     let transfer = arguments.track_transfer.clone();
     let question = NoiseQuestion {
         speed: arguments.speed.within("--speed")?,
         roughness: survey.mean(),
+        rails: survey.rails(),
+        before,
         wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
         wheel_modes: arguments.wheel_modes.clone(),
         decay_rate: arguments

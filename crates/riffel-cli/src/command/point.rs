@@ -49,7 +49,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
             print(&sensitivities(sensitivity))?;
         }
     }
-    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_at(speed));
     Ok(())
 }
 

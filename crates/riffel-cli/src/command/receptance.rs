@@ -172,6 +172,15 @@ fn readable(case: &Case, answer: &ReceptanceAnswer, decay: Option<&[DecayRate]>)
         }
         text.push_str(&format!("{rows}\n"));
     }
+    if let Some(closed) = answer.p2_closed_form {
+        text.push_str(&format!(
+            "P2 in closed form: {:.1} Hz, {:.0} kg of the wheel and {:.0} kg of the track on {:.1} MN/m of track and contact\n",
+            closed.angular_frequency() / TAU,
+            closed.mass,
+            closed.track_mass,
+            1e-6 * closed.stiffness,
+        ));
+    }
     if !answer.lateral_resonances.is_empty() {
         let named = answer.lateral_resonances.iter();
         let named: Vec<String> = named

@@ -115,6 +115,7 @@ fn along_profile(
     case: &Case,
     request: PassageRequest,
 ) -> Result<(), CliError> {
+    let speed = request.speed;
     let answer = PassageAnswer::new(case, request)?;
     results(arguments).hand_out(
         || json(&answer.document()),
@@ -133,7 +134,7 @@ fn along_profile(
         },
         || readable_passage(case, &answer),
     )?;
-    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_at(speed));
     print_remarks(&answer.remarks);
     Ok(())
 }
@@ -204,7 +205,7 @@ fn on_smooth_rail(
         },
         || readable_motion(case, &answer),
     )?;
-    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_at(speed));
     print_remarks(&answer.remarks);
     Ok(())
 }
@@ -245,10 +246,14 @@ fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
         (Outcome::RunsAway, None) => "the wheels slide off".to_owned(),
         (_, None) => "the push dies out".to_owned(),
     };
+    let growth = document.linear_growth_rate_per_s;
+    let growth = growth.map_or_else(String::new, |growth| {
+        format!(", where it grows e-fold in {:.3} s", growth.recip())
+    });
     let linear = match (document.linear_unstable_roots, document.linear_frequency_hz) {
         (Some(0), _) => "the linear loop is stable".to_owned(),
         (Some(_), Some(frequency)) => {
-            format!("the linear loop is unstable near {frequency:.0} Hz")
+            format!("the linear loop is unstable near {frequency:.0} Hz{growth}")
         }
         (Some(_), None) => "the linear loop is unstable".to_owned(),
         (None, _) => "the linear loop cannot be judged".to_owned(),
@@ -283,7 +288,7 @@ fn over_sinusoid(
         },
         || readable(case, &answer),
     )?;
-    print_remarks(&case.remarks);
+    print_remarks(&case.remarks_at(answer.request.speed));
     print_remarks(&answer.remarks);
     Ok(())
 }

@@ -51,7 +51,7 @@ fn notes(answer: &WheelsAnswer) -> Vec<(String, Vec<&str>)> {
     let mut places: BTreeMap<String, usize> = BTreeMap::new();
     let mut notes: Vec<(String, Vec<&str>)> = Vec::new();
     for (wheel, growth) in answer.in_loop() {
-        for remark in &growth.case.remarks {
+        for remark in &growth.remarks {
             let words = remark.to_string();
             let place = *places.entry(words.clone()).or_insert_with(|| {
                 notes.push((words, Vec::new()));

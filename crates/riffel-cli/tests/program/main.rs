@@ -17,6 +17,7 @@ mod language;
 mod models;
 mod network;
 mod noise;
+mod one_answer;
 mod pictures;
 mod profiles;
 mod rails;

@@ -46,7 +46,13 @@ pub fn number(shown: impl Display) -> Value {
 
 /// A number with so many digits after the decimal mark.
 pub fn fixed(value: f64, digits: usize) -> Value {
-    Value::Number(format!("{value:.digits$}"))
+    let written = format!("{value:.digits$}");
+    // A little below zero is no minus zero.
+    let zero = written.bytes().all(|byte| b"-0.".contains(&byte));
+    Value::Number(match zero {
+        true => written.trim_start_matches('-').to_owned(),
+        false => written,
+    })
 }
 
 impl From<&str> for Value {

@@ -35,7 +35,7 @@ const COUNT: Kind = Kind {
     example: "6000",
 };
 
-/// Largest contact angle \[rad\] below a right one.
+/// Largest contact angle \[rad\] below a right one, to either side.
 const LARGEST_CONTACT_ANGLE: f64 = 89.999 / 180.0 * std::f64::consts::PI;
 
 /// Largest angle \[rad\] that is taken without a question where no unit is written: 17°. Flanges touch at steeper ones,
@@ -309,9 +309,13 @@ pub static RANGES: &[PhysicalRange] = &[
         bare_up_to: BARE_ANGLE,
         ..row::<Angle>(
             &["contact.contact_angle", "opposite_contact.contact_angle"],
-            [0.0, LARGEST_CONTACT_ANGLE],
-            [0.0, 80.0 / 180.0 * std::f64::consts::PI],
-            "Below a right angle, where no load is carried; treads have 1 to 5 degrees, flanges 60 to 75.",
+            [-LARGEST_CONTACT_ANGLE, LARGEST_CONTACT_ANGLE],
+            [
+                -10.0 / 180.0 * std::f64::consts::PI,
+                80.0 / 180.0 * std::f64::consts::PI,
+            ],
+            "Below a right angle, where no load is carried; treads have 1 to 5 degrees, flanges 60 to 75; hollow wheels are inclined \
+             the other way by a few.",
         )
     },
     row::<Length>(

@@ -3,8 +3,8 @@
 mod band;
 mod wave;
 
-use riffel::growth::{RidgeRow, RowEvaluator};
-use riffel::{Complex64, Ridge};
+use riffel::Complex64;
+use riffel::growth::{RidgeSearch, RowEvaluator};
 use riffel_case::{Case, Setting};
 use riffel_keys::{CaseError, KeyFile, Message};
 
@@ -403,6 +403,9 @@ impl Outputs {
         let feedback = &case.feedback;
         let rate = feedback.growth_rate_per_dissipation();
         let mut evaluator = RowEvaluator::for_map(feedback, &wavelength.values(), &speed.values());
+        // Every sample has as many values.
+        let told = case.growth_window().unwrap_or(wavelength);
+        let mut search = RidgeSearch::new(feedback, told, &speed.values());
         let mut row = vec![Complex64::ZERO; wavelength.points()];
         let (mut ridge, mut map) = (Vec::new(), Vec::new());
         let with_mean = file.growth_by_wavelength || !self.bands.is_empty();
@@ -411,7 +414,7 @@ impl Outputs {
             let speed = speed.value(index);
             evaluator.evaluate(speed, &mut row);
             if file.ridge || file.ridge_over_speed {
-                ridge.push(RidgeRow::new(feedback, wavelength, speed, &row));
+                ridge.push(search.row(speed));
             }
             for (mean, value) in mean.iter_mut().zip(&row) {
                 *mean += rate * value.re;
@@ -422,7 +425,7 @@ impl Outputs {
         }
         mean.iter_mut()
             .for_each(|mean| *mean /= speed.points() as f64);
-        let ridge = Ridge::with_strongest_branch(feedback, wavelength, &ridge);
+        let ridge = search.ridge(&ridge, 1);
         let flag = |is: bool| if is { 1.0 } else { 0.0 };
         if file.ridge {
             values.push(ridge.best_fit_frequency().unwrap_or(f64::NAN));

@@ -3,8 +3,9 @@
 use axum::extract::{Path, State};
 use axum::http::header;
 use axum::response::IntoResponse;
-use riffel::{GrowthMap, Ridge};
+use riffel::GrowthMap;
 use riffel_answers::map::map_figure;
+use riffel_answers::ridge::ridge_of;
 use riffel_page::CaseText;
 use riffel_plot::DEFAULT_PNG_SCALE;
 use serde::Deserialize;
@@ -55,7 +56,7 @@ pub(crate) async fn post(
                 || wanted.still(),
                 |_| (),
             );
-            let ridge = Ridge::of_map(&case.feedback, &map);
+            let ridge = ridge_of(&case, &case.feedback);
             let figure = map_figure(&case, &map, &ridge, Vec::new());
             let unable = |error| Fault::bad(format!("the figure cannot be drawn: {error}"));
             match kind {

@@ -7,6 +7,8 @@ use crate::contact::ContactFilter;
 
 /// Wavelengths over which a mechanism that is not listed spreads \[m\].
 const ANY: (f64, f64) = (0.005, 2.0);
+/// What a wavelength that the prediction does not cover weighs at most: a little less than nothing.
+const NOT_COVERED: f64 = 0.99;
 /// Share of surprises: a mechanism at work may still stand anywhere, and a level move the other way.
 const SURPRISE: f64 = 0.05;
 
@@ -40,6 +42,8 @@ pub struct Evidence<'a> {
 pub struct Candidate {
     /// What it is.
     pub kind: MechanismKind,
+    /// Which of several of its kind.
+    pub of: Option<String>,
     /// Share of the belief among the candidates \[-\]; see the [module](super).
     pub share: f64,
     /// Frequency that it fixes \[Hz\].
@@ -52,6 +56,15 @@ pub struct Candidate {
     pub reasons_against: Vec<String>,
 }
 
+impl Candidate {
+    /// As in "growth ridge, wheelset 1, low rail".
+    pub fn name(&self) -> String {
+        let of = self.of.as_ref();
+        let of = of.map_or_else(String::new, |of| format!(", {of}"));
+        format!("{}{of}", self.kind.name())
+    }
+}
+
 /// The mechanisms and one that is not among them, the likeliest first.
 pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
     let mut weighed: Vec<(f64, Candidate)> = mechanisms
@@ -62,6 +75,7 @@ pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
         1.0,
         Candidate {
             kind: MechanismKind::Unlisted,
+            of: None,
             share: 0.0,
             frequency: None,
             wavelengths: Some(ANY),
@@ -137,6 +151,7 @@ fn weigh(evidence: &Evidence, mechanism: &Mechanism) -> (f64, Candidate) {
     }
     let candidate = Candidate {
         kind: mechanism.kind,
+        of: mechanism.of.clone(),
         share: 0.0,
         frequency: mechanism.frequency(),
         wavelengths: mechanism.wavelengths(evidence.speeds),
@@ -150,6 +165,7 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
     let (peak, speeds) = (evidence.peak, evidence.speeds);
     let even = (ANY.1 / ANY.0).ln().recip();
     let density = mechanism.density(peak.wavelength, peak.uncertainty(), speeds);
+    let covered = mechanism.covers(peak.wavelength, peak.uncertainty(), speeds);
     let factor = (1.0 - SURPRISE) * density / even + SURPRISE;
     let measured = millimetres(peak.wavelength);
     let at = speeds.words();
@@ -208,7 +224,11 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
             )
         }
     };
-    scales.put(factor, reason);
+    // What a prediction does not cover does not speak for it, however wide it is.
+    match covered {
+        true => scales.put(factor, reason),
+        false => scales.put(factor.min(NOT_COVERED), reason),
+    }
 }
 
 fn weigh_course(evidence: &Evidence, kind: MechanismKind, scales: &mut Scales) {

@@ -4,7 +4,10 @@ use num_complex::Complex64;
 
 use super::{TrafficSpeeds, normal};
 use crate::feedback::Loop;
-use crate::growth::RowEvaluator;
+use crate::growth::{Axis, GrowthCourse, RowEvaluator};
+
+/// Speeds at which narrow lines are looked for.
+const FEW: usize = 3;
 
 /// Growth rate per passage over wavelength, averaged over the speeds of the traffic.
 ///
@@ -17,6 +20,8 @@ pub struct GrowthDensity {
     wavelengths: Vec<f64>,
     /// Mean growth rate per passage at each \[-\].
     rates: Vec<f64>,
+    /// The same with its narrow lines, under a few speeds: many blur them.
+    course: Option<GrowthCourse>,
     /// ∫ of the positive part over ln λ.
     integral: f64,
     /// Mean speed \[m/s\].
@@ -26,7 +31,8 @@ pub struct GrowthDensity {
 impl GrowthDensity {
     /// Mean growth of a loop between two wavelengths \[m\].
     ///
-    /// 200 wavelengths a decade. A receptance that does not exist at some speed and wavelength (a load that
+    /// 200 wavelengths a decade; under no more than three speeds each has the mean about it of a [`GrowthCourse`], which finds
+    /// narrow lines. A receptance that does not exist at some speed and wavelength (a load that
     /// outruns its waves) counts as no growth.
     pub fn new(feedback: impl Into<Loop>, from: f64, to: f64, speeds: &TrafficSpeeds) -> Self {
         const A_DECADE: f64 = 200.0;
@@ -35,6 +41,18 @@ impl GrowthDensity {
             .map(|step| from * (to / from).powf(step as f64 / steps))
             .collect();
         let feedback = feedback.into();
+        if speeds.shares().len() <= FEW
+            && let Ok(window) = Axis::new(from, to, 2)
+        {
+            let course = GrowthCourse::of(window, |wavelength| {
+                let shares = speeds.shares().iter();
+                let rates = shares.map(|&(speed, share)| {
+                    share * feedback.complex_growth_rate(wavelength, speed).re
+                });
+                rates.filter(|rate| rate.is_finite()).sum()
+            });
+            return Self::of_course(course, wavelengths, speeds);
+        }
         let per_dissipation = feedback.growth_rate_per_dissipation();
         let mut evaluator = RowEvaluator::new(&feedback, &wavelengths);
         let mut row = vec![Complex64::ZERO; wavelengths.len()];
@@ -48,12 +66,31 @@ impl GrowthDensity {
                 }
             }
         }
-        let step = (to / from).ln() / steps;
-        let integral = rates.iter().map(|rate| rate.max(0.0) * step).sum();
         Self {
+            integral: integral(&wavelengths, &rates),
             wavelengths,
             rates,
-            integral,
+            course: None,
+            mean_speed: speeds.mean(),
+        }
+    }
+
+    /// At each wavelength the mean over ln λ of what is nearest to it.
+    fn of_course(course: GrowthCourse, wavelengths: Vec<f64>, speeds: &TrafficSpeeds) -> Self {
+        let half = 0.5 * (wavelengths[1] / wavelengths[0]).ln();
+        let last = wavelengths.len() - 1;
+        let rates = wavelengths.iter().enumerate();
+        let rates = rates.map(|(index, place)| {
+            let below = if index == 0 { 0.0 } else { half };
+            let above = if index == last { 0.0 } else { half };
+            mean_over(&course, place * (-below).exp(), place * above.exp())
+        });
+        let rates: Vec<f64> = rates.collect();
+        Self {
+            integral: integral(&wavelengths, &rates),
+            wavelengths,
+            rates,
+            course: Some(course),
             mean_speed: speeds.mean(),
         }
     }
@@ -82,6 +119,11 @@ impl GrowthDensity {
 
     /// Wavelength \[m\] of the highest mean growth rate and that rate, where anything grows.
     pub fn peak(&self) -> Option<(f64, f64)> {
+        if let Some(course) = &self.course {
+            let place = course.highest();
+            let peak = (course.wavelengths[place], course.rates[place]);
+            return (peak.1 > 0.0).then_some(peak);
+        }
         let peak = self.rates().max_by(|a, b| a.1.total_cmp(&b.1))?;
         (peak.1 > 0.0).then_some(peak)
     }
@@ -95,11 +137,34 @@ impl GrowthDensity {
     /// Wavelengths \[m\] about the peak that grow at least half as fast.
     pub fn range(&self) -> Option<(f64, f64)> {
         let (place, highest) = self.peak()?;
-        let peak = self.wavelengths.iter().position(|&other| other == place)?;
-        let grows = |index: &usize| self.rates[*index] >= 0.5 * highest;
+        let (wavelengths, rates) = match &self.course {
+            Some(course) => (&course.wavelengths, &course.rates),
+            None => (&self.wavelengths, &self.rates),
+        };
+        let peak = wavelengths.iter().position(|&other| other == place)?;
+        let grows = |index: &usize| rates[*index] >= 0.5 * highest;
         let first = (0..=peak).rev().take_while(grows).last()?;
-        let last = (peak..self.rates.len()).take_while(grows).last()?;
-        Some((self.wavelengths[first], self.wavelengths[last]))
+        let last = (peak..rates.len()).take_while(grows).last()?;
+        Some((wavelengths[first], wavelengths[last]))
+    }
+
+    /// Whether a wavelength \[m\] known to ±`uncertainty` of ln λ grows at least half as fast as any: somewhere within the
+    /// uncertainty.
+    pub(super) fn covers(&self, wavelength: f64, uncertainty: f64) -> bool {
+        let Some((_, highest)) = self.peak() else {
+            return false;
+        };
+        let room = uncertainty.exp();
+        let (from, to) = (wavelength / room, wavelength * room);
+        let (wavelengths, rates) = match &self.course {
+            Some(course) => (&course.wavelengths, &course.rates),
+            None => (&self.wavelengths, &self.rates),
+        };
+        let mut places = wavelengths.iter().zip(rates);
+        places.any(|(place, rate)| (from..=to).contains(place) && *rate >= 0.5 * highest)
+            || self
+                .rate_at(wavelength)
+                .is_some_and(|rate| rate >= 0.5 * highest)
     }
 
     /// Density of ln λ at a wavelength \[m\] known to ±`uncertainty` of ln λ; zero where nothing grows.
@@ -117,5 +182,29 @@ impl GrowthDensity {
             })
             .sum();
         sum / self.integral
+    }
+}
+
+/// ∫ of the positive part over ln λ, of wavelengths in equal ratios.
+fn integral(wavelengths: &[f64], rates: &[f64]) -> f64 {
+    let step = (wavelengths[1] / wavelengths[0]).ln();
+    rates.iter().map(|rate| rate.max(0.0) * step).sum()
+}
+
+/// Mean of the positive part over ln λ between two wavelengths \[m\], by the trapezoidal rule; of none, as it is.
+fn mean_over(course: &GrowthCourse, from: f64, to: f64) -> f64 {
+    let inside = course.wavelengths.iter().zip(&course.rates);
+    let inside = inside.filter(|(place, _)| from < **place && **place < to);
+    let mut before = (from, course.at(from));
+    let mut sum = 0.0;
+    let end = (to, course.at(to));
+    for after in inside.map(|(place, rate)| (*place, *rate)).chain([end]) {
+        sum += 0.5 * (before.1.max(0.0) + after.1.max(0.0)) * (after.0 / before.0).ln();
+        before = after;
+    }
+    match sum > 0.0 {
+        true => sum / (to / from).ln(),
+        // What decays everywhere tells how fast.
+        false => course.at((from * to).sqrt()).min(0.0),
     }
 }

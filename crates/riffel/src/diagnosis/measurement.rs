@@ -87,6 +87,7 @@ mod tests {
             harmonic_of: None,
         };
         let candidate = |kind, frequency| Candidate {
+            of: None,
             kind,
             share: 0.5,
             frequency,

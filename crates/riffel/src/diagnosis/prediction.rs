@@ -41,6 +41,8 @@ pub enum Prediction {
 pub struct Mechanism {
     /// What it is.
     pub kind: MechanismKind,
+    /// Which of several of its kind, as the wheel under which something grows.
+    pub of: Option<String>,
     /// What it predicts.
     pub prediction: Prediction,
 }
@@ -59,6 +61,7 @@ impl Mechanism {
         };
         Self {
             kind,
+            of: None,
             prediction: Prediction::Frequency {
                 frequency,
                 spread,
@@ -86,6 +89,7 @@ impl Mechanism {
             .hypot(half_a_line);
         Self {
             kind,
+            of: None,
             prediction: Prediction::Frequency {
                 frequency,
                 spread,
@@ -98,6 +102,7 @@ impl Mechanism {
     pub fn growth_ridge(density: GrowthDensity) -> Self {
         Self {
             kind: MechanismKind::GrowthRidge,
+            of: None,
             prediction: Prediction::Growth(density),
         }
     }
@@ -107,6 +112,7 @@ impl Mechanism {
         let (from, to) = GRINDING;
         Self {
             kind: MechanismKind::GrindingMark,
+            of: None,
             prediction: Prediction::Range { from, to },
         }
     }
@@ -115,6 +121,7 @@ impl Mechanism {
     pub fn wheel_circumference(rolling_radius: f64) -> Self {
         Self {
             kind: MechanismKind::WheelCircumference,
+            of: None,
             prediction: Prediction::Orders {
                 length: std::f64::consts::TAU * rolling_radius,
                 orders: 30,
@@ -127,11 +134,48 @@ impl Mechanism {
     pub fn support_spacing(spacing: f64) -> Self {
         Self {
             kind: MechanismKind::SupportSpacing,
+            of: None,
             prediction: Prediction::Orders {
                 length: spacing,
                 orders: 2,
                 spread: 0.02,
             },
+        }
+    }
+
+    /// The same of one of several.
+    pub fn of(mut self, which: impl Into<String>) -> Self {
+        self.of = Some(which.into());
+        self
+    }
+
+    /// Whether what it predicts at the speeds of the traffic covers a wavelength \[m\] known to ±`uncertainty` of ln λ, within one
+    /// standard deviation of both; of growth, whether it grows there at least half as fast as anywhere.
+    pub fn covers(&self, wavelength: f64, uncertainty: f64, speeds: &TrafficSpeeds) -> bool {
+        let within = |from: f64, to: f64, spread: f64| {
+            let room = spread.hypot(uncertainty).exp();
+            from / room <= wavelength && wavelength <= to * room
+        };
+        match &self.prediction {
+            Prediction::Frequency {
+                frequency, spread, ..
+            } => {
+                let shares = speeds.shares().windows(2);
+                // Between speeds that are no further apart than the spread there are others.
+                let between = shares.map(|pair| match (pair[1].0 / pair[0].0).ln() < *spread {
+                    true => (pair[0].0, pair[1].0),
+                    false => (pair[0].0, pair[0].0),
+                });
+                let fastest = (speeds.fastest(), speeds.fastest());
+                between
+                    .chain([fastest])
+                    .any(|(slower, faster)| within(slower / frequency, faster / frequency, *spread))
+            }
+            Prediction::Growth(density) => density.covers(wavelength, uncertainty),
+            Prediction::Range { from, to } => within(*from, *to, 0.0),
+            Prediction::Orders { spread, .. } => self
+                .nearest_order(wavelength)
+                .is_some_and(|(_, nearest)| within(nearest, nearest, *spread)),
         }
     }
 
@@ -242,6 +286,23 @@ mod tests {
         };
         assert_eq!(spread(None, None), 0.05);
         assert!((spread(Some(0.08), Some(20.0)) - 0.096_522).abs() < 1e-6);
+    }
+
+    /// 45 km/h at 125 Hz is 100 mm ±15 %: 89 mm is covered, 70 mm is not; of speeds in between neither is what none makes.
+    #[test]
+    fn covers_what_it_makes() {
+        let one = TrafficSpeeds::between(12.5, 12.5).unwrap();
+        let pads = Mechanism::of_frequency(MechanismKind::RailOnPad, 125.0);
+        let covered = |mechanism: &Mechanism, wavelength| mechanism.covers(wavelength, 0.02, &one);
+        assert!(covered(&pads, 0.100) && covered(&pads, 0.089) && covered(&pads, 0.115));
+        assert!(!covered(&pads, 0.0697) && !covered(&pads, 0.120));
+        let two = TrafficSpeeds::new([(12.5, 1.0), (25.0, 1.0)]).unwrap();
+        assert!(pads.covers(0.1, 0.02, &two) && pads.covers(0.2, 0.02, &two));
+        assert!(!pads.covers(0.14, 0.02, &two));
+        let range = TrafficSpeeds::between(12.5, 25.0).unwrap();
+        assert!(pads.covers(0.14, 0.02, &range) && !pads.covers(0.25, 0.02, &range));
+        let wheel = Mechanism::wheel_circumference(0.5);
+        assert!(covered(&wheel, 3.14159 / 2.0) && !covered(&wheel, 3.14159 / 2.4));
     }
 
     #[test]

@@ -119,12 +119,12 @@ impl Contact {
         /// Any: whether a response is told does not depend on the wavelength.
         const WAVELENGTH: f64 = 0.1;
         Error::unless_positive("stiffness of a contact", self.stiffness, "N/m")?;
-        if !(0.0..FRAC_PI_2).contains(&self.angle) {
+        if self.angle.is_nan() || self.angle.abs() >= FRAC_PI_2 {
             return Err(Error::OutOfRange {
                 quantity: "contact angle",
                 value: self.angle,
                 unit: "rad",
-                rule: "must be zero or more, and less than a right angle",
+                rule: "must be less than a right angle, to either side",
             });
         }
         let held = matches!(self.motion[1], Motion::Held);

@@ -4,6 +4,7 @@ mod answers;
 mod closed_form;
 mod contact;
 mod determinant;
+mod line_group;
 mod linear;
 mod one_wheel;
 mod stability;
@@ -12,6 +13,7 @@ mod turn;
 
 pub(crate) use answers::Answers;
 pub(crate) use closed_form::ClosedForm;
+pub(crate) use line_group::LineGroup;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
 pub use one_wheel::OneWheel;
@@ -49,7 +51,7 @@ use crate::{Error, Rail};
 /// ```
 ///
 /// Axes of a contact: x in the direction of travel, n normal to the plane of contact and into the rail, t in that plane
-/// and to the right; under a contact angle γ, n = (0, ± sin γ, cos γ) and t = (0, cos γ, ∓ sin γ) in those of the track,
+/// and to the right; under a contact angle γ, below zero where a hollow wheel is inclined the other way, n = (0, ± sin γ, cos γ) and t = (0, cos γ, ∓ sin γ) in those of the track,
 /// upper sign on the right rail. A held axis has no ξ₁; on a free one Q₁ vanishes and ξ₁ takes its place among the
 /// unknowns.
 ///
@@ -145,7 +147,7 @@ impl Loop {
     /// \[m\]. The first contact is that of the first wheel on the rail under study, which has the profile one.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] without contacts, for two at one place, a contact angle outside 0 ≤ γ < π/2, a stiffness or
+    /// [`Error::OutOfRange`] without contacts, for two at one place, a contact angle outside −π/2 < γ < π/2, a stiffness or
     /// an amplitude not above zero; [`Error::NoResponse`] where a contact moves across the rail and does not tell its
     /// response to lateral creepage.
     pub fn new(

@@ -28,9 +28,12 @@ pub struct Stability {
     /// How many roots of the loop lie in the half-plane of growing oscillations, two for each oscillation; zero where
     /// the loop is stable.
     pub unstable_roots: usize,
-    /// Frequency \[Hz\] of the oscillation that grows, as squeal or as stick and slip, the highest where there are several:
-    /// that at which F crosses the negative real axis; none where the loop is stable.
+    /// Frequency \[Hz\] of the oscillation that grows, as squeal or as stick and slip, the highest where there are several; none
+    /// where the loop is stable.
     pub frequency: Option<f64>,
+    /// How fast it grows \[1/s\]: its amplitude as the exponential of this times the time. None where the loop is stable, or
+    /// where the step from the imaginary axis does not find the root.
+    pub growth_rate: Option<f64>,
 }
 
 impl Loop {
@@ -43,7 +46,9 @@ impl Loop {
     /// argument principle there are m/2 − Δ/π such zeros, Δ the turn of the phase of F from s = 0 to i∞.
     ///
     /// Method: the phase is followed in steps that are halved until it turns by less than 0.5 rad in each, from 40 steps a
-    /// decade down to 1e-11 of the frequency, 10 000 steps at most; m is the slope of |F| at the lower frequency. Range of validity: F is K s^{−m} to a few per cent at
+    /// decade down to 1e-11 of the frequency, 10 000 steps at most; m is the slope of |F| at the lower frequency. Where F crosses the
+    /// negative real axis an oscillation that grows is near; its root is found by Newton's step from the imaginary axis, −F/F′ with
+    /// F′ = −i dF/dω, taken from the frequency at which that step is along the real axis: to some (σ/ω)² of either. Range of validity: F is K s^{−m} to a few per cent at
     /// the lower frequency, and nearer to one than to the origin at the upper; resonances narrower than the steps that
     /// do not show beside their own frequency are missed.
     ///
@@ -97,10 +102,75 @@ impl Loop {
             let [before, after] = [pair[0].1 - end - PI, pair[1].1 - end - PI];
             (before >= 0.0 && after < 0.0).then(|| (pair[0].0 * pair[1].0).sqrt())
         });
+        let crossing = crossing.filter(|_| roots > 0.0);
+        let root = crossing.and_then(|near| root_near(near, [from, to], &mut quotient));
         Ok(Stability {
             unstable_roots: roots as usize,
-            frequency: crossing.filter(|_| roots > 0.0),
+            frequency: root.map(|(frequency, _)| frequency).or(crossing),
+            growth_rate: root.map(|(_, growth)| growth),
         })
+    }
+}
+
+/// Frequency \[Hz\] and growth \[1/s\] of the root of an analytic function that lies to the right of the imaginary axis near a
+/// frequency, by Newton's step from there; none where it leads away, or to the left.
+fn root_near(
+    near: f64,
+    [from, to]: [f64; 2],
+    value: &mut impl FnMut(f64) -> Complex64,
+) -> Option<(f64, f64)> {
+    /// Steps along the axis, to a billionth of the frequency.
+    const STEPS: usize = 40;
+    const FOUND: f64 = 1e-9;
+    /// Longest step and shift over the frequency.
+    const LONGEST: f64 = 0.05;
+    const FARTHEST: f64 = 0.5;
+    /// Of the frequency, for the derivative: resonances are wider.
+    const DIFFERENCE: f64 = 1e-5;
+    let mut frequency = near;
+    for _ in 0..STEPS {
+        let half = DIFFERENCE * frequency;
+        let rise = value(frequency + half) - value(frequency - half);
+        // dF/ds = −i dF/dω.
+        let slope = -Complex64::I * rise / (2.0 * PI * 2.0 * half);
+        let step = -value(frequency) / slope;
+        let along = step.im / (2.0 * PI);
+        if !along.is_finite() {
+            return None;
+        }
+        if along.abs() < FOUND * frequency {
+            return (step.re > 0.0).then_some((frequency, step.re));
+        }
+        frequency += along.clamp(-LONGEST * frequency, LONGEST * frequency);
+        let far = (frequency / near).ln().abs() > FARTHEST;
+        if far || !(from..=to).contains(&frequency) {
+            return None;
+        }
+    }
+    None
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A pair of roots at σ ± iω beside a damped pair: found to (σ/ω)², 4e-4 here.
+    #[test]
+    fn a_root_is_found_from_the_axis() {
+        let (growth, frequency) = (25.0, 200.0);
+        let root = Complex64::new(growth, 2.0 * PI * frequency);
+        let other = Complex64::new(-40.0, 2.0 * PI * 300.0);
+        let mut value = |frequency: f64| {
+            let s = Complex64::new(0.0, 2.0 * PI * frequency);
+            (s - root) * (s - root.conj()) * (s - other) * (s - other.conj()) / (s - 1000.0).powi(4)
+        };
+        for near in [180.0, 192.0, 210.0] {
+            let (found, rate) = root_near(near, [1.0, 1e4], &mut value).unwrap();
+            assert!((found / frequency - 1.0).abs() < 2e-3, "{near}: {found}");
+            assert!((rate / growth - 1.0).abs() < 0.05, "{near}: {rate}");
+        }
+        // One on the left is none.
+        assert_eq!(root_near(300.0, [1.0, 1e4], &mut value), None);
     }
 }
 

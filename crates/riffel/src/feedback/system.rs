@@ -332,6 +332,32 @@ impl System {
         }
     }
 
+    /// Normal force P₁ \[N\] of a contact as the equations solved leave it at the wavelength of a lane.
+    pub(crate) fn normal_force(
+        &self,
+        of: &Loop,
+        index: usize,
+        wavelength: f64,
+        lane: usize,
+    ) -> Complex64 {
+        let contact = &of.contacts[index];
+        let column = self.excitation[index];
+        let of_unknown = |axis: usize| {
+            let unknown = self.unknowns * index + axis;
+            self.equations.unknown_of_lane(unknown, column, lane)
+        };
+        let force = of_unknown(NORMAL) * contact.force_share(NORMAL);
+        if contact.moving.is_none() {
+            return force;
+        }
+        let mut on_wheel = of_unknown(SHIFT);
+        if contact.shifts_with_displacement() {
+            let across = self.number(&self.creepages, 2 * index + 1, lane);
+            on_wheel += across * Complex64::I * wavelength / (2.0 * PI);
+        }
+        force - on_wheel * contact.by_shift().normal_force
+    }
+
     /// Turn the receptances asked last into the axes of the contacts.
     pub(super) fn turn_axes(&mut self, of: &Loop) {
         turn_axes(of, &mut self.track);

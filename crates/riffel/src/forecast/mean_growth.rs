@@ -3,7 +3,8 @@
 use rayon::prelude::*;
 
 use super::SpeedDistribution;
-use crate::feedback::Loop;
+use super::speed_distribution::Means;
+use crate::feedback::{LineGroup, Loop};
 
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
 /// places of the wheel on the track.
@@ -30,14 +31,20 @@ impl MeanGrowth {
     /// order the wheels come.
     ///
     /// Method: see [`SpeedDistribution`]; wavelengths in parallel on the current rayon pool. Cost: one
-    /// [`Loop::at`] for each place, wavelength and speed, 65 speeds for a smooth normal
-    /// distribution, 1025 at most.
+    /// turn of the loop for each place, wavelength and speed, 65 speeds for a smooth normal
+    /// distribution, 1025 at most; what the wheels answer is asked once for all places.
     pub fn compute(
         places: &[(Loop, f64)],
         wavelengths: &[f64],
         speeds: &SpeedDistribution,
     ) -> Self {
-        let means = speeds.means(|speed| {
+        if let Some(mut groups) = LineGroup::all(places, wavelengths) {
+            return Self::of_means(speeds.means(|speed| {
+                let groups = groups.par_iter_mut();
+                groups.flat_map_iter(|group| group.at(speed)).collect()
+            }));
+        }
+        Self::of_means(speeds.means(|speed| {
             wavelengths
                 .par_iter()
                 .map(|&wavelength| {
@@ -51,7 +58,10 @@ impl MeanGrowth {
                     mean
                 })
                 .collect()
-        });
+        }))
+    }
+
+    fn of_means(means: Means<2>) -> Self {
         Self {
             rates: means.values.iter().map(|mean| mean[0]).collect(),
             squared_force_per_amplitude: means.values.iter().map(|mean| mean[1]).collect(),

@@ -95,6 +95,14 @@ impl SpeedDistribution {
         })
     }
 
+    /// Speeds \[m/s\] with their shares, where they are listed.
+    pub(super) fn listed(&self) -> Option<&[(f64, f64)]> {
+        match &self.kind {
+            Kind::Shares(speeds) => Some(speeds),
+            Kind::Normal { .. } => None,
+        }
+    }
+
     /// Mean \[m/s\].
     pub fn mean(&self) -> f64 {
         match &self.kind {

@@ -2,6 +2,7 @@
 
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
 use crate::feedback::Loop;
+use crate::growth::{Axis, GrowthCourse};
 use crate::roughness::ThirdOctave;
 use crate::{Error, STANDARD_GRAVITY};
 
@@ -20,6 +21,8 @@ pub struct VehicleGrowth {
     pub speeds: SpeedDistribution,
     /// Growth by line.
     pub growth: MeanGrowth,
+    /// Growth with its narrow lines, where the vehicle runs at a few speeds: a distribution makes broad lines of them.
+    pub course: Option<GrowthCourse>,
 }
 
 impl VehicleGrowth {
@@ -45,8 +48,33 @@ impl VehicleGrowth {
             wheel_load,
             growth: MeanGrowth::compute(places, &band_lines(bands), &speeds),
             speeds,
+            course: None,
         })
     }
+
+    /// The vehicle with its narrow lines of growth over a window of wavelengths, where it runs at no more than
+    /// [`FEW`](Self::FEW) speeds. `places` as in [`MeanGrowth::compute`].
+    pub fn with_course(mut self, places: &[(Loop, f64)], window: Axis) -> Self {
+        let few = self
+            .speeds
+            .listed()
+            .filter(|speeds| speeds.len() <= Self::FEW);
+        self.course = few.map(|speeds| {
+            GrowthCourse::of(window, |wavelength| {
+                let of = |(speed, share): &(f64, f64)| {
+                    let rates = places.iter().map(|(feedback, weight)| {
+                        weight * feedback.complex_growth_rate(wavelength, *speed).re
+                    });
+                    share * rates.sum::<f64>()
+                };
+                speeds.iter().map(of).sum()
+            })
+        });
+        self
+    }
+
+    /// Speeds at which narrow lines are looked for; more of them blur what is narrow.
+    pub const FEW: usize = 3;
 
     /// The vehicle with traction on a share of its axles \[-\] from 0 to 1, while the others roll free.
     ///
@@ -69,6 +97,10 @@ impl VehicleGrowth {
             *rate *= share;
         }
         self.growth.rate_error *= share;
+        let course = self.course.iter_mut();
+        for rate in course.flat_map(|course| &mut course.rates) {
+            *rate *= share;
+        }
         Ok(self)
     }
 
@@ -155,6 +187,8 @@ impl TrafficGrowth {
             self.rates[lines_of(place)].fill(rate);
             for vehicle in &mut self.vehicles {
                 vehicle.growth.rates[lines_of(place)].fill(rate);
+                // What was measured does not tell lines apart.
+                vehicle.course = None;
             }
         }
         self
@@ -178,6 +212,39 @@ impl TrafficGrowth {
     /// Growth rate of the amplitude per axle passage \[-\] of every line.
     pub fn rates(&self) -> &[f64] {
         &self.rates
+    }
+
+    /// The wavelength \[m\] within a range that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
+    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line lies
+    /// in the range.
+    pub fn fastest(&self, range: [f64; 2]) -> Option<(f64, f64, bool)> {
+        let lines = self.wavelengths();
+        let of_lines = |vehicle: &VehicleGrowth| GrowthCourse {
+            wavelengths: lines.clone(),
+            rates: vehicle.growth.rates.clone(),
+        };
+        let courses: Vec<(f64, GrowthCourse)> = (self.vehicles.iter())
+            .map(|vehicle| {
+                let course = vehicle.course.clone();
+                (vehicle.share, course.unwrap_or_else(|| of_lines(vehicle)))
+            })
+            .collect();
+        let inside = |wavelength: &&f64| (range[0]..=range[1]).contains(*wavelength);
+        let places = courses.iter().flat_map(|(_, course)| &course.wavelengths);
+        let mut places: Vec<f64> = places.filter(inside).copied().collect();
+        places.sort_by(f64::total_cmp);
+        let rate = |wavelength: f64| {
+            let rates = courses.iter();
+            rates
+                .map(|(share, course)| share * course.at(wavelength))
+                .sum::<f64>()
+        };
+        let rates = places
+            .iter()
+            .map(|&wavelength| (wavelength, rate(wavelength)));
+        let (wavelength, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let at_edge = [places.first(), places.last()].contains(&Some(&wavelength));
+        Some((wavelength, rate, at_edge))
     }
 
     /// Growth rates of the lines of a band \[-\], by its place among the bands.

@@ -109,9 +109,9 @@ impl Bay {
         }
     }
 
-    /// The ridge of the mean.
-    pub fn ridge(&self, mean: &GrowthMap) -> Ridge {
-        Ridge::refined_from(mean, |wavelength, speed| {
+    /// The ridge of the mean over a window of wavelengths.
+    pub fn ridge(&self, mean: &GrowthMap, window: Axis) -> Ridge {
+        Ridge::refined_from(mean, window, |wavelength, speed| {
             self.mean_normalized_dissipation(wavelength, speed)
         })
     }

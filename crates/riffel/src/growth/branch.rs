@@ -1,8 +1,6 @@
 //! Branches of the ridge: lines of growth that continue from speed to speed.
 
-use num_complex::Complex64;
-
-use super::{Axis, RidgePoint};
+use super::RidgePoint;
 
 /// A line of growth: one local minimum of Re Ŵ₁ < 0 at each of its speeds, whose frequency changes continuously
 /// from one speed to the next.
@@ -91,38 +89,46 @@ impl RidgeBranch {
     }
 }
 
-/// A local minimum of Re Ŵ₁ < 0 in a row of the grid.
+/// A local minimum of Re Ŵ₁ < 0 in a row.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Minimum {
-    /// Its place on the grid of wavelengths.
+    /// Its place in the row.
     pub(super) index: usize,
     /// Re Ŵ₁ there.
     pub(super) value: f64,
+    /// Its neighbours, or itself at an end of the row \[m\].
+    pub(super) between: [f64; 2],
+    /// It is the first or the last of the row.
+    at_end: bool,
     /// Wavelength \[m\] of the vertex of the parabola through it and its neighbours; itself at an end of the row.
     wavelength: f64,
 }
 
-/// The local minima of Re Ŵ₁ < 0 in a row, in order of wavelength.
-pub(super) fn minima(wavelength: Axis, row: &[Complex64]) -> Vec<Minimum> {
-    let last = row.len() - 1;
+/// The local minima of Re Ŵ₁ < 0 in a row of rising wavelengths, in their order.
+pub(super) fn minima(wavelengths: &[f64], values: &[f64]) -> Vec<Minimum> {
+    let last = values.len() - 1;
     (0..=last)
         .filter(|&j| {
-            let lower_left = j == 0 || row[j].re < row[j - 1].re;
-            let lower_right = j == last || row[j].re <= row[j + 1].re;
-            row[j].re < 0.0 && lower_left && lower_right
+            let lower_left = j == 0 || values[j] < values[j - 1];
+            let lower_right = j == last || values[j] <= values[j + 1];
+            values[j] < 0.0 && lower_left && lower_right
         })
         .map(|j| {
-            let offset = if j == 0 || j == last {
-                0.0
-            } else {
-                let (left, middle, right) = (row[j - 1].re, row[j].re, row[j + 1].re);
-                0.5 * (left - right) / (left - 2.0 * middle + right)
+            let at_end = j == 0 || j == last;
+            let [left, right] = [j.saturating_sub(1), (j + 1).min(last)];
+            let vertex = || {
+                let before = wavelengths[j] - wavelengths[left];
+                let after = wavelengths[right] - wavelengths[j];
+                let (fall, rise) = (values[left] - values[j], values[right] - values[j]);
+                0.5 * (after * after * fall - before * before * rise)
+                    / (after * fall + before * rise)
             };
-            let step = wavelength.value(1) - wavelength.value(0);
             Minimum {
                 index: j,
-                value: row[j].re,
-                wavelength: wavelength.value(j) + step * offset,
+                value: values[j],
+                between: [wavelengths[left], wavelengths[right]],
+                at_end,
+                wavelength: wavelengths[j] + if at_end { 0.0 } else { vertex() },
             }
         })
         .collect()
@@ -131,7 +137,7 @@ pub(super) fn minima(wavelength: Axis, row: &[Complex64]) -> Vec<Minimum> {
 /// Where a minimum stands: row and place in the row.
 pub(super) type Place = (usize, usize);
 
-/// Rows in a row that a chain may miss: a minimum narrower than the step of the grid is not seen in every row.
+/// Rows in a row that a chain may miss: a minimum may pass below zero or behind another for some speeds.
 const MISSED: usize = 3;
 /// Points over which the slope of a chain is taken.
 const SLOPE_POINTS: usize = 8;
@@ -193,14 +199,11 @@ impl Chain {
 /// is expected to stay where there is one such point, and where a crest comes in from an end; λ along an end. Minima and chains are joined in the order of their distance
 /// from there in ln f, each once. A distance is allowed that the step of speed makes at constant wavelength, which is
 /// the steepest course of a filter of the contact, but no more than 0.2; and one step of the grid besides.
-pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Place>> {
-    let step = wavelength.value(1) - wavelength.value(0);
+pub(super) fn chains(rows: &[(f64, &[Minimum])]) -> Vec<Vec<Place>> {
     let mut chains: Vec<Chain> = Vec::new();
     for (row, &(speed, minima)) in rows.iter().enumerate() {
         let ln_speed = speed.ln();
         let ln_frequency = |minimum: &Minimum| ln_speed - minimum.wavelength.ln();
-        let at_end =
-            |minimum: &Minimum| minimum.index == 0 || minimum.index == wavelength.points() - 1;
         let mut pairs: Vec<(f64, usize, usize)> = Vec::new();
         for (index, chain) in chains.iter().enumerate() {
             let missed = row - 1 - chain.members.last().map_or(0, |&(row, _)| row);
@@ -210,9 +213,12 @@ pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Pl
                 continue;
             }
             for (place, minimum) in minima.iter().enumerate() {
-                let expected = chain.expected(ln_speed, at_end(minimum));
+                let expected = chain.expected(ln_speed, minimum.at_end);
                 let distance = (ln_frequency(minimum) - expected).abs();
-                let allowed = (ln_speed - last_speed).min(LARGEST_STEP) + step / minimum.wavelength;
+                let [shortest, longest] = minimum.between;
+                let at = minimum.wavelength;
+                let step = (longest - at).max(at - shortest) / at;
+                let allowed = (ln_speed - last_speed).min(LARGEST_STEP) + step;
                 if distance <= allowed {
                     pairs.push((distance, index, place));
                 }
@@ -237,7 +243,7 @@ pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Pl
             chains[chain].course.push(Step {
                 ln_speed,
                 ln_frequency: ln_frequency(minimum),
-                at_end: at_end(minimum),
+                at_end: minimum.at_end,
             });
         }
     }
@@ -246,6 +252,7 @@ pub(super) fn chains(wavelength: Axis, rows: &[(f64, &[Minimum])]) -> Vec<Vec<Pl
 
 #[cfg(test)]
 mod tests {
+    use super::super::Axis;
     use super::*;
 
     /// A dip of Re Ŵ₁ at a wavelength \[m\], of a relative width.
@@ -263,18 +270,18 @@ mod tests {
             .iter()
             .map(|&speed| {
                 let values = window().values();
-                let row: Vec<Complex64> = values
+                let row: Vec<f64> = values
                     .iter()
-                    .map(|&wavelength| field(wavelength, speed).into())
+                    .map(|&wavelength| field(wavelength, speed))
                     .collect();
-                (speed, minima(window(), &row))
+                (speed, minima(&values, &row))
             })
             .collect();
         let borrowed: Vec<(f64, &[Minimum])> = rows
             .iter()
             .map(|(speed, minima)| (*speed, &minima[..]))
             .collect();
-        chains(window(), &borrowed)
+        chains(&borrowed)
             .iter()
             .map(|chain| {
                 chain

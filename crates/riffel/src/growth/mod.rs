@@ -3,6 +3,8 @@
 mod bay;
 mod branch;
 mod closing;
+mod course;
+mod fine_row;
 mod map;
 mod on_irregular_supports;
 mod ridge;
@@ -11,9 +13,10 @@ mod with_neighbours;
 
 pub use bay::{Bay, BayMaps};
 pub use branch::RidgeBranch;
+pub use course::GrowthCourse;
 pub use map::GrowthMap;
 pub use on_irregular_supports::GrowthOnIrregularSupports;
-pub use ridge::{Ridge, RidgePoint, RidgeRow};
+pub use ridge::{Ridge, RidgePoint, RidgeRow, RidgeSearch};
 pub use row::RowEvaluator;
 pub use with_neighbours::GrowthWithNeighbours;
 

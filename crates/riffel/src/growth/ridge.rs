@@ -1,9 +1,12 @@
 //! The ridge: the wavelength of highest growth at each speed.
 
+use std::sync::Arc;
+
 use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::branch::{Minimum, Place, RidgeBranch, chains, minima};
+use super::fine_row::{FineRow, first_wavelengths};
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::feedback::Loop;
 use crate::golden_section::golden_section;
@@ -35,7 +38,7 @@ pub struct RidgePoint {
     pub at_edge: bool,
 }
 
-/// What the ridge needs of one row: the lowest point, refined, and the local minima on the grid.
+/// What the ridge needs of one speed: the lowest point, and the local minima.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct RidgeRow {
@@ -44,26 +47,40 @@ pub struct RidgeRow {
     minima: Vec<Minimum>,
 }
 
-impl RidgeRow {
-    /// The row that a [`RowEvaluator`] computed for the wavelengths at one speed \[m/s\], for those who keep the
-    /// rows too; see [`Ridge::with_strongest_branch`].
-    pub fn new(feedback: impl Into<Loop>, wavelength: Axis, speed: f64, row: &[Complex64]) -> Self {
+/// The search of a ridge, row by row; for those who compute rows of their own. Holds scratch for a row; make one for each thread
+/// with `clone`.
+#[derive(Clone)]
+pub struct RidgeSearch {
+    feedback: Loop,
+    window: Axis,
+    first: Arc<[f64]>,
+    evaluator: RowEvaluator,
+}
+
+impl RidgeSearch {
+    /// The search over a window of wavelengths, whose number of points has no part, at speeds \[m/s\].
+    pub fn new(feedback: impl Into<Loop>, window: Axis, speeds: &[f64]) -> Self {
         let feedback = feedback.into();
-        Self::on(&Surface::of(&feedback), wavelength, speed, row)
+        let first = first_wavelengths(window);
+        Self {
+            evaluator: RowEvaluator::for_map(&feedback, &first, speeds),
+            first: first.into(),
+            feedback,
+            window,
+        }
     }
 
-    fn on(
-        surface: &Surface<impl Fn(f64, f64) -> f64>,
-        wavelength: Axis,
-        speed: f64,
-        row: &[Complex64],
-    ) -> Self {
-        let lowest = lowest(row);
-        Self {
-            highest: surface.refined(wavelength, speed, lowest),
-            lowest,
-            minima: minima(wavelength, row),
-        }
+    /// The row at a speed \[m/s\].
+    pub fn row(&mut self, speed: f64) -> RidgeRow {
+        let surface = Surface::of(&self.feedback);
+        let value = |wavelength| (surface.normalized)(wavelength, speed);
+        let row = FineRow::evaluated(&mut self.evaluator, &self.first, speed, value);
+        surface.row(self.window, speed, &row)
+    }
+
+    /// The ridge of rows, one for each speed, with so many of its strongest branches: what the others cost is saved.
+    pub fn ridge(&self, rows: &[RidgeRow], branches: usize) -> Ridge {
+        Surface::of(&self.feedback).ridge(self.window, rows, branches)
     }
 }
 
@@ -83,81 +100,75 @@ pub struct Ridge {
 }
 
 impl Ridge {
-    /// Search the ridge row by row, keeping no map: the smallest Re Ŵ₁ on the grid of wavelengths,
-    /// then refined between its neighbours by golden-section search to 1e-7 of the window, some 35
-    /// evaluations a speed and branch. A second minimum narrower than the grid's step is missed.
+    /// Search the ridge row by row, keeping no map: all local minima of Re Ŵ₁ over the wavelengths, however narrow (half a
+    /// per cent of the wavelength and halves of it, until the course is straight between two values to 1 % of the largest growth),
+    /// the lowest of each row and those of branches then refined by golden-section search to 1e-7 of the window.
+    ///
+    /// The number of points of the window has no part in it: a map of any resolution has the same ridge. A line of less than
+    /// 0.02 % of the critical damping may be missed.
     pub fn search(feedback: impl Into<Loop>, wavelength: Axis, speed: Axis) -> Self {
         Self::search_at(feedback, wavelength, &speed.values())
     }
 
     /// [`search`](Self::search) at any speeds \[m/s\], in their order.
     pub fn search_at(feedback: impl Into<Loop>, wavelength: Axis, speeds: &[f64]) -> Self {
-        let feedback = feedback.into();
-        let evaluator = RowEvaluator::for_map(&feedback, &wavelength.values(), speeds);
-        let row = vec![Complex64::ZERO; wavelength.points()];
-        let surface = Surface::of(&feedback);
+        let search = RidgeSearch::new(feedback, wavelength, speeds);
         let rows: Vec<RidgeRow> = speeds
             .par_iter()
-            .map_with((evaluator, row), |(evaluator, row), &speed| {
-                evaluator.evaluate(speed, row);
-                RidgeRow::on(&surface, wavelength, speed, row)
-            })
+            .map_with(search.clone(), |search, &speed| search.row(speed))
             .collect();
-        surface.ridge(wavelength, &rows, usize::MAX)
+        search.ridge(&rows, usize::MAX)
     }
 
-    /// The ridge of a map of the same loop, as [`search`](Self::search) without computing the rows anew.
+    /// The ridge over the window of a map of the same loop.
     pub fn of_map(feedback: impl Into<Loop>, map: &GrowthMap) -> Self {
-        Self::on(&Surface::of(&feedback.into()), map)
+        Self::search(feedback, map.wavelength(), map.speed())
     }
 
-    /// The ridge of rows of the same loop and wavelengths, one for each speed, with its strongest branch alone: what
-    /// the other branches cost is saved.
-    pub fn with_strongest_branch(
-        feedback: impl Into<Loop>,
-        wavelength: Axis,
-        rows: &[RidgeRow],
-    ) -> Self {
-        Surface::of(&feedback.into()).ridge(wavelength, rows, 1)
+    /// That of no wavelengths.
+    pub fn nothing() -> Self {
+        Self {
+            points: Vec::new(),
+            branches: Vec::new(),
+        }
     }
 
-    /// The ridge of a map, refined between its points on the function Ŵ₁ of wavelength and speed
-    /// that the map samples.
+    /// The ridge of a map over a part of its wavelengths, refined between its points on the function Ŵ₁ of wavelength and
+    /// speed that the map samples.
     pub(super) fn refined_from(
         map: &GrowthMap,
+        window: Axis,
         normalized: impl Fn(f64, f64) -> Complex64 + Sync,
     ) -> Self {
         let surface = Surface {
             normalized: |wavelength, speed| normalized(wavelength, speed).re,
             rate: map.growth_rate_per_dissipation(),
         };
-        Self::on(&surface, map)
-    }
-
-    fn on(surface: &Surface<impl Fn(f64, f64) -> f64 + Sync>, map: &GrowthMap) -> Self {
         let rows: Vec<RidgeRow> = (0..map.speed().points())
             .into_par_iter()
             .map(|index| {
                 let speed = map.speed().value(index);
-                RidgeRow::on(surface, map.wavelength(), speed, map.row(index))
+                let value = |wavelength| (surface.normalized)(wavelength, speed);
+                let of_map = map.wavelength().values().into_iter().zip(map.row(index));
+                let row = FineRow::filled(window, of_map, value);
+                surface.row(window, speed, &row)
             })
             .collect();
-        surface.ridge(map.wavelength(), &rows, usize::MAX)
+        surface.ridge(window, &rows, usize::MAX)
     }
 
     /// Every line of growth at one speed \[m/s\]: the local minima of Re Ŵ₁ < 0 over the wavelengths,
-    /// in order of wavelength, refined as in [`search`](Self::search).
+    /// in order of wavelength, found and refined as in [`search`](Self::search).
     ///
     /// A track with supports has lines besides the ridge; each is a wavelength that may dominate
     /// where another mechanism filters the ridge out.
     pub fn lines_at(feedback: impl Into<Loop>, wavelength: Axis, speed: f64) -> Vec<RidgePoint> {
-        let feedback = feedback.into();
-        let mut row = vec![Complex64::ZERO; wavelength.points()];
-        RowEvaluator::new(&feedback, &wavelength.values()).evaluate(speed, &mut row);
-        let surface = Surface::of(&feedback);
-        minima(wavelength, &row)
+        let mut search = RidgeSearch::new(feedback, wavelength, &[speed]);
+        let row = search.row(speed);
+        let surface = Surface::of(&search.feedback);
+        row.minima
             .iter()
-            .map(|minimum| surface.refined(wavelength, speed, minimum.index))
+            .map(|minimum| surface.refined(wavelength, speed, minimum.between))
             .collect()
     }
 
@@ -193,25 +204,31 @@ impl Surface<()> {
 }
 
 impl<F: Fn(f64, f64) -> f64> Surface<F> {
-    /// The minimum between the neighbours of a point of the grid.
-    fn refined(&self, wavelength: Axis, speed: f64, lowest: usize) -> RidgePoint {
+    fn row(&self, window: Axis, speed: f64, row: &FineRow) -> RidgeRow {
+        let minima = minima(&row.wavelengths, &row.values);
+        let values = &row.values;
+        let lowest = (0..values.len()).min_by(|&a, &b| values[a].total_cmp(&values[b]));
+        let lowest = lowest.unwrap_or(0);
+        let last = values.len() - 1;
+        let between = [lowest.saturating_sub(1), (lowest + 1).min(last)];
+        let between = between.map(|index| row.wavelengths[index]);
+        RidgeRow {
+            highest: self.refined(window, speed, between),
+            lowest,
+            minima,
+        }
+    }
+
+    /// The minimum between two wavelengths.
+    fn refined(&self, window: Axis, speed: f64, between: [f64; 2]) -> RidgePoint {
         let normalized = |wavelength| (self.normalized)(wavelength, speed);
-        let last = wavelength.points() - 1;
-        let bracket = [
-            wavelength.value(lowest.saturating_sub(1)),
-            wavelength.value((lowest + 1).min(last)),
-        ];
-        let tolerance = 1e-7 * (wavelength.max() - wavelength.min());
-        let minimum = golden_section(bracket, tolerance, normalized);
+        let tolerance = 1e-7 * (window.max() - window.min());
+        let minimum = golden_section(between, tolerance, normalized);
         // At an end of the window the search walks to that end.
-        let at_edge = minimum - wavelength.min() < 2.0 * tolerance
-            || wavelength.max() - minimum < 2.0 * tolerance;
-        let end = if lowest == 0 {
-            wavelength.min()
-        } else {
-            wavelength.max()
-        };
-        let place = if at_edge { end } else { minimum };
+        let end = [window.min(), window.max()]
+            .into_iter()
+            .find(|end| (minimum - end).abs() < 2.0 * tolerance);
+        let place = end.unwrap_or(minimum);
         let normalized_dissipation = normalized(place);
         RidgePoint {
             speed,
@@ -219,28 +236,28 @@ impl<F: Fn(f64, f64) -> f64> Surface<F> {
             frequency: speed / place,
             normalized_dissipation,
             growth_rate: self.rate * normalized_dissipation,
-            at_edge,
+            at_edge: end.is_some(),
         }
     }
 }
 
 impl<F: Fn(f64, f64) -> f64 + Sync> Surface<F> {
     /// The ridge of rows in any order, with so many of the strongest branches.
-    fn ridge(&self, wavelength: Axis, rows: &[RidgeRow], most: usize) -> Ridge {
+    fn ridge(&self, window: Axis, rows: &[RidgeRow], most: usize) -> Ridge {
         let mut points: Vec<RidgePoint> = rows.iter().map(|row| row.highest).collect();
         let mut order: Vec<usize> = (0..rows.len()).collect();
         order.sort_by(|&a, &b| points[a].speed.total_cmp(&points[b].speed));
-        let mut branches: Vec<(Vec<usize>, RidgeBranch)> = strongest(wavelength, rows, &order)
+        let mut branches: Vec<(Vec<usize>, RidgeBranch)> = strongest(rows, &order)
             .into_par_iter()
             .take(most)
             .map(|chain| {
                 let refined = |&(row, place): &Place| {
                     let row = &rows[row];
-                    let index = row.minima[place].index;
-                    if index == row.lowest {
+                    let minimum = row.minima[place];
+                    if minimum.index == row.lowest {
                         return row.highest;
                     }
-                    self.refined(wavelength, row.highest.speed, index)
+                    self.refined(window, row.highest.speed, minimum.between)
                 };
                 let points = chain.iter().map(refined).collect();
                 let rows = chain.iter().map(|&(row, _)| row).collect();
@@ -266,7 +283,7 @@ impl<F: Fn(f64, f64) -> f64 + Sync> Surface<F> {
 
 /// The chains of minima in rows that are taken in an order of rising speed, the strongest first; without those that
 /// are noise: weaker than [`WEAKEST`] of the strongest, or shorter than [`FEWEST`] points on a map of many speeds.
-fn strongest(wavelength: Axis, rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Place>> {
+fn strongest(rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Place>> {
     let in_order: Vec<(f64, &[Minimum])> = order
         .iter()
         .map(|&row| (rows[row].highest.speed, &rows[row].minima[..]))
@@ -279,7 +296,7 @@ fn strongest(wavelength: Axis, rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Pl
             false => minimum.value,
         }
     };
-    let mut chains: Vec<(f64, Vec<Place>)> = chains(wavelength, &in_order)
+    let mut chains: Vec<(f64, Vec<Place>)> = chains(&in_order)
         .into_iter()
         .map(|chain| {
             let chain: Vec<Place> = chain
@@ -298,11 +315,4 @@ fn strongest(wavelength: Axis, rows: &[RidgeRow], order: &[usize]) -> Vec<Vec<Pl
     };
     chains.retain(kept);
     chains.into_iter().map(|(_, chain)| chain).collect()
-}
-
-/// Index of the smallest Re Ŵ₁.
-fn lowest(row: &[Complex64]) -> usize {
-    (0..row.len())
-        .min_by(|&a, &b| row[a].re.total_cmp(&row[b].re))
-        .unwrap_or(0)
 }

@@ -2,6 +2,8 @@
 
 use std::f64::consts::TAU;
 
+use rayon::prelude::*;
+
 use super::cylinder::efficiency;
 use super::{Air, VibratingDisc};
 use crate::gauss::panels;
@@ -25,22 +27,29 @@ pub struct WheelMode {
 }
 
 /// What of a mode takes part.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 struct Ringing {
     /// Natural angular frequency \[rad/s\].
     natural: f64,
     damping_ratio: f64,
     /// Displacement of the contact \[1/√kg\].
     contact: f64,
-    /// Sound power per mean square generalised velocity \[1/s\].
-    power: f64,
+    power: Radiated,
+}
+
+/// Sound power of a mode per mean square generalised velocity \[1/s\], over the frequency at which it is driven.
+#[derive(Debug, Clone, PartialEq)]
+struct Radiated {
+    /// ln ω and ln of the power, rising.
+    nodes: Vec<(f64, f64)>,
 }
 
 /// Modes of a wheel with what each radiates.
 ///
 /// Each motion s cos nθ is the one that a force at θ = 0 makes. Along the axis a mode radiates as a [`VibratingDisc`], along the
 /// radius as a long cylinder with n waves around it, of which the tread and its underside, 2 · 2πRw, are cut out; both
-/// at its natural frequency, near which it is heard. That a wheel turns, by which each frequency becomes two that are nΩ/2π apart,
+/// at the frequency at which it is driven, as a power of frequency between half octaves from the natural frequency, to half a
+/// decibel. That a wheel turns, by which each frequency becomes two that are nΩ/2π apart,
 /// some 10 to 60 Hz, is left out, and so are the hub, the axle and the other wheel.
 #[derive(Debug, Clone, PartialEq)]
 pub struct WheelModes {
@@ -66,7 +75,7 @@ impl WheelModes {
     ) -> Result<Self, Error> {
         Error::unless_positive("rolling radius", rolling_radius, "m")?;
         Error::unless_positive("width of the wheel", width, "m")?;
-        let ringing = modes.iter().map(|mode| {
+        let ringing = modes.par_iter().map(|mode| {
             Error::unless_positive("natural frequency of a wheel", mode.frequency, "Hz")?;
             if !(mode.damping_ratio > 0.0 && mode.damping_ratio < 1.0) {
                 return Err(Error::OutOfRange {
@@ -94,20 +103,20 @@ impl WheelModes {
             let tread = air.impedance()
                 * (2.0 * TAU * rolling_radius * width)
                 * around
-                * mode.radial_of_tread.powi(2)
-                * efficiency(
-                    mode.nodal_diameters,
-                    air.wavenumber(mode.frequency) * rolling_radius,
-                );
+                * mode.radial_of_tread.powi(2);
+            let power = |frequency: f64| {
+                let around = air.wavenumber(frequency) * rolling_radius;
+                disc.power(air, frequency) + tread * efficiency(mode.nodal_diameters, around)
+            };
             Ok(Ringing {
                 natural: TAU * mode.frequency,
                 damping_ratio: mode.damping_ratio,
                 contact: mode.radial_at_contact,
-                power: disc.power(air, mode.frequency) + tread,
+                power: Radiated::about(mode.frequency, power),
             })
         });
         Ok(Self {
-            modes: ringing.collect::<Result<_, Error>>()?,
+            modes: ringing.collect::<Result<Vec<Ringing>, Error>>()?,
         })
     }
 
@@ -116,7 +125,7 @@ impl WheelModes {
     pub fn damped(&self, damping_ratio: f64) -> Self {
         let damped = |mode: &Ringing| Ringing {
             damping_ratio: mode.damping_ratio.max(damping_ratio),
-            ..*mode
+            ..mode.clone()
         };
         Self {
             modes: self.modes.iter().map(damped).collect(),
@@ -133,7 +142,7 @@ impl WheelModes {
     pub fn power(&self, angular_frequency: f64) -> f64 {
         let w = angular_frequency;
         let of_mode =
-            |mode: &Ringing| mode.power * (w * mode.contact).powi(2) * mode.response(w).norm_sqr();
+            |mode: &Ringing| mode.power.at(w) * (w * mode.contact).powi(2) * mode.response(w).norm_sqr();
         self.modes.iter().map(of_mode).sum()
     }
 
@@ -173,6 +182,41 @@ impl WheelModes {
         panels(&edges)
             .map(|(frequency, weight)| (frequency, weight / frequency / whole))
             .collect()
+    }
+}
+
+impl Radiated {
+    /// Of a function of the frequency \[Hz\], about a natural frequency.
+    fn about(natural: f64, power: impl Fn(f64) -> f64) -> Self {
+        /// As far as it is heard \[Hz\].
+        const LOWEST: f64 = 50.0;
+        const HIGHEST: f64 = 10e3;
+        // Octaves from the natural frequency.
+        let halves = (1..30).map(|half| 0.5 * f64::from(half));
+        let below = halves.clone().map(|octave| -octave);
+        let below = below.take_while(|octave| natural * octave.exp2() > 0.7 * LOWEST);
+        let above = halves.take_while(|octave| natural * octave.exp2() < 1.5 * HIGHEST);
+        let mut places: Vec<f64> = below.chain(above).chain([0.0, -0.5, 0.5]).collect();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        let node = |octave: f64| {
+            let frequency = natural * octave.exp2();
+            let power = power(frequency).max(f64::MIN_POSITIVE);
+            ((TAU * frequency).ln(), power.ln())
+        };
+        Self {
+            nodes: places.into_iter().map(node).collect(),
+        }
+    }
+
+    /// At an angular frequency \[rad/s\]; beyond the nodes it goes on as between the last of them.
+    fn at(&self, w: f64) -> f64 {
+        let place = w.ln();
+        let after = self.nodes.partition_point(|node| node.0 < place);
+        let after = after.clamp(1, self.nodes.len() - 1);
+        let [before, after] = [self.nodes[after - 1], self.nodes[after]];
+        let share = (place - before.0) / (after.0 - before.0);
+        (before.1 + share * (after.1 - before.1)).exp()
     }
 }
 
@@ -237,12 +281,39 @@ mod tests {
     /// A steel wheel loses as much to the air as it loses in all, 2ζω_n, within an order of magnitude: ζ is measured in air.
     #[test]
     fn what_is_radiated_is_of_the_order_of_what_is_lost() -> Result<(), Error> {
-        let ringing = wheel(&[mode(2000.0, 0.06)])?.modes[0];
+        let ringing = wheel(&[mode(2000.0, 0.06)])?.modes[0].clone();
+        let power = ringing.power.at(ringing.natural);
         let lost = 2.0 * ringing.damping_ratio * ringing.natural;
         assert!(
-            ringing.power > 0.1 * lost && ringing.power < 2.0 * lost,
+            power > 0.1 * lost && power < 2.0 * lost,
             "{ringing:?} {lost}"
         );
+        Ok(())
+    }
+
+    /// Driven far below its natural frequency a mode radiates with the efficiency of the frequency that drives it: as disc and
+    /// tread do there, exactly on octaves and within a decibel between them, and a hundred times less than at the natural frequency.
+    #[test]
+    fn a_mode_radiates_at_the_frequency_that_drives_it() -> Result<(), Error> {
+        let (air, natural) = (Air::default(), 9000.0);
+        let mode = mode(natural, 0.06);
+        let ringing = wheel(std::slice::from_ref(&mode))?.modes[0].clone();
+        let disc = VibratingDisc::new(mode.nodal_diameters, &RADII, &mode.axial)?;
+        let expected = |frequency: f64| {
+            let tread = air.impedance() * (2.0 * TAU * 0.46 * 0.135) * 0.5 * 0.06_f64.powi(2);
+            disc.power(&air, frequency) + tread * efficiency(2, air.wavenumber(frequency) * 0.46)
+        };
+        for octave in [0, -1, -2, -4, -6] {
+            let frequency = natural * f64::from(octave).exp2();
+            let found = ringing.power.at(TAU * frequency) / expected(frequency);
+            assert!((found - 1.0).abs() < 1e-9, "{frequency}: {found}");
+        }
+        for frequency in [200.0, 330.0, 7000.0] {
+            let off = 10.0 * (ringing.power.at(TAU * frequency) / expected(frequency)).log10();
+            assert!(off.abs() < 1.0, "{frequency}: {off} dB");
+        }
+        let below = ringing.power.at(TAU * 200.0) / ringing.power.at(TAU * natural);
+        assert!(below < 1e-2, "{below}");
         Ok(())
     }
 

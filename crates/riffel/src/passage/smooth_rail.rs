@@ -33,7 +33,8 @@ pub enum Outcome {
     LimitCycle,
     /// The wheels slide as fast as they roll: their creep forces fall short of what the mean state asks for, and nothing holds them.
     RunsAway,
-    /// Windows are not alike after the longest time: a motion without a period, or one that grows or dies out slowly.
+    /// Windows are not alike after the longest time: a motion without a period, or one that grows or dies out slowly; of a loop
+    /// that is unstable also one that is still.
     Irregular,
 }
 
@@ -70,19 +71,28 @@ impl PassageModel {
     /// five times, or the wheels slide as fast as they roll, or 10 s have passed.
     ///
     /// Where the linear loop is [unstable](crate::feedback::Loop::stability), oscillations grow until the contact
-    /// saturates, sticks or lets go: the limit cycle of squeal and of stick and slip.
+    /// saturates, sticks or lets go: the limit cycle of squeal and of stick and slip. Of its growth rate `growth` \[1/s\] what
+    /// the push leaves may be small: no stillness ends the run then, and it takes as long as that needs to grow 10⁹ times, to
+    /// a minute at most.
     ///
     /// # Errors
     /// Those of [`march`](Self::march).
-    pub fn on_smooth_rail(&self, largest_step: f64) -> Result<SmoothRail, Error> {
+    pub fn on_smooth_rail(
+        &self,
+        largest_step: f64,
+        growth: Option<f64>,
+    ) -> Result<SmoothRail, Error> {
         const PATIENCE: f64 = 10.0;
+        const MOST_PATIENCE: f64 = 60.0;
+        const TO_GROW: f64 = 1e9;
         const BUMP: f64 = 1e-3;
         const STILL: f64 = 1e-4;
         const ALIKE: f64 = 1e-3;
         let step = largest_step.min(Self::LONGEST_TIME_STEP * self.speed);
         let mut march = self.march(step)?;
         let to_a_window = (WINDOW * self.speed / step).ceil() as usize;
-        let windows = (PATIENCE / WINDOW) as usize;
+        let patience = growth.map_or(PATIENCE, |growth| TO_GROW.ln() / growth);
+        let windows = (patience.clamp(PATIENCE, MOST_PATIENCE) / WINDOW) as usize;
         // A third of dδ/δ makes half of that in P.
         let bump = 0.07 * self.contacts[0].spring.approach();
         let mut heights = vec![0.0; self.contacts.len()];
@@ -110,7 +120,7 @@ impl PassageModel {
             }
             let size = self.size(&course, to_a_window);
             sizes.push(size);
-            if size < STILL {
+            if size < STILL && growth.is_none() {
                 outcome = Outcome::AtRest;
                 // The push is no part of what is left.
                 for course in &mut course {
@@ -120,7 +130,7 @@ impl PassageModel {
             }
             let last = &sizes[sizes.len().saturating_sub(WINDOWS)..];
             let alike = |other: &f64| (other / size - 1.0).abs() < ALIKE;
-            if last.len() == WINDOWS && last.iter().all(alike) {
+            if size > STILL && last.len() == WINDOWS && last.iter().all(alike) {
                 outcome = Outcome::LimitCycle;
                 break;
             }

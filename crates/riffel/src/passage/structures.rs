@@ -193,6 +193,16 @@ impl StructuresInTime {
         self.share_cut
     }
 
+    /// The same for structures whose receptance differs by a mean square of the relative error from the one they stand for,
+    /// besides what is cut of it.
+    #[must_use]
+    pub fn with_share_cut(self, share: f64) -> Self {
+        Self {
+            share_cut: self.share_cut + share,
+            ..self
+        }
+    }
+
     /// Largest relative error of any entry at any of these frequencies, over √|H_ii H_jj|.
     pub fn largest_error(&self) -> f64 {
         self.largest_error

@@ -113,6 +113,11 @@ impl Beam {
         Ok(Self { damping, ..self })
     }
 
+    /// Bending stiffness EI \[N m²\].
+    pub fn bending_stiffness(&self) -> f64 {
+        self.bending_stiffness
+    }
+
     /// Angular frequency \[rad/s\] at which the rail bends with nodes every `spacing` \[m\], half a
     /// wavelength apart: the pinned-pinned frequency of supports at that spacing. Of order n = 2,
     /// nodes are half the spacing apart.

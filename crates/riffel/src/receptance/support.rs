@@ -145,6 +145,22 @@ impl Support {
         }
     }
 
+    /// Stiffness under a rail that does not move, and the mass of the sleeper that moves with the rail, by its energy: both
+    /// per support, or per metre as the support is.
+    pub(super) fn at_rest(&self) -> (f64, f64) {
+        match *self {
+            Self::OneLayer { pad } => (pad.stiffness, 0.0),
+            Self::TwoLayer {
+                pad,
+                sleeper_mass,
+                ballast,
+            } => {
+                let share = pad.stiffness / (pad.stiffness + ballast.stiffness);
+                (share * ballast.stiffness, share * share * sleeper_mass)
+            }
+        }
+    }
+
     /// Motion of the sleeper over that of the rail above it, k_p/(k_p + k_b − ω²m_s); None without a sleeper.
     pub fn sleeper_share(&self, angular_frequency: f64) -> Option<Complex64> {
         let Self::TwoLayer {

@@ -5,7 +5,7 @@ use std::sync::Arc;
 use proptest::prelude::*;
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
-use riffel::growth::{Bay, GrowthOnIrregularSupports, RidgeRow, RowEvaluator};
+use riffel::growth::{Bay, GrowthOnIrregularSupports, RidgeRow, RidgeSearch, RowEvaluator};
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, IrregularTrack, Layer, MovingBeam,
     PeriodicTrack, ShearSection, Support,
@@ -353,16 +353,9 @@ fn branches_do_not_depend_on_the_order_of_speeds() {
     assert_eq!(ridge.branches, reversed.branches);
     assert_eq!(ridge.branches.len(), 1);
 
-    let mut evaluator = RowEvaluator::new(&feedback, &wavelength.values());
-    let mut row = vec![riffel::Complex64::ZERO; wavelength.points()];
-    let rows: Vec<RidgeRow> = rising
-        .iter()
-        .map(|&speed| {
-            evaluator.evaluate(speed, &mut row);
-            RidgeRow::new(&feedback, wavelength, speed, &row)
-        })
-        .collect();
-    let kept = Ridge::with_strongest_branch(&feedback, wavelength, &rows);
+    let mut search = RidgeSearch::new(&feedback, wavelength, &rising);
+    let rows: Vec<RidgeRow> = rising.iter().map(|&speed| search.row(speed)).collect();
+    let kept = search.ridge(&rows, 1);
     assert_eq!(kept, ridge);
 
     let alone = Ridge::search_at(&feedback, wavelength, &[20.0]);
@@ -471,7 +464,7 @@ fn bay_mean() {
             );
         }
     }
-    let ridge = bay.ridge(&maps.mean);
+    let ridge = bay.ridge(&maps.mean, wavelength);
     assert_eq!(ridge.points.len(), 30);
     assert!(Bay::new(&feedback, Arc::new(ContinuousTrack::free(rail))).is_none());
 }

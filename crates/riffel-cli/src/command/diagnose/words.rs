@@ -41,7 +41,7 @@ fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
     let shown = finding.candidates.iter().enumerate();
     let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
     for (_, candidate) in shown {
-        text += &format!("{}\n", candidate.kind.name());
+        text += &format!("{}\n", candidate.name());
         for reason in &candidate.reasons_for {
             text += &format!("  for:     {reason}\n");
         }

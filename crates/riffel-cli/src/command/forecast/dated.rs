@@ -19,7 +19,8 @@ impl Dated {
     /// Chosen of all spectra of `--spectrum`, and of those of `--earlier`, which are read here.
     pub(super) fn new(spectra: &Spectra, now: Survey) -> miette::Result<Self> {
         let now_chosen = now.clone().choose(&spectra.choose)?;
-        let earlier = match (&spectra.earlier, &spectra.earlier_choose[..]) {
+        let dates = in_order(spectra)?;
+        let earlier = match (spectra.earlier.first(), &spectra.earlier_choose[..]) {
             (Some(path), choices) => Some(survey(path, &spectra.layout)?.choose(choices)?),
             (None, choices @ [_, ..]) => Some(now.choose(choices)?),
             (None, []) => None,
@@ -28,8 +29,8 @@ impl Dated {
             return Ok(Self {
                 now: now_chosen,
                 earlier,
-                date: None,
-                days: None,
+                date: dates.map(|(date, _)| date),
+                days: dates.map(|(_, days)| days),
             });
         };
         // The latest date of what is now, the earliest of what was before.
@@ -66,4 +67,31 @@ impl Dated {
             days,
         })
     }
+}
+
+/// The date of `--spectrum` by `--dates`, and the days since the oldest `--earlier`; none without dates.
+fn in_order(spectra: &Spectra) -> Result<Option<(Date, f64)>, CliError> {
+    let (dates, records) = (&spectra.dates, spectra.earlier.len() + 1);
+    let wrong = |rule: String| {
+        let written: Vec<String> = dates.iter().map(Date::to_string).collect();
+        CliError::Argument {
+            argument: "--dates",
+            value: written.join(","),
+            rule,
+        }
+    };
+    let [oldest, .., latest] = dates[..] else {
+        return match dates.is_empty() {
+            true => Ok(None),
+            false => Err(wrong(format!("{records} dates, the oldest first"))),
+        };
+    };
+    if dates.len() != records || !dates.is_sorted_by(|one, next| one < next) {
+        let rule =
+            format!("{records} dates, one for each --earlier and one for --spectrum, the oldest first");
+        return Err(wrong(rule));
+    }
+    let span = latest.since(oldest);
+    let span = span.map_err(|error| wrong(format!("dates that can be compared: {error}")))?;
+    Ok(Some((latest, f64::from(span.get_days()))))
 }

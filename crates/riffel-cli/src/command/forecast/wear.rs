@@ -1,5 +1,7 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
+use std::path::PathBuf;
+
 use riffel_answers::forecast::WearReport;
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
@@ -41,7 +43,8 @@ pub(super) fn wear_report(
             .to_owned(),
     }
         })?;
-    let files = spectra.earlier.as_deref().zip(spectra.spectrum.as_deref());
+    let oldest = spectra.earlier.first().map(PathBuf::as_path);
+    let files = oldest.zip(spectra.spectrum.as_deref());
     let measured = Measured {
         surveys: [earlier, &dated.now],
         places: match files {

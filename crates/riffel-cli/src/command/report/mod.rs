@@ -373,7 +373,8 @@ fn outlook(
             layout: Layout::default(),
             choose: Vec::new(),
             date_column: None,
-            earlier: None,
+            earlier: Vec::new(),
+            dates: Vec::new(),
             earlier_choose: Vec::new(),
             passages_between: None,
         },
@@ -413,6 +414,7 @@ fn heard(
         traffic: traffic.map(Traffic::read).transpose()?,
         months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
         limit_dba: arguments.limit_dba,
+        rails: now.survey.rails(),
         ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.

@@ -1,0 +1,32 @@
+//! The wavelengths whose growth is told.
+
+use riffel::{Axis, HertzContact};
+
+use crate::Case;
+use crate::file::ContactDynamics;
+
+/// Shortest wavelength in contact lengths 2a₀ at which averaging over the patch may be left out;
+/// Afferrante & Ciavarella (2009), introduction, quoting Frederick (1987).
+const CONTACT_FILTER_LENGTHS: f64 = 1.5;
+
+/// Shortest wavelength \[m\] that the patch does not average out.
+pub(crate) fn shortest_not_averaged(hertz: HertzContact) -> f64 {
+    CONTACT_FILTER_LENGTHS * 2.0 * hertz.semi_axis_longitudinal()
+}
+
+impl Case {
+    /// The wavelengths of the map of which the fastest growth is told: without those that the contact averages out, shorter than
+    /// one and a half of its lengths, where its response does not have that filter. None where all of them are.
+    pub fn growth_window(&self) -> Option<Axis> {
+        self.told_of(self.wavelength)
+    }
+
+    /// Those of another window.
+    pub fn told_of(&self, window: Axis) -> Option<Axis> {
+        let shortest = shortest_not_averaged(self.hertz);
+        if self.file.contact.response == ContactDynamics::NonSteady || window.min() >= shortest {
+            return Some(window);
+        }
+        Axis::new(shortest, window.max(), window.points()).ok()
+    }
+}
