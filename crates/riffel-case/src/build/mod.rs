@@ -155,12 +155,16 @@ impl CheckedKeys {
 
     fn wear(&self, hertz: HertzContact) -> Result<EnergyWear, CaseError> {
         let wear = &self.file.wear;
-        let wear = EnergyWear::new(
+        let law = EnergyWear::new(
             wear.coefficient.si(),
             wear.density.si(),
             hertz.semi_axis_lateral(),
         );
-        self.physics("wear", wear)
+        let law = self.physics("wear", law)?;
+        match wear.band_width {
+            Some(width) => self.physics("wear.band_width", law.over_band(width.si())),
+            None => Ok(law),
+        }
     }
 
     fn rotation(&self, radius: f64) -> Result<Motion, CaseError> {

@@ -140,6 +140,9 @@ pub struct Wear {
     pub coefficient: Quantity<WearCoefficient>,
     /// Density ρ of the rail.
     pub density: Quantity<Density>,
+    /// Width of the band over which the contacts of traffic are spread; left out, that of one contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band_width: Option<Quantity<Length>>,
 }
 
 impl Default for Wear {
@@ -147,6 +150,7 @@ impl Default for Wear {
         Self {
             coefficient: Quantity::new(riffel::EnergyWear::DEFAULT_COEFFICIENT),
             density: Quantity::new(riffel::EnergyWear::DEFAULT_DENSITY),
+            band_width: None,
         }
     }
 }

@@ -13,6 +13,7 @@
 //! N counts passages of axles, each a passage of one wheel over every point of each rail; g > 0 grows.
 //! [`WearFit`] finds the wear coefficient of which two dated measurements speak, if they do.
 
+mod bend;
 mod growing_sum;
 mod jackknife;
 mod lines;
