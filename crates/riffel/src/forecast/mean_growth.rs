@@ -37,18 +37,33 @@ impl MeanGrowth {
         wavelengths: &[f64],
         speeds: &SpeedDistribution,
     ) -> Self {
+        Self::between(&[(speeds.mean(), places)], wavelengths, speeds)
+    }
+
+    /// The same for a wheel whose mean state depends on its speed: its loops at some speeds \[m/s\], rising. Between two of them
+    /// each counts by its nearness, so that the error is of second order in their distance; beyond the ends the nearest counts.
+    ///
+    /// Cost: twice that of [`compute`](Self::compute) between speeds.
+    pub fn between(
+        states: &[(f64, &[(Loop, f64)])],
+        wavelengths: &[f64],
+        speeds: &SpeedDistribution,
+    ) -> Self {
         let means = speeds.means(|speed| {
+            let near = near(states, speed);
             wavelengths
                 .par_iter()
-                .map(|&wavelength| {
-                    let mut mean = [0.0; 2];
-                    for (feedback, weight) in places {
-                        let state = feedback.at(wavelength, speed);
-                        mean[0] += weight * state.growth_rate;
-                        mean[1] +=
-                            weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
+                .map(|&wavelength| match near {
+                    [Some((places, _)), None] | [None, Some((places, _))] => {
+                        of_places(places, wavelength, speed)
                     }
-                    mean
+                    _ => near
+                        .iter()
+                        .flatten()
+                        .fold([0.0; 2], |mean, (places, share)| {
+                            let [rate, force] = of_places(places, wavelength, speed);
+                            [mean[0] + share * rate, mean[1] + share * force]
+                        }),
                 })
                 .collect()
         });
@@ -59,4 +74,36 @@ impl MeanGrowth {
             speeds: means.speeds,
         }
     }
+}
+
+/// The loops of the states on either side of a speed, each with its share; of one state alone, that state.
+fn near<'a>(
+    states: &[(f64, &'a [(Loop, f64)])],
+    speed: f64,
+) -> [Option<(&'a [(Loop, f64)], f64)>; 2] {
+    let above = states.partition_point(|state| state.0 < speed);
+    let alone = |state: &(f64, &'a [(Loop, f64)])| [Some((state.1, 1.0)), None];
+    match (
+        above.checked_sub(1).and_then(|below| states.get(below)),
+        states.get(above),
+    ) {
+        (None, None) => [None, None],
+        (Some(state), None) | (None, Some(state)) => alone(state),
+        (Some(_), Some(upper)) if upper.0 == speed => alone(upper),
+        (Some(lower), Some(upper)) => {
+            let share = (speed - lower.0) / (upper.0 - lower.0);
+            [Some((lower.1, 1.0 - share)), Some((upper.1, share))]
+        }
+    }
+}
+
+/// Growth rate, and |P₁/Δ|² \[N²/m²\], in the mean over places of the wheel.
+fn of_places(places: &[(Loop, f64)], wavelength: f64, speed: f64) -> [f64; 2] {
+    let mut mean = [0.0; 2];
+    for (feedback, weight) in places {
+        let state = feedback.at(wavelength, speed);
+        mean[0] += weight * state.growth_rate;
+        mean[1] += weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
+    }
+    mean
 }

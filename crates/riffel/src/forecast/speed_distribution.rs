@@ -127,6 +127,14 @@ impl SpeedDistribution {
         }
     }
 
+    /// The speeds \[m/s\] with their shares where they are listed; none for a normal distribution.
+    pub fn listed(&self) -> Option<&[(f64, f64)]> {
+        match &self.kind {
+            Kind::Shares(speeds) => Some(speeds),
+            Kind::Normal { .. } => None,
+        }
+    }
+
     /// The distribution with every speed multiplied by a factor above zero.
     ///
     /// # Errors

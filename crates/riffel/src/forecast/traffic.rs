@@ -36,7 +36,26 @@ impl VehicleGrowth {
         bands: &[ThirdOctave],
         speeds: SpeedDistribution,
     ) -> Result<Self, Error> {
+        let states = [(speeds.mean(), places)];
+        Self::between(name, share, &states, bands, speeds)
+    }
+
+    /// The same for a wheel whose mean state depends on its speed, as [`MeanGrowth::between`]; load and wear are those of the
+    /// state nearest to the mean of its speeds.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute).
+    pub fn between(
+        name: &str,
+        share: f64,
+        states: &[(f64, &[(Loop, f64)])],
+        bands: &[ThirdOctave],
+        speeds: SpeedDistribution,
+    ) -> Result<Self, Error> {
         Error::unless_positive("share of the axle passages", share, "")?;
+        let far = |state: &&(f64, &[(Loop, f64)])| (state.0 - speeds.mean()).abs();
+        let nearest = states.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+        let places = nearest.map_or(&[][..], |state| state.1);
         let wheel_load = places
             .first()
             .map_or(0.0, |(feedback, _)| feedback.steady().normal_force);
@@ -47,7 +66,7 @@ impl VehicleGrowth {
             name: name.to_owned(),
             share,
             wheel_load,
-            growth: MeanGrowth::compute(places, &band_lines(bands), &speeds),
+            growth: MeanGrowth::between(states, &band_lines(bands), &speeds),
             wear_depth: depths.sum(),
             speeds,
         })
