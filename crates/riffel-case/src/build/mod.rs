@@ -119,7 +119,7 @@ impl CheckedKeys {
             rotation: self.rotation(hertz.rolling_radius())?,
             wave: self.wave(hertz)?,
             place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
-            wear: self.wear(hertz)?,
+            wear: self.wear(hertz, true)?,
             amplitude: self.file.corrugation.amplitude.si(),
         };
         Ok(ClosedLoop {
@@ -153,7 +153,8 @@ impl CheckedKeys {
         PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), tractive_ratio)
     }
 
-    fn wear(&self, hertz: HertzContact) -> Result<EnergyWear, CaseError> {
+    /// Wear under a contact; on the rail that is not under study a band may be narrower than the contact, which has no part in growth.
+    fn wear(&self, hertz: HertzContact, studied: bool) -> Result<EnergyWear, CaseError> {
         let wear = &self.file.wear;
         let law = EnergyWear::new(
             wear.coefficient.si(),
@@ -162,8 +163,10 @@ impl CheckedKeys {
         );
         let law = self.physics("wear", law)?;
         match wear.band_width {
-            Some(width) => self.physics("wear.band_width", law.over_band(width.si())),
-            None => Ok(law),
+            Some(width) if studied || width.si() >= 2.0 * hertz.semi_axis_lateral() => {
+                self.physics("wear.band_width", law.over_band(width.si()))
+            }
+            _ => Ok(law),
         }
     }
 
