@@ -710,7 +710,7 @@ pub(crate) struct Validate {
     pub(crate) json: bool,
 
     /// Samples of the choices of each site, 1 to 100000.
-    #[arg(long, value_name = "N", requires = "field", default_value_t = 32,
+    #[arg(long, value_name = "N", requires = "field", default_value_t = 16,
           value_parser = clap::value_parser!(u32).range(1..=100_000))]
     pub(crate) samples: u32,
 

@@ -51,7 +51,7 @@ impl CaseText {
         }
         let from = self.asks_for()?;
         if let Some(known) = known {
-            return self.fill_in_of(&from, known);
+            return self.fill_in_of(&from, known, true);
         }
         if from.curve.is_some() && folder.is_none() {
             return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
@@ -77,6 +77,7 @@ impl CaseText {
                 vehicle,
                 states,
             },
+            false,
         )
     }
 
@@ -95,8 +96,13 @@ impl CaseText {
         Ok(())
     }
 
-    /// The keys of one contact in an equilibrium.
-    fn fill_in_of(&mut self, from: &FromCurve, equilibrium: &Equilibrium) -> Result<(), CaseError> {
+    /// The keys of one contact in an equilibrium; quickly, one of many, without the remarks that take a contact under load.
+    fn fill_in_of(
+        &mut self,
+        from: &FromCurve,
+        equilibrium: &Equilibrium,
+        quick: bool,
+    ) -> Result<(), CaseError> {
         let Equilibrium {
             curving,
             vehicle,
@@ -141,7 +147,7 @@ impl CaseText {
             self.fill("contact.creep_law", "shen-hedrick-elkins");
         }
         let patch = from.patch.unwrap_or_default();
-        self.take_patch(patch, curving, rail, &mut study)?;
+        self.take_patch(patch, curving, rail, &mut study, quick)?;
         let at_tractive_ratio = self.is_written("contact.tractive_ratio");
         if at_tractive_ratio {
             instead.push("contact.tractive_ratio".to_owned());
@@ -161,7 +167,7 @@ impl CaseText {
                 ..from.clone()
             };
             let mut other = self.contact_of(&on_tread, curving, &states[0], rail.opposite())?;
-            self.take_patch(patch, curving, rail.opposite(), &mut other)?;
+            self.take_patch(patch, curving, rail.opposite(), &mut other, quick)?;
             self.put_friction("opposite_contact", other.friction, &mut instead);
             self.fill_contact(
                 "opposite_contact",

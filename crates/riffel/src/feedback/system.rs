@@ -135,6 +135,12 @@ impl System {
         self.number(&self.dissipation, 0, lane)
     }
 
+    /// Normal force of the first contact \[N\] at the point solved in a lane.
+    pub(super) fn first_normal_force(&self, of: &Loop, lane: usize) -> Complex64 {
+        let share = of.contacts[0].force_share(NORMAL);
+        share * (self.equations).unknown_of_lane(NORMAL, self.excitation[0], lane)
+    }
+
     /// The determinant of the equations at an angular frequency \[rad/s\] and a speed \[m/s\], over that of the
     /// normal forces alone on rails and wheels without friction.
     pub(super) fn determinant(

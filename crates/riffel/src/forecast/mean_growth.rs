@@ -1,9 +1,7 @@
 //! Growth under one kind of wheel, in the mean over its speeds.
 
-use rayon::prelude::*;
-
 use super::SpeedDistribution;
-use crate::feedback::Loop;
+use crate::feedback::{AtSpeeds, Loop};
 
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
 /// places of the wheel on the track.
@@ -49,23 +47,26 @@ impl MeanGrowth {
         wavelengths: &[f64],
         speeds: &SpeedDistribution,
     ) -> Self {
+        let prepared: Vec<(f64, Vec<(AtSpeeds<'_>, f64)>)> = states
+            .iter()
+            .map(|(at, places)| {
+                let places = places.iter();
+                let places = places
+                    .map(|(feedback, weight)| (AtSpeeds::new(feedback, wavelengths), *weight));
+                (*at, places.collect())
+            })
+            .collect();
         let means = speeds.means(|speed| {
-            let near = near(states, speed);
-            wavelengths
-                .par_iter()
-                .map(|&wavelength| match near {
-                    [Some((places, _)), None] | [None, Some((places, _))] => {
-                        of_places(places, wavelength, speed)
+            let mut means = vec![[0.0; 2]; wavelengths.len()];
+            for (places, share) in near(&prepared, speed) {
+                for (loops, weight) in places {
+                    for (mean, [rate, force]) in means.iter_mut().zip(loops.at(speed)) {
+                        mean[0] += share * weight * rate;
+                        mean[1] += share * weight * force;
                     }
-                    _ => near
-                        .iter()
-                        .flatten()
-                        .fold([0.0; 2], |mean, (places, share)| {
-                            let [rate, force] = of_places(places, wavelength, speed);
-                            [mean[0] + share * rate, mean[1] + share * force]
-                        }),
-                })
-                .collect()
+                }
+            }
+            means
         });
         Self {
             rates: means.values.iter().map(|mean| mean[0]).collect(),
@@ -76,34 +77,17 @@ impl MeanGrowth {
     }
 }
 
-/// The loops of the states on either side of a speed, each with its share; of one state alone, that state.
-fn near<'a>(
-    states: &[(f64, &'a [(Loop, f64)])],
-    speed: f64,
-) -> [Option<(&'a [(Loop, f64)], f64)>; 2] {
+/// What stands at the states on either side of a speed, each with its share; of one state alone, that state.
+fn near<T>(states: &[(f64, T)], speed: f64) -> Vec<(&T, f64)> {
     let above = states.partition_point(|state| state.0 < speed);
-    let alone = |state: &(f64, &'a [(Loop, f64)])| [Some((state.1, 1.0)), None];
-    match (
-        above.checked_sub(1).and_then(|below| states.get(below)),
-        states.get(above),
-    ) {
-        (None, None) => [None, None],
-        (Some(state), None) | (None, Some(state)) => alone(state),
-        (Some(_), Some(upper)) if upper.0 == speed => alone(upper),
+    let below = above.checked_sub(1).and_then(|below| states.get(below));
+    match (below, states.get(above)) {
+        (None, None) => Vec::new(),
+        (Some(state), None) | (None, Some(state)) => vec![(&state.1, 1.0)],
+        (Some(_), Some(upper)) if upper.0 == speed => vec![(&upper.1, 1.0)],
         (Some(lower), Some(upper)) => {
             let share = (speed - lower.0) / (upper.0 - lower.0);
-            [Some((lower.1, 1.0 - share)), Some((upper.1, share))]
+            vec![(&lower.1, 1.0 - share), (&upper.1, share)]
         }
     }
-}
-
-/// Growth rate, and |P₁/Δ|² \[N²/m²\], in the mean over places of the wheel.
-fn of_places(places: &[(Loop, f64)], wavelength: f64, speed: f64) -> [f64; 2] {
-    let mut mean = [0.0; 2];
-    for (feedback, weight) in places {
-        let state = feedback.at(wavelength, speed);
-        mean[0] += weight * state.growth_rate;
-        mean[1] += weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
-    }
-    mean
 }
