@@ -115,6 +115,7 @@ mod square_root;
 pub mod tile;
 mod vector;
 mod wear;
+mod wear_regime;
 pub mod wheelset;
 
 pub use constants::{STANDARD_GRAVITY, STEEL_DENSITY};
@@ -129,6 +130,7 @@ pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::Receptance;
 pub use wear::EnergyWear;
+pub use wear_regime::WearRegimes;
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

@@ -18,6 +18,10 @@ pub struct EnergyWear {
     coefficient: f64,
     density: f64,
     width: f64,
+    /// d ln m/d ln e at constant load \[-\], one for the law itself.
+    by_energy: f64,
+    /// Energy per metre and newton of load \[1/m·J/N\] that wears as much as the load does beside its energy.
+    by_load: f64,
 }
 
 impl EnergyWear {
@@ -39,6 +43,8 @@ impl EnergyWear {
             coefficient,
             density,
             width: 2.0 * semi_axis_lateral,
+            by_energy: 1.0,
+            by_load: 0.0,
         })
     }
 
@@ -57,6 +63,21 @@ impl EnergyWear {
             });
         }
         Ok(Self { width, ..self })
+    }
+
+    /// The law of a coefficient that changes with energy and load about the mean state.
+    pub(crate) fn by_regime(self, by_energy: f64, by_load: f64) -> Self {
+        Self {
+            by_energy,
+            by_load,
+            ..self
+        }
+    }
+
+    /// How its wear answers to energy \[-\] and, beside that, to load \[J/m/N\]; none where it is in proportion to energy alone.
+    pub(crate) fn regime(&self) -> Option<(f64, f64)> {
+        let plain = self.by_energy == 1.0 && self.by_load == 0.0;
+        (!plain).then_some((self.by_energy, self.by_load))
     }
 
     /// Depth worn per passage for each joule per metre, k_w / (ρ · 2b) \[m²/J\]; over a band k_w / (ρ w).

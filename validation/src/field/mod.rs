@@ -54,7 +54,7 @@ pub struct Predicted {
     pub growth_db_per_month: Option<Prediction>,
     /// Of the rail under study.
     pub mean_wear_mm_per_100_mgt: Option<Prediction>,
-    /// Samples in which nothing grows, of those that have a mean state.
+    /// Share of samples in which nothing grows by 0.1 dB per million axles, of those that have a mean state.
     pub share_that_decays: Option<f64>,
 }
 
@@ -210,7 +210,7 @@ impl Predicted {
             .iter()
             .filter_map(|sample| sample.as_ref().ok())
             .collect();
-        let growing: Vec<&&Sample> = known.iter().filter(|sample| sample.growth > 0.0).collect();
+        let growing: Vec<&&Sample> = known.iter().filter(|sample| sample.grows()).collect();
         let grows = growing.len() as f64 >= OFTEN * known.len() as f64;
         let of_growing = |value: &dyn Fn(&Sample) -> f64| match grows {
             true => Prediction::of(growing.iter().map(|sample| value(sample)).collect()),
@@ -294,7 +294,7 @@ impl OutcomeDocument {
         let mut values = Vec::new();
         for (place, sample) in samples.iter().enumerate() {
             let Ok(sample) = sample else { continue };
-            let grows = sample.growth > 0.0;
+            let grows = sample.grows();
             values.extend(match outcome.quantity {
                 Quantity::Wavelength => grows.then_some(1e3 * sample.wavelength),
                 Quantity::ShorterWavelength => grows.then_some(1e3 * sample.strongest[0]),

@@ -29,6 +29,15 @@ pub(super) struct Sample {
 }
 
 impl Sample {
+    /// Growth \[dB per million axles\] that counts as none: 1 dB, which a measurement hardly tells, in ten million axles, the traffic
+    /// of years.
+    pub(super) const NONE: f64 = 0.1;
+
+    /// Whether anything grows.
+    pub(super) fn grows(&self) -> bool {
+        self.growth > Self::NONE
+    }
+
     pub(super) fn of(
         site: &Site,
         seed: u64,

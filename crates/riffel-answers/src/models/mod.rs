@@ -14,7 +14,7 @@ use riffel_plot::LineFigure;
 pub use difference::Difference;
 pub use document::ModelsDocument;
 
-use crate::AnswerError;
+use crate::{AnswerError, WearLimitDocument};
 use crate::highest::Highest;
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
@@ -52,6 +52,8 @@ pub struct Growth {
     pub rates: Vec<f64>,
     /// The fastest of the wavelengths; none where nothing grows.
     pub highest: Option<Highest>,
+    /// Mean wear under the model, and how far that growth can last.
+    pub wear_limit: WearLimitDocument,
     /// By which joints it differs from the case with the exact contact, the one that moves growth most first.
     pub differs_by: Vec<Difference>,
     /// Wear in the complex plane, of a model whose papers draw it, on discrete supports.
@@ -168,8 +170,11 @@ impl Growth {
                 3.6 * speed
             )
         });
+        let highest = Highest::of(wavelengths, &rates, speed);
+        let wear = on.case.feedback.mean_wear();
         Ok(Self {
-            highest: Highest::of(wavelengths, &rates, speed),
+            wear_limit: WearLimitDocument::new(wear, highest.map(|highest| highest.rate)),
+            highest,
             differs_by: Difference::all(case, model.joints, wavelengths, &rates, speed),
             complex_plane: model
                 .has_complex_plane()

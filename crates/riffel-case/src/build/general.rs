@@ -160,7 +160,7 @@ impl CheckedKeys {
                 rolling: built.rolling,
                 motion: self.motion(),
                 moving: moving.transpose()?,
-                wear: self.wear(hertz, studied)?,
+                wear: self.wear(hertz, &steady, studied)?,
             },
             hertz,
             carter: built.carter,

@@ -128,11 +128,23 @@ impl Asked<'_> {
             ..values
         };
         let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
-        let own: Vec<Setting> = own
-            .map(|(_, setting)| setting)
-            .chain(values.settings())
-            .collect();
-        let sets = [&own[..], &self.variant.settings, &window];
+        // What belongs to the vehicle of another file is set there.
+        let of_file = matches!(
+            self.traffic.file.vehicle[self.index].curve,
+            Some(CurveOfVehicle::File(_))
+        );
+        let of_case = |(key, _): &Setting| {
+            !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)))
+        };
+        let own = own.map(|(_, setting)| setting).chain(values.settings());
+        let own: Vec<Setting> = own.filter(of_case).collect();
+        let of_variant = self
+            .variant
+            .settings
+            .iter()
+            .filter(|setting| of_case(setting));
+        let of_variant: Vec<Setting> = of_variant.cloned().collect();
+        let sets = [&own[..], &of_variant, &window];
         let balanced: Vec<f64> = match speeds.listed() {
             Some(listed) => listed.iter().map(|speed| speed.0).collect(),
             None => {

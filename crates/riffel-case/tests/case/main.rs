@@ -11,6 +11,7 @@ mod models;
 mod remarks;
 mod track;
 mod traffic;
+mod traffic_wheels;
 mod wave_geometry;
 mod wheelset_cases;
 mod wheelset_files;

@@ -667,6 +667,12 @@ pub static RANGES: &[PhysicalRange] = &[
         [1e-11, 1e-6],
         "Mild wear of rail steel has 1e-9 kg/J, severe wear a hundred times that.",
     ),
+    row::<Ratio>(
+        &["wear.natural_lubrication"],
+        [1e-3, 1e6],
+        [1.0, 100.0],
+        "Rails in the field wear some 5 times less than dry discs, where they are damp or greased 100 times less.",
+    ),
     row::<Length>(
         &["wear.band_width"],
         [1e-5, 0.3],
@@ -692,6 +698,7 @@ pub static RANGES: &[PhysicalRange] = &[
                 "map.speed.min",
                 "map.speed.max",
                 "contact.polach.speed",
+                "wear.speed",
                 "--speed",
                 "outputs.point.speed",
                 "outputs.wave.speed",
