@@ -10,6 +10,7 @@ mod contact_filter;
 mod curving;
 pub mod decay_rate;
 mod fastsim;
+pub mod field;
 mod forecast;
 mod general_loop;
 mod ground;

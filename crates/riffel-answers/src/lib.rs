@@ -50,6 +50,7 @@ mod stability;
 pub mod study;
 mod table;
 mod track_in_words;
+mod wear_limit;
 pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
@@ -62,6 +63,7 @@ pub use level_limit::level_limit;
 pub use parameters::parameters;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
+pub use wear_limit::WearLimitDocument;
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

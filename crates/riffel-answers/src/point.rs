@@ -6,6 +6,7 @@ use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
 use riffel_keys::CaseError;
 use serde::Serialize;
 
+use crate::WearLimitDocument;
 use crate::stability::StabilityDocument;
 
 /// What is asked of one wavelength and speed.
@@ -32,6 +33,9 @@ pub struct PointAnswer {
     /// Every quantity with its key.
     #[serde(flatten)]
     pub quantities: Point,
+    /// For the growth rate of one wheel of this kind on one line of the rail.
+    #[serde(flatten)]
+    pub wear_limit: WearLimitDocument,
     /// Whether the loop oscillates without any profile at the speed; none for one wheel and one axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<StabilityDocument>,
@@ -193,6 +197,7 @@ impl PointAnswer {
         };
         Ok(Self {
             quantities: Point::new(case, &state),
+            wear_limit: WearLimitDocument::new(case.feedback.mean_wear(), Some(state.growth_rate)),
             state,
             stability: case.stability(speed).map(StabilityDocument::from),
             sensitivity,

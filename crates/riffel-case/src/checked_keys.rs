@@ -43,7 +43,7 @@ impl CheckedKeys {
     ) -> Result<Self, CaseError> {
         let unfilled = text.clone();
         text.fill_in()?;
-        text.fill_in_from_curve(&unfilled, folder)?;
+        text.fill_in_from_curve(&unfilled, folder, given.equilibrium.as_deref())?;
         let mut file = text.deserialize()?;
         text.judge()?;
         // What it says is filled in, and a case that is sent elsewhere has no files.

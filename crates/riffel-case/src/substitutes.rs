@@ -7,6 +7,7 @@ use riffel::receptance::MeasuredReceptance;
 use riffel_keys::{CaseError, Message};
 
 use crate::contact_tables::ContactTables;
+use crate::from_curve::Equilibrium;
 use crate::measurement::{self, UniversalFunction};
 use crate::track::Origin;
 
@@ -73,6 +74,8 @@ pub(crate) struct Substitutes {
     pub(crate) track: Option<GivenReceptance>,
     /// In place of the wheel.
     pub(crate) wheel: Option<GivenReceptance>,
+    /// In place of that of the curve of the case.
+    pub(crate) equilibrium: Option<Arc<Equilibrium>>,
     /// Tables of the contact that other cases have, too.
     pub(crate) tables: ContactTables,
 }

@@ -695,11 +695,28 @@ pub(crate) struct Ask {
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel validate hertz wheelset")]
+#[command(after_help = "Examples: riffel validate hertz wheelset; riffel validate --field --json")]
 pub(crate) struct Validate {
     /// Only the checks with one of these words in their names, which are those of the tests.
-    #[arg(value_name = "WORD")]
+    #[arg(value_name = "WORD", conflicts_with = "field")]
     pub(crate) words: Vec<String>,
+
+    /// Predict sites whose corrugation is published, and hold the predictions against what was measured.
+    #[arg(long)]
+    pub(crate) field: bool,
+
+    /// Print a JSON document of the sites.
+    #[arg(long, requires = "field")]
+    pub(crate) json: bool,
+
+    /// Samples of the choices of each site, 1 to 100000.
+    #[arg(long, value_name = "N", requires = "field", default_value_t = 16,
+          value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) samples: u32,
+
+    /// Seed of the samples.
+    #[arg(long, value_name = "S", requires = "field", default_value_t = 1)]
+    pub(crate) seed: u64,
 }
 
 #[derive(Args)]

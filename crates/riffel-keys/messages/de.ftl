@@ -303,3 +303,11 @@ grew-in-a-million-within = { $wavelength } mm ist um { $rate } dB je 10⁶ Über
 defect-at = { $place } m ({ $height } µm)
 defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } (--keep-defects behält sie)
 many-defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } und { $more } weitere (--keep-defects behält sie)
+
+band-bends-over = die Rate bei { $wavelength } mm hält { $passages } Achsüberfahrten lang: dann bräuchte sie mehr als den mittleren Verschleiß der Schiene, { $wear } mm je 100 Mio. t, und der Pegel biegt ab
+spread-takes-down = „{ $vehicle }“: { $what } senkt das schnellste Wachstum auf 1/{ $factor }
+spread-of-speed = die Streuung der Geschwindigkeit
+spread-of-wheel-radius = die Streuung der Radhalbmesser
+spread-of-load = die Streuung der Lasten
+spread-of-friction = die Streuung der Reibung
+spread-of-position = die Streuung der Kontakte quer zur Schiene

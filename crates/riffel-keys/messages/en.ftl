@@ -311,3 +311,11 @@ grew-in-a-million-within = { $wavelength } mm has grown by { $rate } dB per 10‚Å
 defect-at = { $place } m ({ $height } ¬µm)
 defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } (--keep-defects keeps them)
 many-defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } and { $more } more (--keep-defects keeps them)
+
+band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and the level bends over
+spread-takes-down = "{ $vehicle }": { $what } takes the fastest growth down { $factor } times
+spread-of-speed = the spread of speed
+spread-of-wheel-radius = the spread of wheel radii
+spread-of-load = the spread of loads
+spread-of-friction = the spread of friction
+spread-of-position = the spread of contacts across the rail

@@ -102,6 +102,7 @@ mod gauss;
 mod golden_section;
 pub mod growth;
 mod inverse;
+mod mean_wear;
 pub mod noise;
 mod normal_numbers;
 pub mod passage;
@@ -114,6 +115,7 @@ mod square_root;
 pub mod tile;
 mod vector;
 mod wear;
+mod wear_regime;
 pub mod wheelset;
 
 pub use constants::{STANDARD_GRAVITY, STEEL_DENSITY};
@@ -123,10 +125,12 @@ pub use elastic::ElasticMaterial;
 pub use error::Error;
 pub use feedback::{Loop, LoopState};
 pub use growth::{Axis, GrowthMap, Ridge};
+pub use mean_wear::MeanWear;
 pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::Receptance;
 pub use wear::EnergyWear;
+pub use wear_regime::WearRegimes;
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

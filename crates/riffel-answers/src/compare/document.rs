@@ -9,6 +9,7 @@ use riffel_case::file::CaseFile;
 use serde::Serialize;
 
 use super::{CompareAnswer, Effect, Outcome};
+use crate::WearLimitDocument;
 use crate::column;
 use crate::forecast::{RailForecast, ReachDocument};
 use crate::roughness::{Level, levels};
@@ -42,6 +43,9 @@ struct OutcomeDocument<'a> {
     fastest_growth_rate_per_passage: f64,
     /// It sits at the end of the bands: another wavelength may grow faster.
     fastest_at_edge: bool,
+    /// For that growth.
+    #[serde(flatten)]
+    wear_limit: WearLimitDocument,
     /// Relative to the case as it is; null where that does not grow, or the variant does not act.
     change_of_fastest_growth: Option<f64>,
     ridge_frequency_hz: Option<f64>,
@@ -113,6 +117,7 @@ fn of<'a>(answer: &'a CompareAnswer, outcome: &'a Outcome) -> OutcomeDocument<'a
         fastest_wavelength_m: outcome.fastest.wavelength,
         fastest_growth_rate_per_passage: outcome.fastest.rate,
         fastest_at_edge: outcome.fastest.at_edge,
+        wear_limit: WearLimitDocument::new(outcome.growth.mean_wear(), Some(outcome.fastest.rate)),
         change_of_fastest_growth: match outcome.effect {
             Effect::None => (base.fastest.rate > 0.0).then_some(0.0),
             _ => outcome.change_from(base),

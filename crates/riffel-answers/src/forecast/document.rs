@@ -10,6 +10,7 @@ use riffel_case::traffic::TrafficFile;
 use serde::Serialize;
 
 use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport};
+use crate::WearLimitDocument;
 use crate::column;
 use crate::roughness::Level;
 
@@ -35,6 +36,9 @@ pub struct ForecastDocument<'a> {
     growth_rate_per_passage: Vec<Rate>,
     /// Change of the rates on halving the step in speed.
     growth_rate_error: f64,
+    /// For the fastest line.
+    #[serde(flatten)]
+    wear_limit: WearLimitDocument,
     limit: LimitDocument<'a>,
     /// Of the first band that reaches the limit: the grinding interval.
     #[serde(flatten)]
@@ -117,6 +121,8 @@ struct Band<'a> {
     level_then_db: Option<f64>,
     limit_db: Option<f64>,
     growth_rate_per_passage: f64,
+    /// Until the rate no longer lasts, for it would need more than the mean wear of the rail; null where it lasts on.
+    passages_to_bend: Option<f64>,
     /// after | beyond-linear-range | never; null without a limit.
     limit_reached: Option<&'static str>,
     passages_to_limit: Option<f64>,
@@ -142,6 +148,16 @@ struct VehicleDocument<'a> {
     mean_speed_m_per_s: f64,
     speed_deviation_m_per_s: f64,
     growth_rate_per_passage: Vec<Rate>,
+    /// What each spread over its wheels does to growth.
+    spreads: Vec<SpreadDocument>,
+}
+
+#[derive(Serialize)]
+struct SpreadDocument {
+    /// speed | wheel_radius | load | friction | lateral_position.
+    what: &'static str,
+    /// The fastest growth with every wheel at the mean of this spread, over that with all of them; null where nothing grows.
+    reduction: Option<f64>,
 }
 
 pub(super) fn document<'a>(
@@ -171,6 +187,15 @@ pub(super) fn document<'a>(
         mean_speed_m_per_s: vehicle.speeds.mean(),
         speed_deviation_m_per_s: vehicle.speeds.deviation(),
         growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
+        spreads: (answer
+            .spreads
+            .iter()
+            .filter(|spread| spread.vehicle == vehicle.name))
+        .map(|spread| SpreadDocument {
+            what: spread.what,
+            reduction: spread.reduction,
+        })
+        .collect(),
     };
     let valid_to = linear.passages;
     let warnings = answer.warnings.iter();
@@ -220,6 +245,10 @@ pub(super) fn document<'a>(
             .map(|date| date.to_string()),
         growth_rate_per_passage: rates(&|band| forecast.growth_rate(band)),
         growth_rate_error: traffic.rate_error(),
+        wear_limit: WearLimitDocument::new(
+            traffic.mean_wear(),
+            traffic.rates().iter().copied().max_by(f64::total_cmp),
+        ),
         limit: LimitDocument {
             name: &answer.table.name,
             edition: &answer.table.edition,
@@ -306,6 +335,7 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
                 level_then_db: forecast.level(band, answer.passages),
                 limit_db: limit.map(|limit| limit.1),
                 growth_rate_per_passage: forecast.growth_rate(band),
+                passages_to_bend: band.bends_after(),
                 limit_reached: limit.map(|limit| limit.2.name()),
                 passages_to_limit,
                 mgt_to_limit: passages_to_limit.map(|passages| forecast.traffic().mgt(passages)),

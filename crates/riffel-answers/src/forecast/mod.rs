@@ -13,9 +13,9 @@ use jiff::ToSpan;
 use jiff::civil::Date;
 use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
 use riffel::roughness::LevelLimit;
-use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, TrafficOnCase, bands_of};
+use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
-use riffel_keys::say;
+use riffel_keys::{fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
@@ -63,6 +63,8 @@ pub struct ForecastAnswer {
     pub traffic: Traffic,
     /// The traffic on the case.
     pub on: TrafficOnCase,
+    /// What each spread over the wheels of a vehicle does to growth.
+    pub spreads: Vec<SpreadEffect>,
     /// The records of what was measured; none for a rail that will be ground.
     pub survey: Option<Survey>,
     /// What the rail will be ground to.
@@ -115,7 +117,9 @@ impl ForecastAnswer {
             date,
         } = request;
         horizon.check()?;
-        let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
+        let (case, bands) = (&case.sharing_tables(), bands_of(case));
+        let on = traffic.on(case, &bands, &Variant::none(""), progress)?;
+        let spreads = traffic.spread_effects(case, &bands, &on)?;
         let (survey, measured_on) = match survey.map(Survey::latest) {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),
@@ -142,6 +146,7 @@ impl ForecastAnswer {
             passages: horizon.passages(&on)?,
             traffic,
             on,
+            spreads,
             survey,
             ground,
             rails,
@@ -332,6 +337,8 @@ impl ForecastAnswer {
         if self.rails.iter().any(decays) {
             findings.push(say!(decaying_bands_stay).to_string());
         }
+        findings.extend(self.bend());
+        findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
             findings.push(format!(
@@ -340,6 +347,23 @@ impl ForecastAnswer {
             ));
         }
         findings
+    }
+
+    /// Which band of the leading rail bends over first, if one does before the end of the forecast.
+    fn bend(&self) -> Option<String> {
+        let bands = self.leading().forecast.bands().iter();
+        let bends = bands.filter_map(|band| Some((band, band.bends_after()?)));
+        let (band, passages) = bends.min_by(|a, b| a.1.total_cmp(&b.1))?;
+        let wear = self.growth().mean_wear();
+        (passages <= self.passages).then(|| {
+            say!(
+                band_bends_over,
+                wavelength = numeral(band.now.band.nominal_millimetres()),
+                passages = number(passages),
+                wear = fixed(1e3 * wear.depth_per_100_mgt(), 2)
+            )
+            .to_string()
+        })
     }
 
     /// When a rail reaches the limit.
@@ -457,4 +481,34 @@ pub(crate) fn not_forecast<'a>(
                 1e3 * case.wavelength.max()
             )
         })
+}
+
+/// What a spread does, where it is worth a word.
+fn spread_in_words(spread: &SpreadEffect) -> Option<String> {
+    /// Less is no reduction to speak of.
+    const WORTH_A_WORD: f64 = 1.05;
+    let reduction = spread
+        .reduction
+        .filter(|reduction| *reduction >= WORTH_A_WORD)?;
+    let what = match spread.what {
+        "speed" => say!(spread_of_speed),
+        "wheel_radius" => say!(spread_of_wheel_radius),
+        "load" => say!(spread_of_load),
+        "friction" => say!(spread_of_friction),
+        _ => say!(spread_of_position),
+    };
+    let factor = match reduction < 10.0 {
+        true => fixed(reduction, 1),
+        false => fixed(reduction, 0),
+    };
+    let vehicle = &spread.vehicle;
+    Some(
+        say!(
+            spread_takes_down,
+            vehicle = vehicle,
+            what = what,
+            factor = factor
+        )
+        .to_string(),
+    )
 }

@@ -12,6 +12,7 @@ use riffel_keys::Message;
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
+use crate::WearLimitDocument;
 use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_of};
 use crate::stability::StabilityAtSpeed;
 
@@ -78,6 +79,9 @@ pub struct MapDocument<'a> {
     inputs: &'a CaseFile,
     derived: DerivedDocument,
     ridge: RidgeSummary<'a>,
+    /// For the highest growth of the ridge, of one wheel of this kind on one line of the rail.
+    #[serde(flatten)]
+    wear_limit: WearLimitDocument,
     /// At the speeds judged; none for one wheel and one axis.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     stability: Vec<StabilityAtSpeed>,
@@ -168,6 +172,10 @@ impl MapAnswer {
                 speeds_at_edge: ridge.points.iter().filter(|point| point.at_edge).count(),
                 speeds: ridge.points.len(),
             },
+            wear_limit: WearLimitDocument::new(
+                case.feedback.mean_wear(),
+                ridge.highest().map(|point| point.growth_rate),
+            ),
             stability: (case.stability_over_the_map().into_iter())
                 .map(StabilityAtSpeed::from)
                 .collect(),

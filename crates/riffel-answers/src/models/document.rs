@@ -10,6 +10,7 @@ use serde::Serialize;
 use serde_json::{Map, Value};
 
 use super::{ComplexPlane, Difference, Growth, ModelGrowth, ModelsAnswer};
+use crate::WearLimitDocument;
 use crate::column;
 use crate::highest::HighestDocument;
 
@@ -40,6 +41,9 @@ struct ModelDocument<'a> {
     growth_rate_per_passage: Option<&'a [f64]>,
     /// Null where nothing grows.
     highest: Option<HighestDocument>,
+    /// For that growth; left out where the model does not apply.
+    #[serde(flatten)]
+    wear_limit: Option<WearLimitDocument>,
     /// The joint that moves growth most first.
     differs_by: Vec<DifferenceDocument>,
     /// Null but for a model whose papers draw it, on discrete supports.
@@ -105,6 +109,7 @@ fn of(of: &ModelGrowth) -> ModelDocument<'_> {
         not_on_this_case: growth.as_ref().err().map(String::as_str),
         growth_rate_per_passage: known.map(|growth| growth.rates.as_slice()),
         highest: known.and_then(|growth| growth.highest).map(Into::into),
+        wear_limit: known.map(|growth| growth.wear_limit),
         differs_by: known.map_or_else(Vec::new, |growth| {
             let differences = growth.differs_by.iter();
             differences.map(|by| difference(growth, by)).collect()

@@ -15,8 +15,8 @@ use riffel_plot::LineFigure;
 pub use difference::Difference;
 pub use document::ModelsDocument;
 
-use crate::AnswerError;
 use crate::highest::{Highest, over_the_window, wavelengths_of};
+use crate::{AnswerError, WearLimitDocument};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -53,6 +53,8 @@ pub struct Growth {
     pub rates: Vec<f64>,
     /// The fastest of the wavelengths; none where nothing grows.
     pub highest: Option<Highest>,
+    /// Mean wear under the model, and how far that growth can last.
+    pub wear_limit: WearLimitDocument,
     /// By which joints it differs from the case with the exact contact, the one that moves growth most first.
     pub differs_by: Vec<Difference>,
     /// Wear in the complex plane, of a model whose papers draw it, on discrete supports.
@@ -179,7 +181,9 @@ impl Growth {
                 3.6 * speed
             )
         });
+        let wear = on.case.feedback.mean_wear();
         let growth = Self {
+            wear_limit: WearLimitDocument::new(wear, highest.map(|highest| highest.rate)),
             rates: Vec::new(),
             highest,
             differs_by: Difference::all(case, model.joints, &course, speed),

@@ -6,6 +6,7 @@ use riffel_keys::Message;
 use serde::Serialize;
 
 use super::{WheelAnswer, WheelsAnswer};
+use crate::WearLimitDocument;
 use crate::highest::HighestDocument;
 use crate::ridge::BranchDocument;
 
@@ -48,6 +49,9 @@ struct WheelDocument<'a> {
     growth_rate_per_passage: Option<&'a [f64]>,
     /// Null where nothing grows.
     highest: Option<HighestDocument>,
+    /// For that growth; left out where the wheel is not in the loop.
+    #[serde(flatten)]
+    wear_limit: Option<WearLimitDocument>,
     /// Branches of its map, the strongest first.
     branches: &'a [BranchDocument],
     /// At which it oscillates without any profile at the speed of the curve; null where it does not.
@@ -84,6 +88,10 @@ fn of(wheel: &WheelAnswer) -> WheelDocument<'_> {
         not_in_loop: growth.as_ref().err().map(String::as_str),
         growth_rate_per_passage: known.map(|growth| growth.rates.as_slice()),
         highest: known.and_then(|growth| growth.highest).map(Into::into),
+        wear_limit: known.map(|growth| {
+            let rate = growth.highest.map(|highest| highest.rate);
+            WearLimitDocument::new(growth.case.feedback.mean_wear(), rate)
+        }),
         branches: known.map_or(&[], |growth| &growth.map.branches),
         unstable_frequency_hz: known.and_then(|growth| growth.unstable),
         remarks: known.map_or(&[], |growth| &growth.remarks),

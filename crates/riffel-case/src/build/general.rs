@@ -50,7 +50,7 @@ impl CheckedKeys {
         vertical: &Track,
     ) -> Result<ClosedLoop, CaseError> {
         let mut remarks = Vec::new();
-        let study = self.side(keys.rail, &keys.contact, keys.mean, 1.0, steel)?;
+        let study = self.side((keys.rail, true), &keys.contact, keys.mean, 1.0, steel)?;
         let steady = study.contact.rolling.steady();
         let (hertz, carter) = (study.hertz, study.carter);
         remarks.extend(of_flatness(&keys.contact));
@@ -60,7 +60,8 @@ impl CheckedKeys {
             let rail = keys.rail.opposite();
             let creepages = opposite.creepages.unwrap_or(steady.creepages);
             let mean = MeanState::Creepages(creepages);
-            let side = self.side(rail, &opposite.contact, mean, opposite.profile, steel)?;
+            let side = (rail, false);
+            let side = self.side(side, &opposite.contact, mean, opposite.profile, steel)?;
             sides.push(side.contact);
             points.push((rail, opposite.contact.lateral_offset));
         }
@@ -114,10 +115,10 @@ impl CheckedKeys {
         })
     }
 
-    /// The contact of the first wheel with one rail.
+    /// The contact of the first wheel with one rail, which is under study or not.
     fn side(
         &self,
-        rail: Rail,
+        (rail, studied): (Rail, bool),
         keys: &ContactKeys,
         mean: MeanState,
         profile: f64,
@@ -159,7 +160,7 @@ impl CheckedKeys {
                 rolling: built.rolling,
                 motion: self.motion(),
                 moving: moving.transpose()?,
-                wear: self.wear(hertz)?,
+                wear: self.wear(hertz, &steady, studied)?,
             },
             hertz,
             carter: built.carter,

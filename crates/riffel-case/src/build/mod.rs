@@ -15,7 +15,7 @@ use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
-    Receptance,
+    Receptance, WearRegimes,
 };
 use riffel_keys::{CaseError, Message};
 
@@ -24,7 +24,7 @@ pub use creep_laws::CreepLaws;
 pub(crate) use wheelset::disc;
 
 use crate::checked_keys::CheckedKeys;
-use crate::file::{DissipationPhase, Rotation};
+use crate::file::{DissipationPhase, Rotation, WearLaw};
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
 
@@ -120,7 +120,7 @@ impl CheckedKeys {
             rotation: self.rotation(hertz.rolling_radius())?,
             wave: self.wave(hertz)?,
             place_of_wear: self.place_of_wear(hertz, steady.tractive_ratio()),
-            wear: self.wear(hertz)?,
+            wear: self.wear(hertz, &steady, true)?,
             amplitude: self.file.corrugation.amplitude.si(),
         };
         Ok(ClosedLoop {
@@ -154,14 +154,42 @@ impl CheckedKeys {
         PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), tractive_ratio)
     }
 
-    fn wear(&self, hertz: HertzContact) -> Result<EnergyWear, CaseError> {
+    /// Wear under a contact; on the rail that is not under study a band may be narrower than the contact, which has no part in growth.
+    fn wear(
+        &self,
+        hertz: HertzContact,
+        steady: &MeanRolling,
+        studied: bool,
+    ) -> Result<EnergyWear, CaseError> {
         let wear = &self.file.wear;
-        let wear = EnergyWear::new(
-            wear.coefficient.si(),
-            wear.density.si(),
-            hertz.semi_axis_lateral(),
-        );
-        self.physics("wear", wear)
+        let density = wear.density.si();
+        let map = &self.file.map.speed;
+        let middle = 0.5 * (map.min.si() + map.max.si());
+        let regimes = match wear.law {
+            WearLaw::TgammaArea => Some(WearRegimes::TgammaArea),
+            WearLaw::ArchardMap => Some(WearRegimes::ArchardMap {
+                speed: wear.speed.map_or(middle, |speed| speed.si()),
+            }),
+            WearLaw::Energy => None,
+        };
+        let law = match regimes {
+            None => {
+                let b = hertz.semi_axis_lateral();
+                let law = EnergyWear::new(wear.coefficient.si(), density, b);
+                self.physics("wear", law)?
+            }
+            Some(regimes) => {
+                let dry = wear.natural_lubrication.map_or(1.0, |factor| factor.si());
+                let law = regimes.wear(&hertz, steady, density, dry);
+                self.physics("wear.law", law)?
+            }
+        };
+        match wear.band_width {
+            Some(width) if studied || width.si() >= 2.0 * hertz.semi_axis_lateral() => {
+                self.physics("wear.band_width", law.over_band(width.si()))
+            }
+            _ => Ok(law),
+        }
     }
 
     fn rotation(&self, radius: f64) -> Result<Motion, CaseError> {

@@ -188,6 +188,16 @@ impl CurvingCase {
         Some((radius, rule))
     }
 
+    /// The equilibrium of a vehicle of this case to which straight track leads.
+    ///
+    /// # Errors
+    /// [`CaseError`] where none is found.
+    pub(crate) fn equilibrium(&self, vehicle: &VehicleInCurve) -> Result<VehicleState, CaseError> {
+        vehicle
+            .equilibrium()
+            .map_err(|error| self.no_equilibrium(error))
+    }
+
     /// Every equilibrium found of a vehicle of this case, first that to which straight track leads.
     ///
     /// # Errors

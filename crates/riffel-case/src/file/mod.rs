@@ -14,7 +14,7 @@ mod train;
 mod wheel;
 mod wheelset;
 
-use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, WearCoefficient};
+use riffel_keys::quantity::{Density, Length, Modulus, Quantity, Ratio, Speed, WearCoefficient};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
@@ -140,6 +140,38 @@ pub struct Wear {
     pub coefficient: Quantity<WearCoefficient>,
     /// Density ρ of the rail.
     pub density: Quantity<Density>,
+    /// How wear goes with the work of a contact.
+    #[serde(default, skip_serializing_if = "WearLaw::is_energy")]
+    pub law: WearLaw,
+    /// Speed of the wheel, of which creepage makes the sliding speed of `archard-map`; left out, the middle of `map.speed`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub speed: Option<Quantity<Speed>>,
+    /// How many times less a law of regimes wears than dry, by natural lubrication; left out, it is dry.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub natural_lubrication: Option<Quantity<Ratio>>,
+    /// Width of the band over which the contacts of traffic are spread; left out, that of one contact.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub band_width: Option<Quantity<Length>>,
+}
+
+/// How wear goes with the work of a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize, JsonSchema)]
+#[serde(rename_all = "kebab-case")]
+pub enum WearLaw {
+    /// In proportion to dissipated energy, by `coefficient`.
+    #[default]
+    Energy,
+    /// By Tγ/A, energy per metre over the area of the patch: mild, severe and catastrophic regimes of twin discs, dry, smooth between
+    /// them.
+    TgammaArea,
+    /// Archard's law by a map of sliding speed and pressure, smooth between its regimes; its numbers are recalled, not looked up.
+    ArchardMap,
+}
+
+impl WearLaw {
+    fn is_energy(&self) -> bool {
+        *self == Self::Energy
+    }
 }
 
 impl Default for Wear {
@@ -147,6 +179,10 @@ impl Default for Wear {
         Self {
             coefficient: Quantity::new(riffel::EnergyWear::DEFAULT_COEFFICIENT),
             density: Quantity::new(riffel::EnergyWear::DEFAULT_DENSITY),
+            law: WearLaw::default(),
+            speed: None,
+            natural_lubrication: None,
+            band_width: None,
         }
     }
 }

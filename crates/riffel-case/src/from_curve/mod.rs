@@ -1,6 +1,7 @@
 //! The mean state of the contact from a bogie in its curve.
 
 mod curve_remarks;
+mod equilibrium;
 mod fill;
 mod loaded_patch;
 mod mean_contact;
@@ -11,6 +12,7 @@ mod tests;
 use std::path::Path;
 
 use riffel::Rail;
+use riffel::curving::VehicleInCurve;
 use riffel_keys::{CaseError, say};
 use serde::Deserialize;
 
@@ -18,6 +20,7 @@ use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::curving::CurvingCase;
 use crate::file::FromCurve;
+pub(crate) use equilibrium::Equilibrium;
 
 /// A case as far as it says where its mean state comes from.
 #[derive(Deserialize)]
@@ -36,15 +39,20 @@ impl CaseText {
     /// it is not absent, the rail of the wheelset and the rolling radius. `unfilled` are the keys without presets; values of presets give way.
     ///
     /// A lone wheel is always on the right rail: one on the left is turned over, with lateral creepage and spin of the other sign.
+    /// An equilibrium that is known takes the place of that of the case.
     pub(crate) fn fill_in_from_curve(
         &mut self,
         unfilled: &Self,
         folder: Option<&Path>,
+        known: Option<&Equilibrium>,
     ) -> Result<(), CaseError> {
         if !self.keys.has("contact.from") {
             return Ok(());
         }
         let from = self.asks_for()?;
+        if let Some(known) = known {
+            return self.fill_in_of(&from, known, true);
+        }
         if from.curve.is_some() && folder.is_none() {
             return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
         }
@@ -59,6 +67,22 @@ impl CaseText {
         }
         let curving = self.curving_case(&from, unfilled, folder)?;
         let vehicle = curving.vehicle_in_curve()?;
+        // Asked before the vehicle is balanced, which takes a while.
+        self.check_wheelset(&from, &vehicle)?;
+        let states = curving.equilibria(&vehicle)?;
+        self.fill_in_of(
+            &from,
+            &Equilibrium {
+                curving,
+                vehicle,
+                states,
+            },
+            false,
+        )
+    }
+
+    /// `Ok` if a vehicle has the wheelset that is asked for.
+    fn check_wheelset(&self, from: &FromCurve, vehicle: &VehicleInCurve) -> Result<(), CaseError> {
         let wheelsets = vehicle.running_gear.wheelsets();
         if !(1..=wheelsets).contains(&usize::from(from.wheelset)) {
             let last = match wheelsets {
@@ -69,7 +93,21 @@ impl CaseText {
             let rule = format!("is {}, but must be 1, {last}", from.wheelset);
             return Err(self.keys.invalid("contact.from.wheelset", &rule, ""));
         }
-        let states = curving.equilibria(&vehicle)?;
+        Ok(())
+    }
+
+    /// The keys of one contact in an equilibrium; quickly, one of many, without the remarks that take a contact under load.
+    fn fill_in_of(
+        &mut self,
+        from: &FromCurve,
+        equilibrium: &Equilibrium,
+        quick: bool,
+    ) -> Result<(), CaseError> {
+        let Equilibrium {
+            curving,
+            vehicle,
+            states,
+        } = equilibrium;
         self.curve_remarks.extend(curving.remarks_of_profiles()?);
         let radius = vehicle.curve.radius;
         let rail = from.rail.in_curve(radius);
@@ -85,7 +123,7 @@ impl CaseText {
             ));
         }
         let file = &curving.file;
-        let mut study = self.contact_of(&from, &curving, &states[0], rail)?;
+        let mut study = self.contact_of(from, curving, &states[0], rail)?;
         let has_wheelset = self.keys.has("wheelset");
         if has_wheelset && self.keys.has("wheelset.rail") {
             let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
@@ -109,7 +147,7 @@ impl CaseText {
             self.fill("contact.creep_law", "shen-hedrick-elkins");
         }
         let patch = from.patch.unwrap_or_default();
-        self.take_patch(patch, &curving, rail, &mut study)?;
+        self.take_patch(patch, curving, rail, &mut study, quick)?;
         let at_tractive_ratio = self.is_written("contact.tractive_ratio");
         if at_tractive_ratio {
             instead.push("contact.tractive_ratio".to_owned());
@@ -128,8 +166,8 @@ impl CaseText {
                 contact: None,
                 ..from.clone()
             };
-            let mut other = self.contact_of(&on_tread, &curving, &states[0], rail.opposite())?;
-            self.take_patch(patch, &curving, rail.opposite(), &mut other)?;
+            let mut other = self.contact_of(&on_tread, curving, &states[0], rail.opposite())?;
+            self.take_patch(patch, curving, rail.opposite(), &mut other, quick)?;
             self.put_friction("opposite_contact", other.friction, &mut instead);
             self.fill_contact(
                 "opposite_contact",
@@ -141,7 +179,7 @@ impl CaseText {
             )?;
             self.tell_of_second_point(rail.opposite(), other.elsewhere);
         }
-        self.tell_where_from(&from, rail, &vehicle.curve, &study);
+        self.tell_where_from(from, rail, &vehicle.curve, &study);
         self.tell_of_second_point(rail, study.elsewhere);
         if instead.is_empty() {
             self.curve_tractive_ratio = Some(study.tractive_ratio);

@@ -7,6 +7,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message};
 
 use super::on_case::settings_of;
+use super::spreads::{Spreads, Values3};
 use super::{Traffic, bands_of};
 use crate::file::ContactDynamics;
 use crate::{Case, Variant};
@@ -47,12 +48,13 @@ impl Traffic {
         vehicles
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
+                self.check_followed(index)?;
                 let wheel = match settings_of(vehicle).is_empty()
                     && case.file.contact.response != ContactDynamics::NonSteady
                 {
                     true => case.clone(),
                     false => {
-                        self.wheel_on(index, case, &lines, &Variant::none(""))?
+                        self.wheel_on(index, case, &lines, &Variant::none(""), Values3::default())?
                             .wheel
                     }
                 };
@@ -92,6 +94,23 @@ impl Traffic {
                 })
             })
             .collect()
+    }
+
+    /// `Ok` if a vehicle is one wheel that can be followed through time.
+    fn check_followed(&self, index: usize) -> Result<(), CaseError> {
+        let vehicle = &self.file.vehicle[index];
+        let key = match (&vehicle.curve, self.spreads[index] == Spreads::default()) {
+            (None, true) => return Ok(()),
+            (Some(_), _) => "curve",
+            (None, false) if vehicle.load.is_some() => "load",
+            (None, false) if vehicle.friction.is_some() => "friction",
+            (None, false) if vehicle.wheel_radius.is_some() => "wheel_radius",
+            (None, false) => "lateral_position",
+        };
+        let key = format!("vehicle[{index}].{key}");
+        let rule = "is given, but a simulation in time follows one wheel of each vehicle, at each of its speeds";
+        let help = "leave it out; `riffel forecast` takes it";
+        Err(self.source.invalid(&key, rule, help))
     }
 
     /// Speeds of each vehicle.

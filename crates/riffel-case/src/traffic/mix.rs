@@ -1,6 +1,6 @@
 //! A mix of vehicles, read and checked.
 
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Dimension, Force, Kind, Quantity, Ratio};
@@ -8,6 +8,7 @@ use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile, Message};
 use toml::Value;
 
+use super::spreads::Spreads;
 use super::{Line, TrafficFile, Vehicle};
 
 /// How far the sum of shares may be from one: shares in tenths of a per cent.
@@ -20,6 +21,10 @@ pub struct Traffic {
     pub file: TrafficFile,
     /// Speeds of each vehicle.
     pub(super) speeds: Vec<SpeedDistribution>,
+    /// What else is spread over the wheels of each vehicle.
+    pub(super) spreads: Vec<Spreads>,
+    /// Folder to which files of curves are relative.
+    pub(super) folder: PathBuf,
     /// What is to be asked about values that are not usual.
     pub(super) remarks: Vec<Message>,
 }
@@ -31,13 +36,15 @@ impl Traffic {
     /// [`CaseError`] with the key, the value and the rule. Values that go into the case are checked with it, by
     /// [`on`](Self::on).
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        Self::parse(
+        let mut traffic = Self::parse(
             &path.display().to_string(),
             &read_keys(path, "traffic file")?,
-        )
+        )?;
+        traffic.folder = path.parent().unwrap_or(Path::new("")).to_owned();
+        Ok(traffic)
     }
 
-    /// Read traffic from TOML; `name` is shown in errors.
+    /// Read traffic from TOML; `name` is shown in errors. Files that it names are relative to the present folder.
     ///
     /// # Errors
     /// As [`read`](Self::read).
@@ -65,7 +72,7 @@ impl Traffic {
         if file.vehicle.is_empty() {
             return Err(source.missing("vehicle", "write one [[vehicle]] or more"));
         }
-        let mut speeds = Vec::new();
+        let (mut speeds, mut spreads) = (Vec::new(), Vec::new());
         let amounts = ["line.passages_per_day", "line.mgt_per_year"].into_iter();
         let mut remarks = amounts
             .filter_map(|key| source.judge(key).transpose())
@@ -97,6 +104,7 @@ impl Traffic {
                 return Err(exclusive(&source, &key("creepage"), &key("tractive_ratio")));
             }
             speeds.push(distribution(&source, index, vehicle)?);
+            spreads.push(Spreads::of(&source, index, vehicle)?);
         }
         let shares = file.vehicle.iter().map(|vehicle| vehicle.share.si());
         sums_to_one(&source, "vehicle", shares)?;
@@ -104,6 +112,8 @@ impl Traffic {
             source,
             file,
             speeds,
+            spreads,
+            folder: PathBuf::new(),
             remarks,
         })
     }
@@ -127,10 +137,17 @@ impl Traffic {
                     tractive_ratio: None,
                     creepage: None,
                     traction_share: None,
+                    curve: None,
+                    lateral_position: None,
+                    wheel_radius: None,
+                    load: None,
+                    friction: None,
                     set: toml::Table::new(),
                 }],
             },
             speeds: vec![speeds],
+            spreads: vec![Spreads::default()],
+            folder: PathBuf::new(),
             remarks: Vec::new(),
         }
     }
@@ -185,6 +202,15 @@ fn judged(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Vec<Messa
         "speed.standard_deviation",
         "tractive_ratio",
         "creepage",
+        "wheel_radius.mean",
+        "wheel_radius.min",
+        "wheel_radius.max",
+        "load.mean",
+        "load.min",
+        "load.max",
+        "friction.mean",
+        "friction.min",
+        "friction.max",
     ];
     let keys = keys.map(str::to_owned).into_iter().chain(speeds);
     keys.filter_map(|key| source.judge(&format!("vehicle[{index}].{key}")).transpose())
@@ -229,7 +255,7 @@ fn distribution(
     }
 }
 
-fn sums_to_one(
+pub(super) fn sums_to_one(
     source: &KeyFile,
     key: &str,
     shares: impl Iterator<Item = f64>,

@@ -4,7 +4,11 @@ mod in_time;
 mod mix;
 mod on_case;
 mod reported_growth;
+mod spread;
+mod spreads;
+mod through_curve;
 mod traffic_file;
+mod wheels_of_vehicle;
 
 use riffel::roughness::ThirdOctave;
 
@@ -12,7 +16,9 @@ pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
 pub use reported_growth::is_of_reported_growth;
-pub use traffic_file::{Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
+pub use spread::{Spread, SpreadEnds, ValueShare};
+pub use spreads::SpreadEffect;
+pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 
 use crate::Case;
 

@@ -8,6 +8,8 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
+use super::spreads::Values3;
+use super::wheels_of_vehicle::Asked;
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
 use crate::kept_state::KeptState;
 use crate::setting::{Setting, settings};
@@ -37,7 +39,7 @@ struct VehicleOnCase {
 pub(super) struct WheelOnCase {
     pub(super) wheel: Case,
     pub(super) speeds: SpeedDistribution,
-    held: Option<KeptState>,
+    pub(super) held: Option<KeptState>,
 }
 
 impl TrafficOnCase {
@@ -126,16 +128,26 @@ impl Traffic {
         case: &Case,
         lines: &[f64],
         variant: &Variant,
+        values: Values3,
     ) -> Result<WheelOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
-        let own = settings_of(vehicle);
+        let mut own = settings_of(vehicle);
+        let values = values.settings().into_iter().map(|setting| {
+            let key = match &*setting.0 {
+                "contact.normal_load" => "load",
+                "wheel.rolling_radius" => "wheel_radius",
+                _ => "friction",
+            };
+            (key.to_owned(), setting)
+        });
+        own.extend(values);
         if case.unfilled.keys.has("contact.from")
             && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
         {
             let message = format!(
                 "`{}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or \
-                 change the bogie by set = {{ bogie.mass_per_axle = … }}",
+                 change the bogie by set = {{ bogie.mass_per_axle = … }}, or give the vehicle curve = true, which brings all wheels",
                 at(&format!(".{key}"))
             );
             return Err(self.source.refuse(&at(&format!(".{key}")), &message));
@@ -191,43 +203,35 @@ impl Traffic {
         variant: &Variant,
     ) -> Result<VehicleOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
-        let lines = band_lines(bands);
-        let WheelOnCase {
-            wheel,
-            speeds,
-            held,
-        } = self.wheel_on(index, case, &lines, variant)?;
-        let (shortest, longest) = (lines[0], lines[lines.len() - 1]);
-        let (lowest, highest) = speeds.range();
-        wheel.check_frequencies(lowest / longest, highest / shortest)?;
-        let places = wheel.places();
-        let (name, share) = (&vehicle.name, vehicle.share.si());
-        let growth = VehicleGrowth::compute(name, share, &places, bands, speeds);
-        let growth = growth.map(|growth| match case.growth_window() {
-            Some(window) => growth.with_course(&places, window),
-            None => growth,
-        });
+        let asked = Asked {
+            traffic: self,
+            index,
+            case,
+            lines: &band_lines(bands),
+            variant,
+            speeds: None,
+        };
+        let (growth, wheels) = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
-        let growth = growth.and_then(|growth| growth.with_traction_on(traction_share));
         let at = format!("vehicle[{index}]");
-        let growth = growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?;
-        // That a preset of the case changes nothing for a vehicle with values of its own is no news.
-        let presets = wheel.keys.text.remarks;
-        let remarks = wheel.remarks.into_iter();
+        let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
-            growth,
-            held: held.map(|held| held.hold),
-            remarks: remarks.filter(|remark| !presets.contains(remark)).collect(),
+            growth: growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?,
+            held: wheels.held,
+            remarks: wheels.remarks,
         })
     }
 }
 
 /// Keys of a vehicle that a bogie in a curve has in other words.
-const OF_CURVE: [&str; 4] = [
+const OF_CURVE: [&str; 7] = [
     "axle_load",
     "wheel_load",
     "rolling_radius",
     "tractive_ratio",
+    "load",
+    "wheel_radius",
+    "friction",
 ];
 
 /// What a vehicle gives the case, each with the key of the vehicle that it comes from.
@@ -270,7 +274,7 @@ pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
 
 /// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude
 /// at which no remark on the linear range applies, for the forecast has its own.
-fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
+pub(super) fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
     /// A single speed or line is a narrow window.
     const MARGIN: f64 = 1e-6;
     let axis = |key: &str, low: f64, high: f64| {

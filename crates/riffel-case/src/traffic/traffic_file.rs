@@ -4,6 +4,7 @@ use riffel_keys::quantity::{Force, Length, Mass, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
 
+use super::Spread;
 use crate::file::Creepage;
 
 /// Riffel traffic: the vehicles that run on a line, in shares of the axle passages.
@@ -73,11 +74,37 @@ pub struct Vehicle {
     /// let nothing grow. Left out, all of them.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub traction_share: Option<Quantity<Ratio>>,
+    /// The curve that it runs through: a case file of `riffel curve`, relative to this file, or `true` for the curve of the
+    /// case. Every wheel of the vehicle on the rail under study then has its own mean state, at each of its speeds.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub curve: Option<CurveOfVehicle>,
+    /// Where its contacts run across the rail, from the line under study; left out, all of them on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub lateral_position: Option<Spread<Length>>,
+    /// Rolling radii of its wheels, new to worn, in place of one radius.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub wheel_radius: Option<Spread<Length>>,
+    /// Loads of its wheels, tare to laden, in place of one load.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub load: Option<Spread<Force>>,
+    /// Friction under its wheels, over days and places.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub friction: Option<Spread<Ratio>>,
     /// Any other keys of the case that are different for this vehicle, as tables of the case file. A `wheelset` takes
     /// the place of the wheel of the case.
     #[serde(default, skip_serializing_if = "toml::Table::is_empty")]
     #[schemars(schema_with = "any_table")]
     pub set: toml::Table,
+}
+
+/// The curve of a vehicle.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(untagged)]
+pub enum CurveOfVehicle {
+    /// `true`: that of the case.
+    OfCase(bool),
+    /// A case file of `riffel curve`.
+    File(String),
 }
 
 /// A normal distribution of the speed.

@@ -12,6 +12,7 @@ mod p2;
 mod remarks;
 mod track;
 mod traffic;
+mod traffic_wheels;
 mod wave_geometry;
 mod wheelset_cases;
 mod wheelset_files;

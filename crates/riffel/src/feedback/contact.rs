@@ -197,13 +197,28 @@ impl Contact {
             }
             _ => Derivative::default(),
         };
-        Derivatives {
+        let mut derivatives = Derivatives {
             by_load: of(response.by_load),
             by_creepage: [of(response.by_longitudinal), on(response.by_lateral)],
             by_spin: on(response.by_spin),
             by_profile,
             pressed,
+        };
+        if let Some((by_energy, by_load)) = self.wear.regime() {
+            let Derivatives {
+                by_creepage: [along, across],
+                by_spin,
+                by_profile,
+                ..
+            } = &mut derivatives;
+            for by in [along, across, by_spin, by_profile] {
+                by.at_rail *= by_energy;
+            }
+            // All of the wear comes to the rail point as the dissipation does.
+            let at_rail = &mut derivatives.by_load.at_rail;
+            *at_rail = by_energy * *at_rail + by_load * later;
         }
+        derivatives
     }
 }
 

@@ -1,6 +1,7 @@
 //! The loop that corrugation closes: profile, normal force, creepage, dissipation, wear, profile.
 
 mod answers;
+mod at_speeds;
 mod closed_form;
 mod contact;
 mod determinant;
@@ -12,10 +13,11 @@ mod system;
 mod turn;
 
 pub(crate) use answers::Answers;
+pub(crate) use at_speeds::AtSpeeds;
 pub(crate) use closed_form::ClosedForm;
-pub(crate) use line_group::LineGroup;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
+pub(crate) use line_group::LineGroup;
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
 pub(crate) use system::System;

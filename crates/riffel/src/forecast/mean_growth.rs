@@ -1,10 +1,7 @@
 //! Growth under one kind of wheel, in the mean over its speeds.
 
-use rayon::prelude::*;
-
 use super::SpeedDistribution;
-use super::speed_distribution::Means;
-use crate::feedback::{LineGroup, Loop};
+use crate::feedback::{AtSpeeds, Loop};
 
 /// Growth rate and normal force by wavelength, in the mean over a distribution of speeds and over the
 /// places of the wheel on the track.
@@ -38,35 +35,52 @@ impl MeanGrowth {
         wavelengths: &[f64],
         speeds: &SpeedDistribution,
     ) -> Self {
-        if let Some(mut groups) = LineGroup::all(places, wavelengths) {
-            return Self::of_means(speeds.means(|speed| {
-                let groups = groups.par_iter_mut();
-                groups.flat_map_iter(|group| group.at(speed)).collect()
-            }));
-        }
-        Self::of_means(speeds.means(|speed| {
-            wavelengths
-                .par_iter()
-                .map(|&wavelength| {
-                    let mut mean = [0.0; 2];
-                    for (feedback, weight) in places {
-                        let state = feedback.at(wavelength, speed);
-                        mean[0] += weight * state.growth_rate;
-                        mean[1] +=
-                            weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
-                    }
-                    mean
-                })
-                .collect()
-        }))
+        Self::between(&[(speeds.mean(), places)], wavelengths, speeds)
     }
 
-    fn of_means(means: Means<2>) -> Self {
+    /// The same for a wheel whose mean state depends on its speed: its loops at some speeds \[m/s\], rising. Between two of them
+    /// each counts by its nearness, so that the error is of second order in their distance; beyond the ends the nearest counts.
+    ///
+    /// Cost: twice that of [`compute`](Self::compute) between speeds.
+    pub fn between(
+        states: &[(f64, &[(Loop, f64)])],
+        wavelengths: &[f64],
+        speeds: &SpeedDistribution,
+    ) -> Self {
+        let prepared = states.iter();
+        let mut prepared: Vec<(f64, AtSpeeds<'_>)> = prepared
+            .map(|(at, places)| (*at, AtSpeeds::new(places, wavelengths)))
+            .collect();
+        let means = speeds.means(|speed| {
+            let mut means = vec![[0.0; 2]; wavelengths.len()];
+            for (index, share) in near(&prepared, speed) {
+                for (mean, [rate, force]) in means.iter_mut().zip(prepared[index].1.at(speed)) {
+                    mean[0] += share * rate;
+                    mean[1] += share * force;
+                }
+            }
+            means
+        });
         Self {
             rates: means.values.iter().map(|mean| mean[0]).collect(),
             squared_force_per_amplitude: means.values.iter().map(|mean| mean[1]).collect(),
             rate_error: means.error[0],
             speeds: means.speeds,
+        }
+    }
+}
+
+/// Which states stand on either side of a speed, each with its share; of one state alone, that state.
+fn near<T>(states: &[(f64, T)], speed: f64) -> Vec<(usize, f64)> {
+    let above = states.partition_point(|state| state.0 < speed);
+    match (above.checked_sub(1), states.get(above)) {
+        (None, None) => Vec::new(),
+        (Some(below), None) => vec![(below, 1.0)],
+        (None, Some(_)) => vec![(above, 1.0)],
+        (Some(_), Some(upper)) if upper.0 == speed => vec![(above, 1.0)],
+        (Some(below), Some(upper)) => {
+            let share = (speed - states[below].0) / (upper.0 - states[below].0);
+            vec![(below, 1.0 - share), (above, share)]
         }
     }
 }

@@ -13,6 +13,8 @@
 //! N counts passages of axles, each a passage of one wheel over every point of each rail; g > 0 grows.
 //! [`WearFit`] finds the wear coefficient of which two dated measurements speak, if they do.
 
+mod bend;
+mod distribution;
 mod growing_sum;
 mod jackknife;
 mod lines;
@@ -22,6 +24,7 @@ mod speed_distribution;
 mod traffic;
 mod wear_fit;
 
+pub use distribution::Distribution;
 pub use growing_sum::GrowingSum;
 pub use lines::{LINES_PER_BAND, band_lines};
 pub use mean_growth::MeanGrowth;

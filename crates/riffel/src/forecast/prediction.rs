@@ -1,9 +1,10 @@
 //! The spectrum after some passages.
 
+use super::bend::Bend;
 use super::traffic::lines_of;
-use super::{GrowingSum, LINES_PER_BAND, TrafficGrowth};
+use super::{GrowingSum, LINES_PER_BAND, TrafficGrowth, VehicleGrowth};
 use crate::Error;
-use crate::roughness::{BandLevel, LevelLimit, Spectrum, mean_square};
+use crate::roughness::{BandLevel, LevelLimit, Spectrum, level, mean_square};
 
 /// A spectrum under traffic.
 ///
@@ -12,7 +13,8 @@ use crate::roughness::{BandLevel, LevelLimit, Spectrum, mean_square};
 ///
 /// Range of validity: the loop is linear. It holds while the wheel stays on the rail, see
 /// [`valid_to`](Self::valid_to), and while track, friction and traffic stay as they are. Levels beyond are what
-/// the exponentials say and nothing more: real corrugation slows down.
+/// the exponentials say and nothing more: real corrugation slows down. A band whose rate would need more than the mean wear of
+/// the rail bends over before, see [`ForecastBand::bends_after`].
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct Forecast {
@@ -61,6 +63,8 @@ pub struct ForecastBand {
     pub sum: GrowingSum,
     /// Its place among the bands of the traffic.
     place: usize,
+    /// Where its rate needs all the wear of the rail; none where it never does, and for a measured rate.
+    bend: Option<Bend>,
 }
 
 /// The amplitude up to which the loop is linear: |P₁| < P₀, wheel and rail in contact.
@@ -75,14 +79,28 @@ pub struct LinearRange {
 }
 
 impl ForecastBand {
-    /// Level after some axle passages \[dB re 1 µm\] by the exponentials, within the linear range and beyond.
+    /// Level after some axle passages \[dB re 1 µm\], within the linear range and beyond: by the exponentials, and from where
+    /// they would need more than the mean wear of the rail along with that.
     pub fn level(&self, passages: f64) -> f64 {
-        self.now.level + self.sum.level_change(passages)
+        match self.bend.filter(|bend| passages > bend.passages) {
+            Some(bend) => level(bend.mean_square(passages)),
+            None => self.now.level + self.sum.level_change(passages),
+        }
     }
 
     /// Axle passages until a level is reached \[dB re 1 µm\].
     pub fn passages_to(&self, level: f64) -> Option<f64> {
-        self.sum.passages_to(mean_square(level))
+        let passages = self.sum.passages_to(mean_square(level))?;
+        match self.bend.filter(|bend| passages > bend.passages) {
+            Some(bend) => bend.passages_to(mean_square(level)),
+            None => Some(passages),
+        }
+    }
+
+    /// Axle passages after which its rate no longer lasts, for it would need more than the mean wear of the rail; none where it
+    /// lasts on, or was measured.
+    pub fn bends_after(&self) -> Option<f64> {
+        self.bend.map(|bend| bend.passages)
     }
 }
 
@@ -105,7 +123,15 @@ impl Forecast {
                 let line = now.mean_square() / LINES_PER_BAND as f64;
                 let rates = traffic.forecast_lines(place);
                 let sum = GrowingSum::new(rates.map(|rate| (line, rate)));
-                Some(ForecastBand { now, sum, place })
+                let of_loop = traffic.is_of_loop(place);
+                let bend = of_loop.then(|| Bend::of(&sum, traffic.mean_wear().depth));
+                let bend = bend.flatten();
+                Some(ForecastBand {
+                    now,
+                    sum,
+                    place,
+                    bend,
+                })
             })
             .collect();
         if bands.is_empty() {
@@ -213,18 +239,30 @@ fn force_range<'a>(
     bands: impl IntoIterator<Item = &'a ForecastBand>,
 ) -> LinearRange {
     let bands: Vec<&ForecastBand> = bands.into_iter().collect();
-    let of_vehicle = |(vehicle, growth): (usize, &super::VehicleGrowth)| {
-        let force = GrowingSum::new(bands.iter().flat_map(|band| {
-            let square = 2.0 * band.now.mean_square() / LINES_PER_BAND as f64;
-            let lines = lines_of(band.place).zip(traffic.forecast_lines(band.place));
-            lines.map(move |(line, rate)| {
-                let per_amplitude = growth.growth.squared_force_per_amplitude[line];
-                (square * per_amplitude / growth.wheel_load.powi(2), rate)
-            })
-        }));
+    let of_vehicle = |(vehicle, growth): (usize, &VehicleGrowth)| {
+        let force = |bands: &[&ForecastBand]| {
+            GrowingSum::new(
+                bands
+                    .iter()
+                    .flat_map(|band| force_of(traffic, growth, band)),
+            )
+        };
+        let all = force(&bands);
+        let passages = all.passages_to(1.0).and_then(|passages| {
+            match bands
+                .iter()
+                .any(|band| band.bend.is_some_and(|bend| bend.passages < passages))
+            {
+                false => Some(passages),
+                true => {
+                    let each = bands.iter().map(|band| (*band, force(&[*band])));
+                    parts_after(&each.collect::<Vec<_>>(), passages)
+                }
+            }
+        });
         LinearRange {
-            force_ratio: force.mean_square(0.0).sqrt(),
-            passages: force.passages_to(1.0),
+            force_ratio: all.mean_square(0.0).sqrt(),
+            passages,
             vehicle,
         }
     };
@@ -242,4 +280,48 @@ fn force_range<'a>(
             passages: None,
             vehicle: 0,
         })
+}
+
+/// |P₁|²/P₀² of the lines of a band under a vehicle, each with its growth rate.
+fn force_of<'a>(
+    traffic: &'a TrafficGrowth,
+    vehicle: &'a VehicleGrowth,
+    band: &ForecastBand,
+) -> impl Iterator<Item = (f64, f64)> + use<'a> {
+    let square = 2.0 * band.now.mean_square() / LINES_PER_BAND as f64;
+    let lines = lines_of(band.place).zip(traffic.forecast_lines(band.place));
+    lines.map(move |(line, rate)| {
+        let per_amplitude = vehicle.growth.squared_force_per_amplitude[line];
+        (square * per_amplitude / vehicle.wheel_load.powi(2), rate)
+    })
+}
+
+/// Axle passages after which the forces of bands, some of which bend over, are P₀ together; by the exponentials that is after
+/// `least`. None where it is never so, or beyond all traffic.
+fn parts_after(bands: &[(&ForecastBand, GrowingSum)], least: f64) -> Option<f64> {
+    const MOST: f64 = 1e15;
+    const STEPS: usize = 100;
+    let is_beyond = |passages: f64| {
+        let squares = bands.iter().map(|(band, force)| {
+            let by_rate = band.now.level + band.sum.level_change(passages);
+            let decibels = force.level_change(passages) + band.level(passages) - by_rate;
+            force.mean_square(0.0) * 10f64.powf(decibels / 10.0)
+        });
+        squares.sum::<f64>() >= 1.0
+    };
+    let (mut low, mut high) = (least, least);
+    while !is_beyond(high) {
+        (low, high) = (high, 2.0 * high.max(1.0));
+        if high > MOST {
+            return None;
+        }
+    }
+    for _ in 0..STEPS {
+        let middle = 0.5 * (low + high);
+        match is_beyond(middle) {
+            true => high = middle,
+            false => low = middle,
+        }
+    }
+    Some(high)
 }

@@ -95,14 +95,6 @@ impl SpeedDistribution {
         })
     }
 
-    /// Speeds \[m/s\] with their shares, where they are listed.
-    pub(super) fn listed(&self) -> Option<&[(f64, f64)]> {
-        match &self.kind {
-            Kind::Shares(speeds) => Some(speeds),
-            Kind::Normal { .. } => None,
-        }
-    }
-
     /// Mean \[m/s\].
     pub fn mean(&self) -> f64 {
         match &self.kind {
@@ -132,6 +124,14 @@ impl SpeedDistribution {
                     (speed.min(low), speed.max(high))
                 }),
             Kind::Normal { mean, deviation } => (mean - TAIL * deviation, mean + TAIL * deviation),
+        }
+    }
+
+    /// The speeds \[m/s\] with their shares where they are listed; none for a normal distribution.
+    pub fn listed(&self) -> Option<&[(f64, f64)]> {
+        match &self.kind {
+            Kind::Shares(speeds) => Some(speeds),
+            Kind::Normal { .. } => None,
         }
     }
 

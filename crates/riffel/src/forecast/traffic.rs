@@ -4,7 +4,7 @@ use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
 use crate::feedback::Loop;
 use crate::growth::{Axis, GrowthCourse};
 use crate::roughness::ThirdOctave;
-use crate::{Error, STANDARD_GRAVITY};
+use crate::{Error, MeanWear, STANDARD_GRAVITY};
 
 /// One kind of vehicle in the mix.
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +23,8 @@ pub struct VehicleGrowth {
     pub growth: MeanGrowth,
     /// Growth with its narrow lines, where the vehicle runs at a few speeds: a distribution makes broad lines of them.
     pub course: Option<GrowthCourse>,
+    /// Mean depth worn off the rail per passage \[m\].
+    pub wear_depth: f64,
 }
 
 impl VehicleGrowth {
@@ -37,16 +39,38 @@ impl VehicleGrowth {
         bands: &[ThirdOctave],
         speeds: SpeedDistribution,
     ) -> Result<Self, Error> {
+        let states = [(speeds.mean(), places)];
+        Self::between(name, share, &states, bands, speeds)
+    }
+
+    /// The same for a wheel whose mean state depends on its speed, as [`MeanGrowth::between`]; load and wear are those of the
+    /// state nearest to the mean of its speeds.
+    ///
+    /// # Errors
+    /// As [`compute`](Self::compute).
+    pub fn between(
+        name: &str,
+        share: f64,
+        states: &[(f64, &[(Loop, f64)])],
+        bands: &[ThirdOctave],
+        speeds: SpeedDistribution,
+    ) -> Result<Self, Error> {
         Error::unless_positive("share of the axle passages", share, "")?;
+        let far = |state: &&(f64, &[(Loop, f64)])| (state.0 - speeds.mean()).abs();
+        let nearest = states.iter().min_by(|a, b| far(a).total_cmp(&far(b)));
+        let places = nearest.map_or(&[][..], |state| state.1);
         let wheel_load = places
             .first()
             .map_or(0.0, |(feedback, _)| feedback.steady().normal_force);
         Error::unless_positive("wheel load", wheel_load, "N")?;
+        let depths = places.iter();
+        let depths = depths.map(|(feedback, weight)| weight * feedback.mean_wear().depth);
         Ok(Self {
             name: name.to_owned(),
             share,
             wheel_load,
-            growth: MeanGrowth::compute(places, &band_lines(bands), &speeds),
+            growth: MeanGrowth::between(states, &band_lines(bands), &speeds),
+            wear_depth: depths.sum(),
             speeds,
             course: None,
         })
@@ -76,6 +100,79 @@ impl VehicleGrowth {
     /// Speeds at which narrow lines are looked for; more of them blur what is narrow.
     pub const FEW: usize = 3;
 
+    /// One vehicle of several of its wheels, loads or states, each with its share in the passages of the vehicle; shares are
+    /// scaled to sum to one. One part alone is the vehicle itself.
+    ///
+    /// Rates and depths of wear are the means by share: exponents of passages add, whichever wheel they are of. The force per
+    /// amplitude is, line by line, that of the part which parts from the rail first.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] without parts and for shares that are not above zero.
+    pub fn of_parts(
+        name: &str,
+        share: f64,
+        speeds: SpeedDistribution,
+        mut parts: Vec<(f64, Self)>,
+    ) -> Result<Self, Error> {
+        let sum: f64 = parts.iter().map(|part| part.0).sum();
+        Error::unless_positive("sum of the shares of the parts of a vehicle", sum, "")?;
+        for (part, _) in &mut parts {
+            Error::unless_positive("share of a part of a vehicle", *part, "")?;
+            *part /= sum;
+        }
+        let mean_of = |value: &dyn Fn(&Self) -> f64| -> f64 {
+            parts.iter().map(|(part, it)| part * value(it)).sum()
+        };
+        let wheel_load = mean_of(&|it| it.wheel_load);
+        let lines = parts.first().map_or(0, |part| part.1.growth.rates.len());
+        let force = |line: usize| {
+            let ratios = parts
+                .iter()
+                .map(|(_, it)| it.growth.squared_force_per_amplitude[line] / it.wheel_load.powi(2));
+            ratios.fold(0.0, f64::max) * wheel_load.powi(2)
+        };
+        let growth = MeanGrowth {
+            rates: (0..lines)
+                .map(|line| mean_of(&|it| it.growth.rates[line]))
+                .collect(),
+            squared_force_per_amplitude: (0..lines).map(force).collect(),
+            rate_error: mean_of(&|it| it.growth.rate_error),
+            speeds: parts.iter().map(|part| part.1.growth.speeds).sum(),
+        };
+        let wear_depth = mean_of(&|it| it.wear_depth);
+        if let [(_, alone)] = &mut parts[..] {
+            return Ok(Self {
+                name: name.to_owned(),
+                share,
+                speeds,
+                ..alone.clone()
+            });
+        }
+        Ok(Self {
+            name: name.to_owned(),
+            share,
+            wheel_load,
+            speeds,
+            growth,
+            course: None,
+            wear_depth,
+        })
+    }
+
+    /// The vehicle where its contacts cover the line under study in a share of its passages \[-\], from 0 to 1, and run beside
+    /// it in the others, which leave the line as it is.
+    #[must_use]
+    pub fn covering(mut self, share: f64) -> Self {
+        let course = self.course.iter_mut();
+        let course = course.flat_map(|course| &mut course.rates);
+        for rate in self.growth.rates.iter_mut().chain(course) {
+            *rate *= share;
+        }
+        self.growth.rate_error *= share;
+        self.wear_depth *= share;
+        self
+    }
+
     /// The vehicle with traction on a share of its axles \[-\] from 0 to 1, while the others roll free.
     ///
     /// An axle that rolls free leaves the profile as it is to first order: e₁ = ξ₀Q₁ + Q₀ξ₁, and both ξ₀ and Q₀
@@ -84,7 +181,7 @@ impl VehicleGrowth {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] for a share outside 0–1.
-    pub fn with_traction_on(mut self, share: f64) -> Result<Self, Error> {
+    pub fn with_traction_on(self, share: f64) -> Result<Self, Error> {
         if !(0.0..=1.0).contains(&share) {
             return Err(Error::OutOfRange {
                 quantity: "share of axles under traction",
@@ -93,15 +190,7 @@ impl VehicleGrowth {
                 rule: "must be between 0 and 1",
             });
         }
-        for rate in &mut self.growth.rates {
-            *rate *= share;
-        }
-        self.growth.rate_error *= share;
-        let course = self.course.iter_mut();
-        for rate in course.flat_map(|course| &mut course.rates) {
-            *rate *= share;
-        }
-        Ok(self)
+        Ok(self.covering(share))
     }
 
     /// Mass of an axle \[kg\], two wheels.
@@ -122,6 +211,8 @@ pub struct TrafficGrowth {
     bands: Vec<ThirdOctave>,
     vehicles: Vec<VehicleGrowth>,
     rates: Vec<f64>,
+    /// Bands, by their places, that grow as they were measured to.
+    measured: Vec<usize>,
 }
 
 impl TrafficGrowth {
@@ -173,6 +264,7 @@ impl TrafficGrowth {
             rates: (0..lines).map(rate).collect(),
             bands,
             vehicles,
+            measured: Vec::new(),
         })
     }
 
@@ -185,6 +277,7 @@ impl TrafficGrowth {
             };
             let rate = change * std::f64::consts::LN_10 / 20.0 / passages;
             self.rates[lines_of(place)].fill(rate);
+            self.measured.push(place);
             for vehicle in &mut self.vehicles {
                 vehicle.growth.rates[lines_of(place)].fill(rate);
                 // What was measured does not tell lines apart.
@@ -257,10 +350,24 @@ impl TrafficGrowth {
         self.lines(band).iter().map(|rate| rate.max(0.0))
     }
 
+    /// Whether the rates of a band, by its place, are those of the loop and not measured ones.
+    pub(super) fn is_of_loop(&self, band: usize) -> bool {
+        !self.measured.contains(&band)
+    }
+
     /// Mean growth rate of the amplitude per axle passage in a band \[-\], by its place among the bands: that
     /// of the RMS of a band whose energy is spread evenly.
     pub fn band_rate(&self, band: usize) -> f64 {
         mean(self.lines(band))
+    }
+
+    /// Mean wear of the rail under the mix.
+    pub fn mean_wear(&self) -> MeanWear {
+        let depths = self.vehicles.iter().map(|v| v.share * v.wear_depth);
+        MeanWear {
+            depth: depths.sum(),
+            axle_mass: self.axle_mass(),
+        }
     }
 
     /// Mean mass of an axle \[kg\].

@@ -465,7 +465,11 @@ fn responses_join_full_slip() {
             wave.force[0] / steady.forces.magnitude(),
             wave.at_rail(0.0) / energy,
         ];
-        println!("{:.5} {:.4?}", steady.tractive_ratio(), now.map(|value| (value.re, value.im)));
+        println!(
+            "{:.5} {:.4?}",
+            steady.tractive_ratio(),
+            now.map(|value| (value.re, value.im))
+        );
         if let Some(before) = before {
             for (one, other) in before.iter().zip(now) {
                 assert!((one - other).norm() < 0.1, "{creepage} {one} {other}");

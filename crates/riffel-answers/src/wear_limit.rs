@@ -1,0 +1,24 @@
+//! Mean wear beside a growth rate, and how far that rate can last.
+
+use riffel::MeanWear;
+use serde::Serialize;
+
+/// What every document that tells a growth rate tells beside it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct WearLimitDocument {
+    /// Mean depth worn off the rail under 100 million gross tonnes.
+    pub mean_wear_mm_per_100_mgt: f64,
+    /// Amplitude beyond which the rate cannot last, for the oscillating part of the wear would exceed its mean; null where
+    /// nothing grows.
+    pub amplitude_limit_m: Option<f64>,
+}
+
+impl WearLimitDocument {
+    /// Of a growth rate per passage, the fastest of a document.
+    pub fn new(wear: MeanWear, growth_rate: Option<f64>) -> Self {
+        Self {
+            mean_wear_mm_per_100_mgt: 1e3 * wear.depth_per_100_mgt(),
+            amplitude_limit_m: growth_rate.and_then(|rate| wear.amplitude_limit(rate)),
+        }
+    }
+}

@@ -1,0 +1,188 @@
+//! A value that is spread over the wheels of a vehicle, as written.
+
+use std::borrow::Cow;
+use std::fmt;
+use std::marker::PhantomData;
+
+use riffel::forecast::Distribution;
+use riffel_keys::quantity::{Dimension, Quantity, Ratio};
+use riffel_keys::{CaseError, KeyFile};
+use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
+use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
+use serde::{Deserialize, Deserializer, Serialize, de};
+
+use super::mix::sums_to_one;
+
+/// A value that is spread over the wheels of a vehicle: normal, even between two ends, or some values with their shares.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+#[serde(untagged, bound = "D: Dimension")]
+pub enum Spread<D: Dimension> {
+    /// A table of `mean` and `standard_deviation`, or of `min` and `max`.
+    Ends(SpreadEnds<D>),
+    /// Values with their shares.
+    Shares(Vec<ValueShare<D>>),
+}
+
+/// A normal distribution, or an even one.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, bound = "D: Dimension")]
+pub struct SpreadEnds<D: Dimension> {
+    /// Mean.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub mean: Option<Quantity<D>>,
+    /// Standard deviation.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub standard_deviation: Option<Quantity<D>>,
+    /// Lowest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub min: Option<Quantity<D>>,
+    /// Highest.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub max: Option<Quantity<D>>,
+}
+
+/// One value of several.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[serde(deny_unknown_fields, bound = "D: Dimension")]
+pub struct ValueShare<D: Dimension> {
+    /// The value.
+    pub value: Quantity<D>,
+    /// Its share of the passages of the vehicle.
+    pub share: Quantity<Ratio>,
+}
+
+impl<'de, D: Dimension> Deserialize<'de> for Spread<D> {
+    fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
+        struct Visitor<D>(PhantomData<fn() -> D>);
+
+        impl<'de, D: Dimension> de::Visitor<'de> for Visitor<D> {
+            type Value = Spread<D>;
+
+            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+                f.write_str(
+                    "{ mean, standard_deviation }, { min, max } or a list of { value, share }",
+                )
+            }
+
+            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
+                SpreadEnds::deserialize(MapAccessDeserializer::new(map)).map(Spread::Ends)
+            }
+
+            fn visit_seq<A: de::SeqAccess<'de>>(self, seq: A) -> Result<Self::Value, A::Error> {
+                Vec::deserialize(SeqAccessDeserializer::new(seq)).map(Spread::Shares)
+            }
+        }
+
+        deserializer.deserialize_any(Visitor(PhantomData))
+    }
+}
+
+impl<D: Dimension> JsonSchema for Spread<D> {
+    fn inline_schema() -> bool {
+        true
+    }
+
+    fn schema_name() -> Cow<'static, str> {
+        Cow::Borrowed("spread")
+    }
+
+    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+        let value = Quantity::<D>::json_schema(generator);
+        let share = Quantity::<Ratio>::json_schema(generator);
+        json_schema!({ "oneOf": [
+            {
+                "type": "object",
+                "properties": { "mean": value, "standard_deviation": value },
+                "required": ["mean", "standard_deviation"],
+                "additionalProperties": false
+            },
+            {
+                "type": "object",
+                "properties": { "min": value, "max": value },
+                "required": ["min", "max"],
+                "additionalProperties": false
+            },
+            {
+                "type": "array",
+                "items": {
+                    "type": "object",
+                    "properties": { "value": value, "share": share },
+                    "required": ["value", "share"],
+                    "additionalProperties": false
+                }
+            }
+        ] })
+    }
+}
+
+/// What the values of a distribution may be.
+#[derive(Clone, Copy)]
+pub(super) enum Values {
+    /// Any.
+    Any,
+    /// Above zero, four standard deviations below the mean as well.
+    Positive,
+}
+
+impl<D: Dimension> Spread<D> {
+    /// The distribution of a key of the traffic file.
+    ///
+    /// # Errors
+    /// [`CaseError`] with key, value and rule.
+    pub(super) fn distribution(
+        &self,
+        source: &KeyFile,
+        key: &str,
+        values: Values,
+    ) -> Result<Distribution, CaseError> {
+        let refused = |error: riffel::Error| source.invalid(key, &error.to_string(), "");
+        let distribution = match self {
+            Self::Shares(list) => {
+                if list.is_empty() {
+                    let help = "give one { value, share } or more";
+                    return Err(source.invalid(key, "is an empty list", help));
+                }
+                sums_to_one(source, key, list.iter().map(|entry| entry.share.si()))?;
+                let list: Vec<(f64, f64)> = list
+                    .iter()
+                    .map(|entry| (entry.value.si(), entry.share.si()))
+                    .collect();
+                Distribution::shares(&list)
+            }
+            Self::Ends(SpreadEnds {
+                mean: Some(mean),
+                standard_deviation: Some(deviation),
+                min: None,
+                max: None,
+            }) => Distribution::normal(mean.si(), deviation.si()),
+            Self::Ends(SpreadEnds {
+                mean: None,
+                standard_deviation: None,
+                min: Some(min),
+                max: Some(max),
+            }) => Distribution::even(min.si(), max.si()),
+            Self::Ends(_) => {
+                let rule = "is neither { mean, standard_deviation } nor { min, max }";
+                return Err(source.invalid(key, rule, "give both keys of one of the two"));
+            }
+        };
+        let distribution = distribution.map_err(refused)?;
+        let lowest = distribution.lowest();
+        match values {
+            Values::Positive if lowest <= 0.0 => {
+                let rule = format!(
+                    "goes down to {}, but every value must be greater than zero",
+                    Quantity::<D>::new(lowest)
+                );
+                let help = match distribution {
+                    Distribution::Normal { .. } => {
+                        "the standard deviation must be less than a quarter of the mean"
+                    }
+                    _ => "",
+                };
+                Err(source.invalid(key, &rule, help))
+            }
+            _ => Ok(distribution),
+        }
+    }
+}

@@ -1,0 +1,422 @@
+//! The wheels of a vehicle on a case, as loops: one, or all of a curve, for every part of its spreads.
+
+use std::sync::Arc;
+
+use rayon::prelude::*;
+use riffel::Loop;
+use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth, band_lines};
+use riffel::roughness::ThirdOctave;
+use riffel_keys::{CaseError, Message};
+
+use super::on_case::{WheelOnCase, settings_of, window};
+use super::spreads::{Spreads, Values3};
+use super::through_curve::{OF_VEHICLE, ThroughCurve};
+use super::{CurveOfVehicle, SpreadEffect, Traffic, TrafficOnCase};
+use crate::kept_state::KeptState;
+use crate::setting::Setting;
+use crate::{Case, Hold, Variant};
+
+/// Change of the growth rates between two rules of quadrature, relative to the largest, at which the coarser is taken.
+const TOLERANCE: f64 = 5e-3;
+/// Standard deviations of the speed from its mean at which a vehicle is balanced in its curve: between them rates are
+/// interpolated.
+const BALANCED_AT: [f64; 7] = [-4.0, -2.0, -1.0, 0.0, 1.0, 2.0, 4.0];
+
+/// One wheel with its share in the passages of the vehicle.
+pub(super) struct WheelOfVehicle {
+    share: f64,
+    /// Its loops with the weights of their places, at some speeds \[m/s\].
+    states: Vec<(f64, Vec<(Loop, f64)>)>,
+    speeds: SpeedDistribution,
+    /// Share of its passages that cover the line under study; none where all do.
+    covering: Option<f64>,
+}
+
+/// All wheels of a vehicle with the values of one part of them.
+#[derive(Default)]
+pub(super) struct WheelsOfVehicle {
+    wheels: Vec<WheelOfVehicle>,
+    pub(super) held: Option<Hold>,
+    pub(super) remarks: Vec<Message>,
+}
+
+/// What is asked of a vehicle.
+#[derive(Clone, Copy)]
+pub(super) struct Asked<'a> {
+    pub(super) traffic: &'a Traffic,
+    pub(super) index: usize,
+    pub(super) case: &'a Case,
+    pub(super) lines: &'a [f64],
+    pub(super) variant: &'a Variant,
+    /// In place of its speeds and of those of the variant.
+    pub(super) speeds: Option<&'a SpeedDistribution>,
+}
+
+impl Asked<'_> {
+    fn spreads(&self) -> &Spreads {
+        &self.traffic.spreads[self.index]
+    }
+
+    fn name(&self) -> &str {
+        &self.traffic.file.vehicle[self.index].name
+    }
+
+    fn key(&self, key: &str) -> String {
+        format!("vehicle[{}]{key}", self.index)
+    }
+
+    fn refuse(&self, key: &str, message: &str) -> CaseError {
+        self.traffic.source.refuse(&self.key(key), message)
+    }
+
+    /// Its wheels with some values.
+    fn wheels(&self, values: Values3) -> Result<WheelsOfVehicle, CaseError> {
+        let (traffic, variant) = (self.traffic, self.variant);
+        if self.spreads().lateral_position.is_some() && self.case.file.wear.band_width.is_some() {
+            let message = format!(
+                "`{}` and wear.band_width of the case exclude each other; give one of the two",
+                self.key(".lateral_position")
+            );
+            return Err(self.refuse(".lateral_position", &message));
+        }
+        if let Some(through) = traffic.through_curve(self.index, self.case, variant, values)? {
+            return self.wheels_through(&through, values);
+        }
+        let WheelOnCase {
+            wheel,
+            speeds,
+            held,
+        } = traffic.wheel_on(self.index, self.case, self.lines, variant, values)?;
+        let speeds = self.speeds.cloned().unwrap_or(speeds);
+        self.check_frequencies(&wheel, &speeds)?;
+        let remarks = remarks_of(&wheel);
+        Ok(WheelsOfVehicle {
+            wheels: vec![WheelOfVehicle {
+                share: 1.0,
+                states: vec![(speeds.mean(), wheel.places())],
+                covering: self.spreads().covering(wheel.hertz.semi_axis_lateral()),
+                speeds,
+            }],
+            held: held.map(|held: KeptState| held.hold),
+            remarks,
+        })
+    }
+
+    fn check_frequencies(&self, wheel: &Case, speeds: &SpeedDistribution) -> Result<(), CaseError> {
+        let (lowest, highest) = speeds.range();
+        let (shortest, longest) = (self.lines[0], self.lines[self.lines.len() - 1]);
+        wheel.check_frequencies(lowest / longest, highest / shortest)
+    }
+
+    /// Every wheel on the rail under study, at every speed at which the vehicle is balanced.
+    fn wheels_through(
+        &self,
+        through: &ThroughCurve,
+        values: Values3,
+    ) -> Result<WheelsOfVehicle, CaseError> {
+        let own = &self.traffic.speeds[self.index];
+        let speeds = match self.speeds {
+            Some(speeds) => speeds.clone(),
+            None => self.variant.speed.apply(own).map_err(|error| {
+                self.refuse("", &format!("vehicle \"{}\": {error}", self.name()))
+            })?,
+        };
+        let window = window(self.lines, &speeds);
+        // Load and radius go into the bogie.
+        let values = Values3 {
+            load: None,
+            ..values
+        };
+        let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
+        // What belongs to the vehicle of another file is set there.
+        let of_file = matches!(
+            self.traffic.file.vehicle[self.index].curve,
+            Some(CurveOfVehicle::File(_))
+        );
+        let of_case = |(key, _): &Setting| {
+            !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)))
+        };
+        let own = own.map(|(_, setting)| setting).chain(values.settings());
+        let own: Vec<Setting> = own.filter(of_case).collect();
+        let of_variant = self
+            .variant
+            .settings
+            .iter()
+            .filter(|setting| of_case(setting));
+        let of_variant: Vec<Setting> = of_variant.cloned().collect();
+        let sets = [&own[..], &of_variant, &window];
+        let balanced: Vec<f64> = match speeds.listed() {
+            Some(listed) => listed.iter().map(|speed| speed.0).collect(),
+            None => {
+                let at = |z: f64| speeds.mean() + z * speeds.deviation();
+                BALANCED_AT.into_iter().map(at).collect()
+            }
+        };
+        let at_speed = |&speed: &f64| -> Result<Vec<Case>, CaseError> {
+            let equilibrium = through
+                .at(speed)
+                .map_err(|error| self.at_speed(speed, &error))?;
+            let equilibrium = Arc::new(equilibrium);
+            let wheels = 1..=through.wheelsets();
+            let wheels = wheels.map(|wheelset| {
+                let wheel = self.case.on_wheelset(&equilibrium, wheelset, &sets);
+                wheel.map_err(|error| self.at_speed(speed, &error))
+            });
+            wheels.collect()
+        };
+        let cases: Result<Vec<Vec<Case>>, CaseError> = balanced.par_iter().map(at_speed).collect();
+        let cases = cases?;
+        let first = &cases[balanced.len() / 2];
+        for wheel in first {
+            self.check_frequencies(wheel, &speeds)?;
+        }
+        let remarks = remarks_of(&first[0]);
+        let share = (through.wheelsets() as f64).recip();
+        let covering = |wheel: &Case| self.spreads().covering(wheel.hertz.semi_axis_lateral());
+        let mut wheels = Vec::new();
+        for wheelset in 0..through.wheelsets() {
+            let at = balanced.iter().zip(&cases);
+            let at = at.map(|(speed, cases)| (*speed, &cases[wheelset]));
+            match speeds.listed() {
+                Some(listed) => wheels.extend(at.zip(listed).map(|((speed, wheel), listed)| {
+                    WheelOfVehicle {
+                        share: share * listed.1,
+                        states: vec![(speed, wheel.places())],
+                        // A speed of a distribution is one.
+                        speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
+                        covering: covering(wheel),
+                    }
+                })),
+                None => wheels.push(WheelOfVehicle {
+                    share,
+                    states: at.map(|(speed, wheel)| (speed, wheel.places())).collect(),
+                    speeds: speeds.clone(),
+                    covering: covering(&first[wheelset]),
+                }),
+            }
+        }
+        Ok(WheelsOfVehicle {
+            wheels,
+            held: None,
+            remarks,
+        })
+    }
+
+    fn at_speed(&self, speed: f64, error: &CaseError) -> CaseError {
+        let message = format!(
+            "vehicle \"{}\" at {:.1} km/h: {error}",
+            self.name(),
+            3.6 * speed
+        );
+        self.refuse(".curve", &message)
+    }
+
+    /// The wheels of all parts, by a rule of quadrature for each spread, each with the share of its part.
+    fn parts(&self, rules: [Option<usize>; 3]) -> Result<Vec<(f64, WheelsOfVehicle)>, CaseError> {
+        let parts = self.spreads().parts(rules);
+        let parts = parts.into_par_iter();
+        parts
+            .map(|(share, values)| Ok((share, self.wheels(values)?)))
+            .collect()
+    }
+
+    /// Growth under some parts.
+    fn growth(
+        &self,
+        parts: &[(f64, WheelsOfVehicle)],
+        bands: &[ThirdOctave],
+    ) -> Result<VehicleGrowth, CaseError> {
+        let vehicle = &self.traffic.file.vehicle[self.index];
+        let (name, share) = (&vehicle.name, vehicle.share.si());
+        let refused = |error: riffel::Error| self.refuse("", &error.to_string());
+        let mut growths = Vec::new();
+        for (part, it) in parts {
+            for wheel in &it.wheels {
+                let states = wheel.states.iter();
+                let states: Vec<_> = states.map(|(at, places)| (*at, &places[..])).collect();
+                let growth =
+                    VehicleGrowth::between(name, share, &states, bands, wheel.speeds.clone());
+                let mut growth = growth.map_err(refused)?;
+                if let ([_], [_], [(_, places)]) = (parts, &it.wheels[..], &wheel.states[..])
+                    && let Some(window) = self.case.growth_window()
+                {
+                    growth = growth.with_course(places, window);
+                }
+                let growth = match wheel.covering {
+                    Some(covering) => growth.covering(covering),
+                    None => growth,
+                };
+                growths.push((part * wheel.share, growth));
+            }
+        }
+        let speeds = match self.speeds {
+            Some(speeds) => speeds.clone(),
+            None => self.speeds_of(parts),
+        };
+        VehicleGrowth::of_parts(name, share, speeds, growths).map_err(refused)
+    }
+
+    /// Of the vehicle as the variant has it.
+    fn speeds_of(&self, parts: &[(f64, WheelsOfVehicle)]) -> SpeedDistribution {
+        let own = &self.traffic.speeds[self.index];
+        match parts {
+            [(_, part)] if part.wheels.len() == 1 => part.wheels[0].speeds.clone(),
+            _ => self.variant.speed.apply(own).unwrap_or(own.clone()),
+        }
+    }
+
+    /// Growth under the vehicle with all its spreads: of every spread value the coarsest rule of Gauss that the next finer one
+    /// confirms, the others at their means; what is left is in the error.
+    pub(super) fn vehicle(
+        &self,
+        bands: &[ThirdOctave],
+    ) -> Result<(VehicleGrowth, WheelsOfVehicle), CaseError> {
+        let spread = self.spreads().spread_values();
+        let (rules, error) = self.rules(&spread, bands)?;
+        let mut parts = self.parts(rules)?;
+        let mut growth = self.growth(&parts, bands)?;
+        growth.growth.rate_error += error;
+        let middle = parts.len() / 2;
+        Ok((growth, parts.swap_remove(middle).1))
+    }
+
+    fn rules(
+        &self,
+        spread: &[usize],
+        bands: &[ThirdOctave],
+    ) -> Result<([Option<usize>; 3], f64), CaseError> {
+        let mut rules = [None; 3];
+        let mut errors = 0.0;
+        for &place in spread {
+            let along = |rule: usize| {
+                let mut rules = [None; 3];
+                rules[place] = Some(rule);
+                Ok::<_, CaseError>(self.growth(&self.parts(rules)?, bands)?.growth.rates)
+            };
+            if matches!(self.spreads().value(place), Some(Distribution::Shares(_))) {
+                rules[place] = Some(0);
+                continue;
+            }
+            let mut coarse = along(0)?;
+            for rule in 1..Distribution::RULES {
+                let finer = along(rule)?;
+                let changes = coarse.iter().zip(&finer).map(|(a, b)| (a - b).abs());
+                let change = changes.fold(0.0, f64::max);
+                let largest = finer.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+                rules[place] = Some(rule - 1);
+                if change <= TOLERANCE * largest || rule + 1 == Distribution::RULES {
+                    if change > TOLERANCE * largest {
+                        rules[place] = Some(rule);
+                    }
+                    errors += change;
+                    break;
+                }
+                coarse = finer;
+            }
+        }
+        Ok((rules, errors))
+    }
+
+    /// The fastest growth at wavelengths so fine that no line is missed at one speed.
+    fn fastest(&self, parts: &[(f64, WheelsOfVehicle)]) -> f64 {
+        /// Steps of 5e-4 of a wavelength: lines of wheelsets are 5e-3 wide and wider.
+        const STEP: f64 = 5e-4;
+        let (shortest, longest) = (self.lines[0], self.lines[self.lines.len() - 1]);
+        let steps = ((longest / shortest).ln() / STEP).ceil();
+        let fine: Vec<f64> = (0..=steps as usize)
+            .map(|step| shortest * (longest / shortest).powf(step as f64 / steps))
+            .collect();
+        let mut rates = vec![0.0; fine.len()];
+        let sum: f64 = parts.iter().map(|part| part.0).sum();
+        for (part, it) in parts {
+            for wheel in &it.wheels {
+                let states = wheel.states.iter();
+                let states: Vec<_> = states.map(|(at, places)| (*at, &places[..])).collect();
+                let growth = MeanGrowth::between(&states, &fine, &wheel.speeds);
+                let share = part / sum * wheel.share * wheel.covering.unwrap_or(1.0);
+                rates
+                    .iter_mut()
+                    .zip(growth.rates)
+                    .for_each(|(sum, rate)| *sum += share * rate);
+            }
+        }
+        rates.into_iter().fold(f64::NEG_INFINITY, f64::max)
+    }
+}
+
+/// That a preset of the case changes nothing for a vehicle with values of its own is no news.
+fn remarks_of(wheel: &Case) -> Vec<Message> {
+    let presets = &wheel.keys.text.remarks;
+    let remarks = wheel.remarks.iter().cloned();
+    remarks.filter(|remark| !presets.contains(remark)).collect()
+}
+
+impl Traffic {
+    /// What each spread does to the growth under its vehicle, the vehicles in their order: the fastest growth with every wheel at
+    /// the mean of this spread over that with all of them.
+    ///
+    /// Cost: that of [`on`](Self::on) for each spread.
+    ///
+    /// # Errors
+    /// As [`on`](Self::on).
+    pub fn spread_effects(
+        &self,
+        case: &Case,
+        bands: &[ThirdOctave],
+        on: &TrafficOnCase,
+    ) -> Result<Vec<SpreadEffect>, CaseError> {
+        let lines = band_lines(bands);
+        let variant = Variant::none("");
+        let mut effects = Vec::new();
+        for (index, vehicle) in self.file.vehicle.iter().enumerate() {
+            let asked = Asked {
+                traffic: self,
+                index,
+                case,
+                lines: &lines,
+                variant: &variant,
+                speeds: None,
+            };
+            let rates = &on.growth.vehicles()[index].growth.rates;
+            let with = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+            let traction = vehicle.traction_share.map_or(1.0, |share| share.si());
+            let mut tell = |what: &'static str, without: f64| {
+                effects.push(SpreadEffect {
+                    vehicle: vehicle.name.clone(),
+                    what,
+                    reduction: (with > 0.0).then(|| traction * without / with),
+                });
+            };
+            let spread = asked.spreads().spread_values();
+            let (rules, _) = asked.rules(&spread, bands)?;
+            let speeds = &self.speeds[index];
+            if speeds.deviation() > 0.0
+                && let Ok(mean) = SpeedDistribution::single(speeds.mean())
+            {
+                let at_mean = Asked {
+                    speeds: Some(&mean),
+                    ..asked
+                };
+                tell("speed", asked.fastest(&at_mean.parts(rules)?));
+            }
+            for &place in &spread {
+                let mut others = rules;
+                others[place] = None;
+                let growth = asked.growth(&asked.parts(others)?, bands)?;
+                let rates = growth.growth.rates.into_iter();
+                tell(
+                    Spreads::VALUES[place],
+                    rates.fold(f64::NEG_INFINITY, f64::max),
+                );
+            }
+            if asked.spreads().lateral_position.is_some() {
+                let mut parts = asked.parts(rules)?;
+                let wheels = parts.iter_mut().flat_map(|part| &mut part.1.wheels);
+                wheels.for_each(|wheel| wheel.covering = None);
+                let rates = asked.growth(&parts, bands)?.growth.rates.into_iter();
+                tell("lateral_position", rates.fold(f64::NEG_INFINITY, f64::max));
+            }
+        }
+        Ok(effects)
+    }
+}

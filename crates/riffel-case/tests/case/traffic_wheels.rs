@@ -1,0 +1,270 @@
+//! Vehicles that bring all their wheels, and what is spread over them.
+
+use riffel::forecast::{MeanGrowth, SpeedDistribution};
+use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
+use riffel_case::{Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
+use riffel_keys::CaseError;
+
+/// Closed laws: the bogie by Shen, Hedrick & Elkins, the loop by Polach.
+fn curve(keys: &[&str]) -> Case {
+    let law = ["contact.creep_law=polach", "map.wavelength=40-80 mm"];
+    let keys = law.iter().chain(keys).map(|key| (*key).to_owned());
+    Case::parse("curve.toml", METRO_CURVE_CASE, &keys.collect::<Vec<_>>()).unwrap()
+}
+
+fn nominal(keys: &[&str]) -> Case {
+    let keys: Vec<String> = keys.iter().map(|key| (*key).to_owned()).collect();
+    Case::parse("case.toml", NOMINAL_CASE, &keys).unwrap()
+}
+
+fn on(case: &Case, vehicle: &str) -> Result<TrafficOnCase, CaseError> {
+    let text = format!("[[vehicle]]\nname = \"unit\"\nshare = 1\n{vehicle}\n");
+    let traffic = Traffic::parse("t.toml", &text)?;
+    traffic.on(case, &bands_of(case), &Variant::none(""), &|_| {})
+}
+
+fn refusal(case: &Case, vehicle: &str) -> String {
+    on(case, vehicle).map(|_| ()).unwrap_err().to_string()
+}
+
+/// Growth and wear of a bogie are the means of its wheelsets, each asked for by its keys, at each speed on its own equilibrium.
+#[test]
+fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
+    let speeds = [(40.0 / 3.6, 0.25), (50.0 / 3.6, 0.75)];
+    let listed = speeds.map(|(speed, share)| format!("{{ speed = {speed:?}, share = {share} }}"));
+    let all = on(
+        &curve(&[]),
+        &format!("curve = true\nspeeds = [{}]", listed.join(", ")),
+    )?;
+    let lines = all.growth.rates().len();
+    let (mut expected, mut depth) = (vec![0.0; lines], 0.0);
+    for (speed, share) in speeds {
+        for wheelset in [1, 2] {
+            let keys = [
+                format!("curve.speed={speed:?}"),
+                format!("contact.from.wheelset={wheelset}"),
+            ];
+            let alone = on(
+                &curve(&keys.each_ref().map(String::as_str)),
+                &format!("speeds = [{{ speed = {speed:?}, share = 1 }}]"),
+            )?;
+            let part = 0.5 * share;
+            depth += part * alone.growth.mean_wear().depth;
+            for (sum, rate) in expected.iter_mut().zip(alone.growth.rates()) {
+                *sum += part * rate;
+            }
+        }
+    }
+    let largest = expected.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+    for (got, expected) in all.growth.rates().iter().zip(&expected) {
+        assert!(
+            (got - expected).abs() <= 1e-12 * largest,
+            "{got:e} {expected:e}"
+        );
+    }
+    assert!((all.growth.mean_wear().depth / depth - 1.0).abs() < 1e-12);
+    Ok(())
+}
+
+/// Between the speeds at which the bogie is balanced rates are interpolated: to 2 % of the largest beside balancing it at each of
+/// the nodes of a distribution. Cause: second order in two standard deviations of the tails.
+#[test]
+fn speeds_of_a_distribution_take_the_states_between() -> Result<(), CaseError> {
+    let normal = on(
+        &curve(&[]),
+        "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }",
+    )?;
+    let nodes = SpeedDistribution::normal(12.5, 1.0).unwrap().nodes();
+    let listed = nodes
+        .iter()
+        .map(|(v, share)| format!("{{ speed = {v:?}, share = {share:?} }}"));
+    let listed = listed.collect::<Vec<_>>().join(", ");
+    let listed = on(&curve(&[]), &format!("curve = true\nspeeds = [{listed}]"))?;
+    let largest = listed
+        .growth
+        .rates()
+        .iter()
+        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    for (one, other) in normal.growth.rates().iter().zip(listed.growth.rates()) {
+        assert!((one - other).abs() < 0.02 * largest, "{one:e} {other:e}");
+    }
+    Ok(())
+}
+
+/// One wheel without spread has the rates of the loop, bit by bit.
+#[test]
+fn one_wheel_without_spread_is_the_loop() -> Result<(), CaseError> {
+    let case = nominal(&[]);
+    let found = on(&case, "speed = { mean = 30, standard_deviation = 2 }")?;
+    let speeds = SpeedDistribution::normal(30.0, 2.0).unwrap();
+    let loops = MeanGrowth::compute(&case.places(), &found.growth.wavelengths(), &speeds);
+    assert_eq!(found.growth.rates(), loops.rates);
+    assert_eq!(found.growth.mean_wear(), case.feedback.mean_wear());
+    Ok(())
+}
+
+/// Means over normal loads and even friction, against the mean over 400 draws of equal probability of each, which is right to
+/// 1e-4: to 1 % of the largest rate, which is the tolerance of the rule.
+#[test]
+fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
+    let case = nominal(&[]);
+    let speed = "speeds = [{ speed = 30, share = 1 }]";
+    let cases = [
+        (
+            "load = { mean = 50e3, standard_deviation = 5e3 }",
+            "wheel_load",
+            "normal",
+        ),
+        ("friction = { min = 0.2, max = 0.5 }", "friction", "even"),
+    ];
+    for (spread, key, kind) in cases {
+        let found = on(&case, &format!("{spread}\n{speed}"))?;
+        const DRAWS: usize = 400;
+        let mut mean = vec![0.0; found.growth.rates().len()];
+        for draw in 0..DRAWS {
+            let share = (draw as f64 + 0.5) / DRAWS as f64;
+            let value = match kind {
+                "normal" => 50e3 + 5e3 * quantile(share),
+                _ => 0.2 + 0.3 * share,
+            };
+            let set = match key {
+                "friction" => format!("set.contact.friction = {value:?}"),
+                key => format!("{key} = {value:?}"),
+            };
+            let one = on(&case, &format!("{set}\n{speed}"))?;
+            let rates = mean.iter_mut().zip(one.growth.rates());
+            rates.for_each(|(sum, rate)| *sum += rate / DRAWS as f64);
+        }
+        let largest = mean.iter().fold(0.0, |a: f64, b| a.max(b.abs()));
+        for (got, expected) in found.growth.rates().iter().zip(&mean) {
+            assert!(
+                (got - expected).abs() < 0.01 * largest,
+                "{key}: {got:e} {expected:e}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Of the standard normal distribution, by bisection on a series of its integral.
+fn quantile(share: f64) -> f64 {
+    let below = |z: f64| {
+        let (mut term, mut sum, mut n) = (z, z, 0.0);
+        while f64::abs(term) > 1e-15 {
+            n += 1.0;
+            term *= -z * z / (2.0 * n);
+            sum += term / (2.0 * n + 1.0);
+        }
+        0.5 + sum / std::f64::consts::TAU.sqrt()
+    };
+    let (mut low, mut high) = (-5.0, 5.0);
+    for _ in 0..60 {
+        let middle = 0.5 * (low + high);
+        match below(middle) < share {
+            true => low = middle,
+            false => high = middle,
+        }
+    }
+    low
+}
+
+/// Contacts that are spread across the rail cover the line in P(|y| ≤ b) of the passages; a band takes 2b/w.
+#[test]
+fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
+    let case = nominal(&[]);
+    let speed = "speeds = [{ speed = 30, share = 1 }]";
+    let on_line = on(&case, speed)?;
+    let b = case.hertz.semi_axis_lateral();
+    let ends = format!(
+        "lateral_position = {{ min = {:?}, max = {:?} }}",
+        -4.0 * b,
+        4.0 * b
+    );
+    let spread = on(&case, &format!("{ends}\n{speed}"))?;
+    let band = on(
+        &nominal(&[&format!("wear.band_width={:?}", 8.0 * b)]),
+        speed,
+    )?;
+    for other in [&spread, &band] {
+        for (rate, alone) in other.growth.rates().iter().zip(on_line.growth.rates()) {
+            assert!((rate / alone - 0.25).abs() < 1e-12, "{rate:e} {alone:e}");
+        }
+        let ratio = other.growth.mean_wear().depth / on_line.growth.mean_wear().depth;
+        assert!((ratio - 0.25).abs() < 1e-12);
+    }
+    let both = refusal(
+        &nominal(&["wear.band_width=40 mm"]),
+        &format!("{ends}\n{speed}"),
+    );
+    assert!(
+        both.contains("vehicle[0].lateral_position") && both.contains("wear.band_width"),
+        "{both}"
+    );
+    Ok(())
+}
+
+/// A spread of speed takes a line of growth down, and the others are told as well.
+#[test]
+fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
+    let case = nominal(&[]);
+    let text = "[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30, standard_deviation = 3 }\n\
+                friction = [{ value = 0.4, share = 0.5 }, { value = 0.1, share = 0.5 }]\n";
+    let traffic = Traffic::parse("t.toml", text)?;
+    let bands = bands_of(&case);
+    let on = traffic.on(&case, &bands, &Variant::none(""), &|_| {})?;
+    let effects = traffic.spread_effects(&case, &bands, &on)?;
+    let names: Vec<&str> = effects.iter().map(|effect| effect.what).collect();
+    assert_eq!(names, ["speed", "friction"]);
+    assert!(
+        effects[0].reduction.is_some_and(|factor| factor > 1.0),
+        "{effects:?}"
+    );
+    Ok(())
+}
+
+#[test]
+fn what_is_no_spread_is_refused_with_its_key() {
+    let case = nominal(&[]);
+    let speed = "speed = { mean = 30 }\n";
+    let cases = [
+        ("load = [{ value = 5e4, share = 0.5 }]", "vehicle[0].load"),
+        (
+            "load = { mean = 5e4, standard_deviation = 2e4 }",
+            "vehicle[0].load",
+        ),
+        ("load = { min = -5e4, max = 5e4 }", "vehicle[0].load"),
+        ("load = { mean = 5e4, max = 6e4 }", "vehicle[0].load"),
+        ("load = []", "vehicle[0].load"),
+        (
+            "load = { mean = 5e4, standard_deviation = 1e3 }\naxle_load = \"10 t\"",
+            "vehicle[0].load",
+        ),
+        ("friction = { min = 0.5, max = 0.3 }", "vehicle[0].friction"),
+        ("wheel_radius = \"0.4 m\"", "vehicle[0].wheel_radius"),
+        ("curve = true", "curve"),
+        ("curve = \"no-such-file.toml\"", "no-such-file.toml"),
+    ];
+    for (vehicle, key) in cases {
+        let message = refusal(&case, &format!("{vehicle}\n{speed}"));
+        assert!(message.contains(key), "{vehicle}: {message}");
+    }
+    let narrow = Case::parse("c.toml", NOMINAL_CASE, &["wear.band_width=2 mm".to_owned()]);
+    let narrow = narrow.map(|_| ()).unwrap_err().to_string();
+    assert!(
+        narrow.contains("wear.band_width") && narrow.contains("one contact"),
+        "{narrow}"
+    );
+}
+
+/// So fast that the bogie tips over: the speed is told.
+#[test]
+fn a_speed_without_equilibrium_is_told() {
+    let message = refusal(
+        &curve(&[]),
+        "curve = true\nspeeds = [{ speed = 12.5, share = 0.5 }, { speed = 60, share = 0.5 }]",
+    );
+    assert!(
+        message.contains("vehicle[0].curve") && message.contains("216.0 km/h"),
+        "{message}"
+    );
+}
