@@ -30,7 +30,7 @@ impl RollingTheories {
     /// All theories about the mean state of the case.
     ///
     /// # Errors
-    /// [`CaseError`] near full slip where a response is asked for, for a grid of the contact that is too coarse, or where
+    /// [`CaseError`] near full slip where a tractive ratio is asked for, for a grid of the contact that is too coarse, or where
     /// the exact theory does not converge.
     pub fn new(contact: CaseContact) -> Result<Self, CaseError> {
         let (hertz, friction) = (contact.hertz, contact.friction());
@@ -41,7 +41,7 @@ impl RollingTheories {
         }
         let half_space = contact.half_space()?;
         let state = contact.exact(&half_space)?;
-        if !vector || contact.is_non_steady() {
+        if !vector {
             slope_at(&contact, half_space.steady(&state).tractive_ratio())?;
         }
         let laws = contact.creep_laws()?;
@@ -69,7 +69,10 @@ impl RollingTheories {
     /// # Errors
     /// [`CaseError`] near full slip.
     pub fn check_slope(&self) -> Result<(), CaseError> {
-        slope_at(&self.contact, self.exact_tractive_ratio())
+        match self.along_rail() {
+            true => slope_at(&self.contact, self.exact_tractive_ratio()),
+            false => Ok(()),
+        }
     }
 
     /// |Q|/μP of the mean state by the exact theory.

@@ -287,20 +287,6 @@ impl CheckedKeys {
     ) -> Result<Arc<dyn RollingContact>, CaseError> {
         let contact = self.half_space_of(hertz, friction)?;
         let state = self.exact_state(&contact, mean)?;
-        let ratio = contact.steady(&state).tractive_ratio();
-        let largest = HalfSpace::LARGEST_TRACTIVE_RATIO;
-        if let MeanState::Creepages(creepages) = mean
-            && ratio > largest
-        {
-            return Err(self.out_of_range(
-                mean_key(mean),
-                creepages.magnitude(),
-                &format!(
-                    "so small that the tractive ratio, here {ratio:.4}, is at most {largest}: nearer to full \
-                     slip there is no slope"
-                ),
-            ));
-        }
         if self.file.contact.response != ContactDynamics::NonSteady {
             let slow = QuasiStaticHalfSpace::new(&contact, &state);
             let slow = self.physics("contact", slow)?;

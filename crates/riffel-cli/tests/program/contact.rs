@@ -177,11 +177,6 @@ fn non_steady_contacts_refuse_bad_input() {
     for (command, arguments, words) in [
         (
             "map",
-            "--set contact.creepage=2% -o out",
-            "but must be so small that the tractive ratio",
-        ),
-        (
-            "map",
             "--set contact.tractive_ratio=0.995 -o out",
             "nearer to full slip there is no slope",
         ),
