@@ -15,7 +15,7 @@ const ROUGHEST: f64 = 0.01;
 /// Smoothest that the roughest block of a survey can be \[m\]: a tenth of what rails have that were polished for noise.
 const SMOOTHEST: f64 = 1e-7;
 /// Farthest place \[m\].
-const FARTHEST: f64 = 1e8;
+pub(crate) const FARTHEST: f64 = 1e8;
 /// By how much blocks may overlap that join on \[m\]: places are rounded.
 const ROUNDING: f64 = 1e-3;
 

@@ -287,3 +287,55 @@ fn foreign_files_are_not_replaced_by_single_files() {
     let outcome = sandbox.riffel("report cases/nominal.toml -o mine.txt");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
 }
+
+/// Two chapters that make one record meet in one folder; another file of that name stays.
+#[test]
+fn the_same_file_is_made_twice() {
+    let sandbox = Sandbox::new();
+    let make = "roughness --synthesise -o profile.csv";
+    for _ in 0..2 {
+        let outcome = sandbox.riffel(make);
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    }
+    fs::write(sandbox.path("profile.csv"), "precious").unwrap();
+    let outcome = sandbox.riffel(make);
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let there = fs::read_to_string(sandbox.path("profile.csv")).unwrap();
+    assert_eq!(there, "precious");
+}
+
+/// Names of rails come from files of others: what commands a terminal is written out, and what a spreadsheet would compute is text.
+#[test]
+fn names_command_neither_terminals_nor_spreadsheets() {
+    let sandbox = Sandbox::new();
+    let wave = |n: i32| 3.0 * (0.4 * f64::from(n)).sin() + 0.5 * (0.071 * f64::from(n)).sin();
+    let rows = (0..6000).map(|n| {
+        format!(
+            "{:.3},{:.4},{:.4}\n",
+            0.005 * f64::from(n),
+            wave(n),
+            wave(n + 7)
+        )
+    });
+    let head = "position [m],=1+cmd|' /C calc'!A0 [um],\u{1b}]0;owned\u{7}\u{9b}left [um]\n";
+    let text = format!("{head}{}", rows.collect::<String>());
+    fs::write(sandbox.path("rails.csv"), text).unwrap();
+    let outcome = sandbox.riffel("roughness rails.csv -o out");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let json = sandbox.riffel("roughness rails.csv --json").text;
+    for said in [&outcome.text, &json] {
+        let commands = |c: char| c.is_control() && c != '\n';
+        assert!(
+            !said.contains(commands) && said.contains("owned"),
+            "{said:?}"
+        );
+    }
+    let document: serde_json::Value =
+        serde_json::from_str(&json[..=json.rfind('}').unwrap()]).unwrap();
+    assert!(document["rails"].to_string().contains("\u{9b}left"));
+    for table in ["spectrum.csv", "blocks.csv"] {
+        let text = fs::read_to_string(sandbox.path("out").join(table)).unwrap();
+        assert!(text.contains("\n'=1+cmd"), "{table}");
+        assert!(!text.contains("\n=") && !text.contains("\n\"="), "{table}");
+    }
+}
