@@ -70,6 +70,8 @@ impl SurveyRecord {
             Err("no line has such places")
         } else if (cell - cell.round()).abs() > 1e-3 {
             Err("it does not begin with a cell of the store")
+        } else if self.rails.iter().any(|rail| rail.measured > self.cells) {
+            Err("it has fewer cells than were measured")
         } else if names.is_empty() || names.len() != self.rails.len() {
             Err("it names no rail, or one twice")
         } else {

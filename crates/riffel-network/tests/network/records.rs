@@ -35,7 +35,11 @@ fn records_that_cannot_be_are_told() {
             "\"cells\": 10000000000",
             "no survey is so long",
         ),
-        ("\"cells\": 40", "\"cells\": 20", "cells were measured"),
+        (
+            "\"cells\": 40",
+            "\"cells\": 20",
+            "fewer cells than were measured",
+        ),
         ("\"name\": \"right\"", "\"name\": \"left\"", "is damaged"),
         (
             "\"array\": \"left\"",
