@@ -308,34 +308,36 @@ fn the_same_file_is_made_twice() {
 #[test]
 fn names_command_neither_terminals_nor_spreadsheets() {
     let sandbox = Sandbox::new();
-    let wave = |n: i32| 3.0 * (0.4 * f64::from(n)).sin() + 0.5 * (0.071 * f64::from(n)).sin();
-    let rows = (0..6000).map(|n| {
-        format!(
-            "{:.3},{:.4},{:.4}\n",
-            0.005 * f64::from(n),
-            wave(n),
-            wave(n + 7)
-        )
-    });
-    let head = "position [m],=1+cmd|' /C calc'!A0 [um],\u{1b}]0;owned\u{7}\u{9b}left [um]\n";
-    let text = format!("{head}{}", rows.collect::<String>());
-    fs::write(sandbox.path("rails.csv"), text).unwrap();
-    let outcome = sandbox.riffel("roughness rails.csv -o out");
-    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    let json = sandbox.riffel("roughness rails.csv --json").text;
-    for said in [&outcome.text, &json] {
+    let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um\n".to_owned();
+    let formula = "=1+cmd|' /C calc'!A0";
+    for rail in [formula, "\u{1b}]0;owned\u{7}\u{9b}left"] {
+        for from in 0..20 {
+            text += &format!("{rail},{from},{},9\n", from + 1);
+        }
+    }
+    fs::write(sandbox.path("blocks.csv"), text).unwrap();
+    let take = "network ingest store blocks.csv --line @line --date 2026-01-31";
+    let judged = "store --section \"10 m\"";
+    for command in [
+        take.to_owned(),
+        format!("network worst {judged}"),
+        format!("network worst {judged} --json"),
+        format!("network chart {judged} -o out"),
+    ] {
+        let outcome = sandbox.riffel(&command);
+        assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
         let commands = |c: char| c.is_control() && c != '\n';
         assert!(
-            !said.contains(commands) && said.contains("owned"),
-            "{said:?}"
+            !outcome.text.contains(commands),
+            "{command}: {:?}",
+            outcome.text
         );
     }
-    let document: serde_json::Value =
-        serde_json::from_str(&json[..=json.rfind('}').unwrap()]).unwrap();
-    assert!(document["rails"].to_string().contains("\u{9b}left"));
-    for table in ["spectrum.csv", "blocks.csv"] {
-        let text = fs::read_to_string(sandbox.path("out").join(table)).unwrap();
-        assert!(text.contains("\n'=1+cmd"), "{table}");
-        assert!(!text.contains("\n=") && !text.contains("\n\"="), "{table}");
-    }
+    let document = sandbox.json(&format!("network worst {judged} --json"));
+    assert!(document.to_string().contains("\u{9b}left"));
+    let table = fs::read_to_string(sandbox.path("out/chart.csv")).unwrap();
+    assert!(
+        table.contains(&format!("\n'@line,2026-01-31,0.0,10.0,'{formula},")),
+        "{table}"
+    );
 }
