@@ -242,14 +242,7 @@ pub(crate) fn write_file(path: &Path, text: &str, existing: Existing) -> Result<
         Existing::Keep(_) => TempPath::try_from_path(&file)
             .and_then(|file| file.persist_noclobber(path).map_err(|error| error.error)),
     };
-    let Err(reason) = placed else {
-        return Ok(());
-    };
-    Err(match existing {
-        // Made a second time it is what it was.
-        Existing::Keep(_) if fs::read(path).is_ok_and(|there| there == text.as_bytes()) => {
-            return Ok(());
-        }
+    placed.map_err(|reason| match existing {
         Existing::Keep(way_out) if reason.kind() == io::ErrorKind::AlreadyExists => {
             CliError::Exists {
                 path: path.to_owned(),

@@ -19,6 +19,7 @@
 //! # Ok::<(), riffel_keys::CaseError>(())
 //! ```
 
+mod binary_format;
 mod error;
 mod excerpt;
 mod key_file;
@@ -32,6 +33,7 @@ pub mod text_file;
 mod unit;
 pub mod universal_file;
 
+pub use binary_format::BinaryFormat;
 pub use error::CaseError;
 pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};

@@ -7,6 +7,7 @@ use std::io::{self, Read};
 use std::path::Path;
 use std::sync::{Mutex, PoisonError};
 
+use crate::binary_format::BinaryFormat;
 use crate::{CaseError, question};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
@@ -42,10 +43,19 @@ pub struct BinaryByte {
     pub line: usize,
     /// Its value.
     pub value: u8,
+    /// The format of the file, where its first bytes tell it.
+    pub format: Option<&'static BinaryFormat>,
 }
 
 impl fmt::Display for BinaryByte {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        if let Some(format) = self.format {
+            let BinaryFormat { name, reader, .. } = format;
+            return write!(
+                formatter,
+                "the file is {name}, and no text: {reader} reads it; write its columns as text"
+            );
+        }
         write!(
             formatter,
             "the file is binary: byte {} is {:#04x}, which no text has",
@@ -61,6 +71,7 @@ impl BinaryByte {
             at,
             line: line_of(bytes, at),
             value: bytes[at],
+            format: BinaryFormat::of(bytes),
         }
     }
 }
@@ -78,6 +89,9 @@ impl Encoding {
             _ => {}
         }
         let head = &bytes[..bytes.len().min(HEAD)];
+        if BinaryFormat::of(head).is_some_and(BinaryFormat::is_certain) {
+            return Err(BinaryByte::new(head, 0));
+        }
         if let Some(at) = memchr::memchr(0, head) {
             return Self::of_pairs(head).ok_or_else(|| BinaryByte::new(head, at));
         }

@@ -52,16 +52,16 @@ impl Store {
                 .rails
                 .iter()
                 .all(|rail| arrays.next().as_ref() == Some(&rail.array));
-        let is_possible = survey.cells as f64 <= ingest::MOST_CELLS && survey.start_m.is_finite();
+        let possible = match is_own {
+            true => survey.check(self.resolution()?),
+            false => Err("it is the record of another survey"),
+        };
         let wrong = |reason: &str| NetworkError::Damaged {
             path: file.to_owned(),
             reason: reason.to_owned(),
         };
-        match (is_own, is_possible) {
-            (true, true) => Ok(survey),
-            (false, _) => Err(wrong("it is the record of another survey")),
-            (true, false) => Err(wrong("no survey is so long")),
-        }
+        possible.map_err(wrong)?;
+        Ok(survey)
     }
 
     /// `Ok` if the arrays of a survey are there as its record says; all of them are read.

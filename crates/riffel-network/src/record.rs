@@ -4,8 +4,13 @@ use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use serde::{Deserialize, Serialize};
 
+use crate::ingest::MOST_CELLS;
+use crate::survey_file::FARTHEST;
+
 /// Version of the layout of a store.
 pub(crate) const FORMAT: u32 = 1;
+/// Wavelengths that a band may end at \[m\]: farther than any instrument goes.
+const WAVELENGTHS: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
 
 /// `network.json`
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
@@ -51,6 +56,30 @@ pub struct RailRecord {
     pub measured: u64,
 }
 
+impl SurveyRecord {
+    /// `Ok` if a survey on a grid of cells of a length \[m\] may be so.
+    pub(crate) fn check(&self, resolution: f64) -> Result<(), &'static str> {
+        let end = self.start_m + self.cells as f64 * resolution;
+        let cell = self.start_m / resolution;
+        let mut names: Vec<&str> = self.rails.iter().map(|rail| &*rail.name).collect();
+        names.sort_unstable();
+        names.dedup();
+        if self.cells as f64 > MOST_CELLS {
+            Err("no survey is so long")
+        } else if !(self.start_m >= -FARTHEST && end <= FARTHEST) {
+            Err("no line has such places")
+        } else if (cell - cell.round()).abs() > 1e-3 {
+            Err("it does not begin with a cell of the store")
+        } else if self.rails.iter().any(|rail| rail.measured > self.cells) {
+            Err("it has fewer cells than were measured")
+        } else if names.is_empty() || names.len() != self.rails.len() {
+            Err("it names no rail, or one twice")
+        } else {
+            Ok(())
+        }
+    }
+}
+
 impl NetworkRecord {
     /// `Ok` if a store may be so.
     pub(crate) fn check(&self) -> Result<(), String> {
@@ -59,6 +88,14 @@ impl NetworkRecord {
         }
         if !(0.1..=1e3).contains(&self.resolution_m) {
             return Err(format!("its cells are {} m long", self.resolution_m));
+        }
+        let mut ends = self.bands_m.iter().flatten();
+        if ends.any(|end| !WAVELENGTHS.contains(end)) {
+            return Err("a band has wavelengths of no corrugation".to_owned());
+        }
+        let place = |band: &[f64; 2]| self.place_of(*band);
+        if (self.bands_m.iter().enumerate()).any(|(index, band)| place(band) != Some(index)) {
+            return Err("it has a band twice".to_owned());
         }
         match self.bands() {
             Ok(bands) if bands.is_empty() => Err("it has no band of wavelength".to_owned()),

@@ -162,6 +162,11 @@ impl Store {
             resolution_m: self.settings.resolution.unwrap_or(block),
             bands_m,
         };
+        record.check().map_err(|_| NetworkError::Value {
+            what: "the list of bands",
+            value: in_words(&record.bands_m),
+            rule: "of wavelengths between 0.1 mm and 1 km, each once".to_owned(),
+        })?;
         write_document(&self.folder.join(RECORD), &record)?;
         Ok(record)
     }

@@ -2,7 +2,7 @@
 
 use std::collections::HashMap;
 use std::fs::File;
-use std::io;
+use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
 use riffel::roughness::WavelengthBand;
@@ -15,7 +15,7 @@ const ROUGHEST: f64 = 0.01;
 /// Smoothest that the roughest block of a survey can be \[m\]: a tenth of what rails have that were polished for noise.
 const SMOOTHEST: f64 = 1e-7;
 /// Farthest place \[m\].
-const FARTHEST: f64 = 1e8;
+pub(crate) const FARTHEST: f64 = 1e8;
 /// By how much blocks may overlap that join on \[m\]: places are rounded.
 const ROUNDING: f64 = 1e-3;
 
@@ -70,6 +70,16 @@ impl SurveyFile {
             path: path.to_owned(),
             reason,
         })?;
+        let mut first = Vec::new();
+        let read = File::open(path).and_then(|file| file.take(4096).read_to_end(&mut first));
+        read.map_err(|reason| CaseError::Read {
+            what: "file",
+            path: path.to_owned(),
+            reason,
+        })?;
+        if let Err(binary) = text_file::Encoding::of(&first) {
+            return Err(at(path, binary.line, binary.to_string()));
+        }
         let head = reader(path)?
             .headers()
             .map_err(|error| csv_error(path, &error))?

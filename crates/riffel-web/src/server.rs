@@ -3,6 +3,7 @@
 use std::ffi::OsString;
 use std::io;
 use std::net::{IpAddr, SocketAddr};
+use std::path::PathBuf;
 use std::sync::Arc;
 use std::time::Duration;
 
@@ -77,10 +78,13 @@ pub fn serve(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeErro
     let outcome = runtime.block_on(listen(options, ready));
     // Work that does not look whether it is wanted is left behind.
     runtime.shutdown_timeout(ENDING_TIME);
-    outcome
+    // What that holds of its files goes all the same.
+    let _ = std::fs::remove_dir_all(outcome?);
+    Ok(())
 }
 
-async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeError> {
+/// Answer until a signal comes; the private folder of files.
+async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, ServeError> {
     let address = SocketAddr::new(options.address, options.port);
     let cannot_listen = |reason| ServeError::Listen { address, reason };
     let listener = TcpListener::bind(address).await.map_err(cannot_listen)?;
@@ -95,6 +99,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
         uploads: Uploads::new().map_err(ServeError::Folder)?,
         program: Program::new(options.program),
     };
+    let place = page.uploads.place().to_owned();
     let queues = [&page.queue, &page.marches, &page.long].map(Queue::clone);
     let service = TowerToHyperService::new(router(page));
     let mut http = http1::Builder::new();
@@ -138,7 +143,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<(), ServeE
     }
     // A connection that does not end is cut.
     let _ = tokio::time::timeout(ENDING_TIME, graceful.shutdown()).await;
-    Ok(())
+    Ok(place)
 }
 
 /// The next connection, when there is a place for it.

@@ -95,6 +95,11 @@ impl Uploads {
         })))
     }
 
+    /// The private folder.
+    pub(crate) fn place(&self) -> &Path {
+        self.0.folder.path()
+    }
+
     /// Write what comes to disk, piece by piece, as the file of a page.
     pub(crate) async fn receive(
         &self,

@@ -287,3 +287,57 @@ fn foreign_files_are_not_replaced_by_single_files() {
     let outcome = sandbox.riffel("report cases/nominal.toml -o mine.txt");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
 }
+
+/// Two chapters that make one record meet in one folder; another file of that name stays.
+#[test]
+fn the_same_file_is_made_twice() {
+    let sandbox = Sandbox::new();
+    let make = "roughness --synthesise -o profile.csv";
+    for _ in 0..2 {
+        let outcome = sandbox.riffel(make);
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    }
+    fs::write(sandbox.path("profile.csv"), "precious").unwrap();
+    let outcome = sandbox.riffel(make);
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    let there = fs::read_to_string(sandbox.path("profile.csv")).unwrap();
+    assert_eq!(there, "precious");
+}
+
+/// Names of rails come from files of others: what commands a terminal is written out, and what a spreadsheet would compute is text.
+#[test]
+fn names_command_neither_terminals_nor_spreadsheets() {
+    let sandbox = Sandbox::new();
+    let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um\n".to_owned();
+    let formula = "=1+cmd|' /C calc'!A0";
+    for rail in [formula, "\u{1b}]0;owned\u{7}\u{9b}left"] {
+        for from in 0..20 {
+            text += &format!("{rail},{from},{},9\n", from + 1);
+        }
+    }
+    fs::write(sandbox.path("blocks.csv"), text).unwrap();
+    let take = "network ingest store blocks.csv --line @line --date 2026-01-31";
+    let judged = "store --section \"10 m\"";
+    for command in [
+        take.to_owned(),
+        format!("network worst {judged}"),
+        format!("network worst {judged} --json"),
+        format!("network chart {judged} -o out"),
+    ] {
+        let outcome = sandbox.riffel(&command);
+        assert_eq!(outcome.status, Some(0), "{command}: {}", outcome.text);
+        let commands = |c: char| c.is_control() && c != '\n';
+        assert!(
+            !outcome.text.contains(commands),
+            "{command}: {:?}",
+            outcome.text
+        );
+    }
+    let document = sandbox.json(&format!("network worst {judged} --json"));
+    assert!(document.to_string().contains("\u{9b}left"));
+    let table = fs::read_to_string(sandbox.path("out/chart.csv")).unwrap();
+    assert!(
+        table.contains(&format!("\n'@line,2026-01-31,0.0,10.0,'{formula},")),
+        "{table}"
+    );
+}

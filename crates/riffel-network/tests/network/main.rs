@@ -1,6 +1,7 @@
 //! A network of made surveys, whose levels are known.
 
 mod growing;
+mod records;
 
 use std::fmt::Write;
 use std::fs;

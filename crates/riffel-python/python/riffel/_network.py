@@ -18,6 +18,8 @@ _UNITS = {
     "rms_m": ("rms", "m", "RMS of roughness in the band that is farthest over its limit"),
     "rms_over_limit": ("rms_over_limit", "1", "RMS over limit"),
     "growth_db_per_year": ("growth", "dB/year", "growth of the level"),
+    "growth_error_db_per_year": ("growth_error", "dB/year", "half of the interval of 95 % of the growth"),
+    "lasting_over_limit": ("lasting_over_limit", "1", "RMS over limit without single places"),
     "months_to_limit": ("months_to_limit", "month", "months until the limit is reached; NaN where it never is"),
     "cost": ("cost", "1", "cost"),
 }
@@ -105,8 +107,8 @@ class Network:
         Returns
         -------
         xarray.Dataset
-            Over ``place``, the worst first: ``line``, ``date``, ``rail``, ``from``, ``to``, ``band`` (over ``end``), ``rms`` and
-            ``rms_over_limit``.
+            Over ``place``, the worst first: ``line``, ``date``, ``rail``, ``from``, ``to``, ``band`` (over ``end``), ``rms``,
+            ``rms_over_limit``, ``kind`` (``"corrugation"``, ``"single-places"``, or empty within the limit) and ``growth``.
         """
         found = _riffel.network_worst(self._judged(section, limit), until, _count(most))
         return _table(found, "place")
@@ -119,19 +121,20 @@ class Network:
         between: tuple[str, str] | None = None,
         most: int = 20,
     ) -> xr.Dataset:
-        """How sections grew between two dates, the soonest at their limit first.
+        """How sections grew over their surveys, the soonest at their limit first.
 
         Parameters
         ----------
         section, limit, most
             As of `worst`.
         between : tuple of str, optional
-            Two days: the latest surveys up to each; by default the last two surveys of each line.
+            Two days: from the latest survey up to the one to the latest up to the other; by default all surveys.
 
         Returns
         -------
         xarray.Dataset
-            As of `worst`, with ``growth``, ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``.
+            As of `worst`, with ``growth`` and ``growth_error`` (half of its interval of 95 %), ``surveys``, ``lasting_over_limit`` (without
+            single places), ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``.
         """
         found = _riffel.network_growth(self._judged(section, limit), between, _count(most))
         return _table(found, "place")
@@ -167,7 +170,7 @@ class Network:
         -------
         xarray.Dataset
             Over ``site``: ``line``, ``from``, ``to``, ``rms_over_limit`` and ``cost``. Attributes: ``length_m``, ``cost``,
-            ``over_limit_m``, ``left_over_limit_m``, ``least_left_over_limit_m`` (no plan for this budget leaves less)
+            ``over_limit_m``, ``single_places_m``, ``left_over_limit_m``, ``least_left_over_limit_m`` (no plan for this budget leaves less)
             and ``remarks``.
         """
         if (length is None) == (money is None):
@@ -245,7 +248,9 @@ def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:
     """Rows of a document over a dimension."""
     variables: dict[str, Any] = {}
     for key in rows[0] if rows else ():
-        column = [np.nan if row[key] is None else row[key] for row in rows]
+        # A name that is not known is empty, and a number NaN.
+        missing = "" if key == "kind" else np.nan
+        column = [missing if row[key] is None else row[key] for row in rows]
         name, units, meaning = _UNITS.get(key, (key.removesuffix("_m"), "m" if key.endswith("_m") else "", ""))
         values = np.array(column)
         inner = {"band_m": "end"}.get(key, "survey")

@@ -13,6 +13,7 @@ use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
+use crate::uploads::Uploads;
 use riffel_page::Note;
 
 /// Longest name of a file that is shown, in letters.
@@ -70,17 +71,19 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Json<Value>, Refusal> {
     question.check()?;
+    let uploads = page.uploads.clone();
     page.queue
         .run(asker.subject("curve"), move |wanted| {
-            question.answer(wanted)
+            question.answer(wanted, &uploads)
         })
         .await
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted) -> Result<Json<Value>, Fault> {
-        // A folder of its own for each question: gone with it.
-        let folder = tempfile::tempdir()
+    fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Json<Value>, Fault> {
+        // A folder of its own for each question: gone with it, or with the program.
+        let folder = uploads
+            .folder()
             .map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))?;
         let mut paths = Vec::new();
         for (kind, profile) in [("wheel", &self.wheel), ("rail", &self.rail)] {

@@ -1,5 +1,6 @@
 //! `riffel roughness --synthesise`
 
+use std::fs;
 use std::io::Write;
 use std::path::Path;
 
@@ -44,7 +45,10 @@ pub(super) fn run(recipe: Option<&Path>, arguments: &Roughness) -> miette::Resul
     let text = String::from_utf8(text).unwrap_or_default();
     match &arguments.output {
         Some(path) => {
-            let existing = match arguments.force {
+            // One recipe makes one record: made a second time it is what it was.
+            let is_same =
+                || path.is_file() && fs::read(path).is_ok_and(|there| there == text.as_bytes());
+            let existing = match arguments.force || is_same() {
                 true => Existing::Replace,
                 false => Existing::Keep("--force to replace it"),
             };
