@@ -26,7 +26,12 @@ impl Case {
         ];
         let other = |remark: &&Message| of_stability.iter().all(|of| of.id() != remark.id());
         let own = judged(&self.feedback, speed).and_then(|found| said(speed, &found));
-        self.remarks.iter().filter(other).cloned().chain(own).collect()
+        self.remarks
+            .iter()
+            .filter(other)
+            .cloned()
+            .chain(own)
+            .collect()
     }
 
     /// The speeds \[m/s\] of the map at which the loop is judged, with what it is there.

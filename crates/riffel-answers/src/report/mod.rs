@@ -180,7 +180,8 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 Ok(answer) => noise::heard(answer)?,
                 Err(why) => Outlook::left_out("Rolling noise", why),
             };
-            let doubt = of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
+            let doubt =
+                of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
             for mut outlook in [forecast, what_if, noise] {
                 // No dates of a growth that nobody has seen.
                 if doubt.is_some() {

@@ -80,7 +80,10 @@ impl BranchDocument {
                 pieces: vec![piece],
                 ..Self::new(branch, &resonances)
             };
-            match documents.iter_mut().find(|stronger| stronger.is_one_with(&document)) {
+            match documents
+                .iter_mut()
+                .find(|stronger| stronger.is_one_with(&document))
+            {
                 Some(stronger) => stronger.take_in(&document),
                 None => documents.push(document),
             }

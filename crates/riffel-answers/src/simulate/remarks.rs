@@ -1,8 +1,6 @@
 //! What the reader of a march should know.
 
-use riffel::passage::{
-    Outcome, PassageModel, Settled, Sinusoid, SmoothRail, TransientContact,
-};
+use riffel::passage::{Outcome, PassageModel, Settled, Sinusoid, SmoothRail, TransientContact};
 use riffel_case::Case;
 use riffel_keys::{Message, fixed, say};
 
@@ -38,13 +36,22 @@ pub(super) fn of_waves(case: &Case) -> Option<Message> {
 }
 
 /// That a linear loop and what follows a push do not say the same, if so.
-pub(super) fn of_linear_loop(motion: &SmoothRail, unstable_roots: Option<usize>) -> Option<Message> {
+pub(super) fn of_linear_loop(
+    motion: &SmoothRail,
+    unstable_roots: Option<usize>,
+) -> Option<Message> {
     /// Of the normal force: below it nothing is seen to move.
     const STILL: f64 = 1e-4;
     let still = motion.contacts.iter().all(|swing| {
         let [least, most] = swing.normal_force;
-        let ranges = [swing.normal_force, swing.tangential_force, swing.lateral_force];
-        ranges.iter().all(|[from, to]| to - from < STILL * least.max(most))
+        let ranges = [
+            swing.normal_force,
+            swing.tangential_force,
+            swing.lateral_force,
+        ];
+        ranges
+            .iter()
+            .all(|[from, to]| to - from < STILL * least.max(most))
     });
     match (motion.outcome, unstable_roots) {
         (Outcome::Irregular, Some(1..)) if still => Some(say!(unstable_but_still)),

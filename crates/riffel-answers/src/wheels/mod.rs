@@ -11,8 +11,8 @@ use rayon::prelude::*;
 use riffel::curving::{Curve, WheelState};
 use riffel::growth::GrowthCourse;
 use riffel_case::file::{ContactOfWheel, CurveRail};
-use riffel_keys::Message;
 use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
+use riffel_keys::Message;
 use riffel_plot::{LineFigure, MapFigure};
 
 pub use document::WheelsDocument;

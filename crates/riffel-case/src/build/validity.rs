@@ -236,7 +236,10 @@ fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
     let judged: Vec<_> = stability::over(feedback, speed).collect();
     let said = |(speed, found): &(f64, Result<Stability, Error>)| stability::said(*speed, found);
     let grows = |judged: &&(f64, Result<Stability, Error>)| {
-        judged.1.as_ref().is_ok_and(|found| found.frequency.is_some())
+        judged
+            .1
+            .as_ref()
+            .is_ok_and(|found| found.frequency.is_some())
     };
     match judged.iter().find(grows) {
         Some(judged) => said(judged),

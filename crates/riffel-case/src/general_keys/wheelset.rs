@@ -138,7 +138,11 @@ impl CheckedKeys {
 
     /// Mass and inertias of axle and discs; none without them.
     fn body_of_axle(&self, wheelset: &Wheelset) -> Result<Option<RigidBody>, CaseError> {
-        let Some(axle) = wheelset.axle.as_ref().filter(|_| !wheelset.discs.is_empty()) else {
+        let Some(axle) = wheelset
+            .axle
+            .as_ref()
+            .filter(|_| !wheelset.discs.is_empty())
+        else {
             return Ok(None);
         };
         let contacts = ContactGeometry {

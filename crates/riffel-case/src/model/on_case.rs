@@ -118,9 +118,9 @@ impl ModelOnCase {
             false => vec![(self.case.feedback.clone(), 1.0)],
         };
         move |wavelength| {
-            let rates = places.iter().map(|(feedback, weight)| {
-                weight * feedback.at(wavelength, speed).growth_rate
-            });
+            let rates = places
+                .iter()
+                .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
             let filtered = self
                 .filter
                 .map_or(1.0, |filter| filter.amplitude(2.0 * PI / wavelength, 0.0));

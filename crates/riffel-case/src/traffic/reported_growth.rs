@@ -12,7 +12,14 @@ const FASTEST_DOUBLING: f64 = 161.0 * 6.020_599_913 / 10.1;
 
 /// Whether a remark is that growth is faster than any seen: dates that follow from it are not to be believed.
 pub fn is_of_reported_growth(remark: &Message) -> bool {
-    remark.id() == say!(growth_faster_than_any_seen, wavelength = "", days = "", known = "").id()
+    remark.id()
+        == say!(
+            growth_faster_than_any_seen,
+            wavelength = "",
+            days = "",
+            known = ""
+        )
+        .id()
 }
 
 /// A remark where a band grows faster than that, of axle passages a day.

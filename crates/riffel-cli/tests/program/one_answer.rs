@@ -5,14 +5,19 @@ use crate::sandbox::{Sandbox, number};
 /// Wavelength \[m\] and growth rate of a row of a table with a heading, at a speed \[m/s\].
 fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
     let text = std::fs::read_to_string(sandbox.path(path)).unwrap();
-    let mut lines = text.lines().map(|line| line.split(',').collect::<Vec<&str>>());
+    let mut lines = text
+        .lines()
+        .map(|line| line.split(',').collect::<Vec<&str>>());
     let heads = lines.next().unwrap();
     let column = |name: &str| heads.iter().position(|head| *head == name).unwrap();
     let of = |row: &Vec<&str>, name: &str| row[column(name)].parse::<f64>().unwrap();
     let row = lines
         .find(|row| (of(row, "speed_m_per_s") - speed).abs() < 1e-9)
         .unwrap();
-    [of(&row, "wavelength_m"), of(&row, "growth_rate_per_passage")]
+    [
+        of(&row, "wavelength_m"),
+        of(&row, "growth_rate_per_passage"),
+    ]
 }
 
 /// The narrow bending of an axle, 0.1 % of the critical damping, is found by map, wheels, comparison and the models, however coarse
@@ -47,10 +52,16 @@ fn commands_agree_on_the_fastest_growth() {
     ));
     let as_it_is = &compared["outcomes"][0];
     let fastest = ["fastest_wavelength_m", "fastest_growth_rate_per_passage"];
-    found.push(("compare".to_owned(), fastest.map(|key| number(&as_it_is[key]))));
+    found.push((
+        "compare".to_owned(),
+        fastest.map(|key| number(&as_it_is[key])),
+    ));
     let [wavelength, rate] = found[0].1;
     for (name, other) in &found {
-        assert!((other[0] / wavelength - 1.0).abs() < 1e-5, "{found:?}: {name}");
+        assert!(
+            (other[0] / wavelength - 1.0).abs() < 1e-5,
+            "{found:?}: {name}"
+        );
         assert!((other[1] / rate - 1.0).abs() < 1e-5, "{found:?}: {name}");
     }
     let point = sandbox.json(&format!(
@@ -59,7 +70,10 @@ fn commands_agree_on_the_fastest_growth() {
     let at = number(&point["growth_rate_per_passage"]);
     assert!((at / rate - 1.0).abs() < 1e-5, "{at} {rate}");
     // The hill at 168 mm, which a coarse map finds, is half as high.
-    assert!((wavelength - 0.0217).abs() < 2e-4 && rate > 3.6e-4, "{found:?}");
+    assert!(
+        (wavelength - 0.0217).abs() < 2e-4 && rate > 3.6e-4,
+        "{found:?}"
+    );
 }
 
 /// Waves shorter than one and a half lengths of the patch, which the contact averages out, lead no answer: the ridge begins
@@ -76,9 +90,14 @@ fn what_the_contact_averages_out_leads_no_answer() {
         cells[1].parse::<f64>().unwrap()
     });
     for wavelength in wavelengths {
-        assert!(wavelength >= 1.5 * length * (1.0 - 1e-9), "{wavelength} {length}");
+        assert!(
+            wavelength >= 1.5 * length * (1.0 - 1e-9),
+            "{wavelength} {length}"
+        );
     }
-    let models = sandbox.json(&format!("compare {CASE} --models afferrante-ciavarella-2009 --json"));
+    let models = sandbox.json(&format!(
+        "compare {CASE} --models afferrante-ciavarella-2009 --json"
+    ));
     let highest = &models["models"][0]["highest"];
     assert!(highest.is_null() || number(&highest["wavelength_m"]) >= 1.5 * length * (1.0 - 1e-9));
 }

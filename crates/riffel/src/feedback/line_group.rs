@@ -6,9 +6,9 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::{Answers, Loop, System};
+use crate::Place;
 use crate::receptance::Structure;
 use crate::vector::lanes_of;
-use crate::Place;
 
 /// As many wavelengths as a vector register holds, under one wheel at several places of the track: what depends on the wavelength
 /// or the frequency alone is done once for all places.
@@ -140,7 +140,11 @@ mod tests {
             direction: crate::Direction::Vertical,
         }];
         let [mut one, mut other] = [[Complex64::ZERO]; 2];
-        for step in [1, 2, 1, 3, 3, 20, 1, 2].into_iter().chain(4..30).chain([5, 29]) {
+        for step in [1, 2, 1, 3, 3, 20, 1, 2]
+            .into_iter()
+            .chain(4..30)
+            .chain([5, 29])
+        {
             let w = 2.0 * PI * 50.0 * f64::from(step);
             remembered.receptance_matrix(w, 20.0, &places, &mut one);
             wheel.receptance_matrix(w, 20.0, &places, &mut other);

@@ -13,9 +13,9 @@ mod turn;
 
 pub(crate) use answers::Answers;
 pub(crate) use closed_form::ClosedForm;
-pub(crate) use line_group::LineGroup;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
+pub(crate) use line_group::LineGroup;
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
 pub(crate) use system::System;

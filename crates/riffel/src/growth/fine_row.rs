@@ -128,7 +128,11 @@ impl FineRow {
         for index in 1..=last {
             let mut here = (first[index - 1], values[index - 1]);
             // Ends still ahead, the nearest last; each with how often the step to it is still looked into.
-            let looks = if bends(index - 1) || bends(index) { LOOKS } else { 0 };
+            let looks = if bends(index - 1) || bends(index) {
+                LOOKS
+            } else {
+                0
+            };
             let mut ahead = vec![(first[index], values[index], looks)];
             while let Some(&(wavelength, at_end, looks)) = ahead.last() {
                 let added = refined.wavelengths.len() + ahead.len() - index;

@@ -141,8 +141,9 @@ impl WheelModes {
     /// Sound power per mean square of the force at the contact \[W/N²\].
     pub fn power(&self, angular_frequency: f64) -> f64 {
         let w = angular_frequency;
-        let of_mode =
-            |mode: &Ringing| mode.power.at(w) * (w * mode.contact).powi(2) * mode.response(w).norm_sqr();
+        let of_mode = |mode: &Ringing| {
+            mode.power.at(w) * (w * mode.contact).powi(2) * mode.response(w).norm_sqr()
+        };
         self.modes.iter().map(of_mode).sum()
     }
 

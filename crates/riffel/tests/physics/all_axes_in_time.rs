@@ -337,7 +337,9 @@ fn limit_cycle_of_one_mass() {
         feedback.stability(speed, 1.0, 1e4).unwrap().unstable_roots,
         2
     );
-    let motion = in_time(&feedback, &law, speed).on_smooth_rail(1.0, None).unwrap();
+    let motion = in_time(&feedback, &law, speed)
+        .on_smooth_rail(1.0, None)
+        .unwrap();
     assert_eq!(motion.outcome, Outcome::LimitCycle);
 
     let force = |speed_of_mass: f64| {

@@ -87,8 +87,9 @@ fn in_order(spectra: &Spectra) -> Result<Option<(Date, f64)>, CliError> {
         };
     };
     if dates.len() != records || !dates.is_sorted_by(|one, next| one < next) {
-        let rule =
-            format!("{records} dates, one for each --earlier and one for --spectrum, the oldest first");
+        let rule = format!(
+            "{records} dates, one for each --earlier and one for --spectrum, the oldest first"
+        );
         return Err(wrong(rule));
     }
     let span = latest.since(oldest);
