@@ -111,11 +111,9 @@ impl Case {
                     .filter(|line| SPRING_DOWN_TO * w <= line.0 && line.0 <= w);
                 below.map(|(_, h)| h.re).sum::<f64>() > 0.0
             });
-        let dips: Vec<Extremum> = dips.collect();
-        let places = dips.iter().map(|least| least.angular_frequency);
-        let p2 = Resonance::as_mass(places, |w| self.inertia(w))?;
-        let least = dips.into_iter().find(|least| least.angular_frequency == p2);
-        least.map(|least| self.named(ResonanceKind::P2, least))
+        dips.filter(|least| Resonance::is_as_mass(self.inertia(least.angular_frequency)))
+            .min_by(|a, b| a.receptance.norm().total_cmp(&b.receptance.norm()))
+            .map(|least| self.named(ResonanceKind::P2, least))
     }
 
     fn peaks_and_dips(&self) -> Vec<Resonance> {

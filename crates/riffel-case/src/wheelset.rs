@@ -107,20 +107,14 @@ impl Case {
         match wheelset {
             CaseWheelset::Rigid(rigid) => Ok(rigid_modes(rigid, highest)),
             CaseWheelset::Modal(modal, rigid) => {
-                let mut elastic: Vec<f64> = modal
-                    .modes()
-                    .iter()
-                    .map(|mode| mode.angular_frequency / TAU)
-                    .filter(|&frequency| frequency <= highest)
-                    .collect();
-                elastic.sort_by(f64::total_cmp);
                 let mut modes = rigid_modes(rigid, highest);
-                let elastic = elastic.into_iter().enumerate();
-                modes.extend(elastic.map(|(index, frequency)| WheelsetMode {
-                    frequency,
-                    name: ModeName::Elastic { order: index + 1 },
+                let elastic = modal.modes().iter().zip(modal.mode_names());
+                let elastic = elastic.map(|(mode, name)| WheelsetMode {
+                    frequency: mode.angular_frequency / TAU,
+                    name,
                     shape: None,
-                }));
+                });
+                modes.extend(elastic.filter(|mode| mode.frequency <= highest));
                 modes.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
                 Ok(modes)
             }

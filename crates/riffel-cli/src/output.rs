@@ -17,11 +17,38 @@ use riffel_words::with_comma;
 
 /// Print to standard output, line by line in the language of the run.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
+    // Data stays as it is.
+    let words = match text.starts_with(['{', '[']) {
+        true => text.to_owned(),
+        false => without_minus_zero(text),
+    };
+    let text = &words;
     if language() == Language::English {
         return write(text);
     }
     let lines = text.split_inclusive('\n').map(in_language);
     write(&lines.collect::<String>())
+}
+
+/// A text in which no number that rounds to zero has a minus: "-0.0" is "0.0", and as wide in its column.
+fn without_minus_zero(text: &str) -> String {
+    let mut words = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(at) = rest.find("-0") {
+        let (before, number) = rest.split_at(at);
+        words.push_str(before);
+        let digits = number[1..].find(|c: char| !(c.is_ascii_digit() || c == '.'));
+        let (number, after) = number.split_at(digits.map_or(number.len(), |end| end + 1));
+        let begins = !words.ends_with(|c: char| c.is_alphanumeric() || "-.".contains(c));
+        let ends = !after.starts_with(|c: char| c.is_alphabetic() || c == '-');
+        let zero = number.bytes().all(|byte| b"-0.".contains(&byte));
+        match begins && ends && zero {
+            true => words.extend([&number[1..], if after.starts_with("  ") { " " } else { "" }]),
+            false => words.push_str(number),
+        }
+        rest = after;
+    }
+    words + rest
 }
 
 /// Names come from files of others: what commands a terminal is written out.
@@ -176,5 +203,25 @@ impl Progress {
 impl Drop for Progress {
     fn drop(&mut self) {
         self.bar.finish_and_clear();
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn zero_has_no_sign() {
+        for (text, without) in [
+            ("from -0.0 to -0.00 m", "from 0.0 to 0.00 m"),
+            ("-0 and (-0.000)", "0 and (0.000)"),
+            ("a  -0.0  b", "a  0.0   b"),
+            (
+                "-0.01, -0.0e3, 2026-05-01, 1e-06, -00-, x-0.0, -1.0",
+                "-0.01, -0.0e3, 2026-05-01, 1e-06, -00-, x-0.0, -1.0",
+            ),
+        ] {
+            assert_eq!(without_minus_zero(text), without);
+        }
     }
 }

@@ -68,6 +68,9 @@ impl Case {
     }
 }
 
+/// Loss factor of a layer from which no causal track comes near: a search for one takes seconds.
+const NEVER_CAUSAL: f64 = 0.5;
+
 impl CaseInTime<'_> {
     /// The same with all that any speed needs: the structures where the track does not ask for the speed, whose fit takes seconds.
     pub(crate) fn at_any_speed(self) -> Result<Self, CaseError> {
@@ -86,18 +89,18 @@ impl CaseInTime<'_> {
         if let Some(structures) = &self.structures {
             return Ok(structures.clone());
         }
-        let error = match self.structures_of(self.case, speed) {
-            Err(error) => error,
-            structures => return structures,
-        };
         // What has no causal track, for its loss factors, has dashpots in their place.
-        let Some((viscous, share)) = self.case.with_viscous_layers() else {
-            return Err(error);
+        let viscous = || -> Option<StructuresInTime> {
+            let (viscous, share) = self.case.with_viscous_layers()?;
+            let structures = self.structures_of(&viscous, speed).ok()?;
+            Some(structures.with_share_cut(share))
         };
-        match self.structures_of(&viscous, speed) {
-            Ok(structures) => Ok(structures.with_share_cut(share)),
-            Err(_) => Err(error),
+        let lossy = self.case.largest_loss_of_layers() >= NEVER_CAUSAL;
+        if let Some(structures) = lossy.then(viscous).flatten() {
+            return Ok(structures);
         }
+        self.structures_of(self.case, speed)
+            .or_else(|error| viscous().ok_or(error))
     }
 
     fn structures_of(&self, case: &Case, speed: f64) -> Result<StructuresInTime, CaseError> {

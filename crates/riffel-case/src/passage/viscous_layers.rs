@@ -42,6 +42,17 @@ impl Case {
         Some((viscous, share))
     }
 
+    /// The largest loss factor of a layer of its track \[-\].
+    pub(super) fn largest_loss_of_layers(&self) -> f64 {
+        let track = &self.file.track;
+        let layers = [track.pad.as_ref(), track.ballast.as_ref()];
+        let losses = layers
+            .into_iter()
+            .flatten()
+            .filter_map(|layer| layer.loss_factor);
+        losses.map(|loss| loss.si()).fold(0.0, f64::max)
+    }
+
     /// Mean over ln f of |H′/H − 1|², of the receptance of the track beside that of another case.
     fn share_off(&self, other: &Self) -> f64 {
         /// Where corrugation is made \[Hz\].

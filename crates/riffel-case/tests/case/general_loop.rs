@@ -101,17 +101,17 @@ fn mistakes_are_named() {
         (
             RIGID,
             "contact.contact_angle=90 deg",
-            "`contact.contact_angle` is 90 deg, but must be between 0 deg and 89.999 deg",
+            "`contact.contact_angle` is 90 deg, but must be between -89.999 deg and 89.999 deg",
         ),
         (
             RIGID,
             "contact.contact_angle=3",
-            "`contact.contact_angle` is 3 rad, but must be between 0 deg and 89.999 deg; did you mean \"3 deg\"?",
+            "`contact.contact_angle` is 3 rad, but must be between -89.999 deg and 89.999 deg; did you mean \"3 deg\"?",
         ),
         (
             STEPPED_AXLE,
-            "opposite_contact.contact_angle=-1 deg",
-            "`opposite_contact.contact_angle` is -1 deg, but must be between 0 deg",
+            "opposite_contact.contact_angle=-91 deg",
+            "`opposite_contact.contact_angle` is -91 deg, but must be between -89.999 deg",
         ),
         (
             RIGID,

@@ -375,7 +375,7 @@ fn modes_are_read_in_their_units() {
         let modes = case.wheelset_modes(wheelset(&case), 90.0).unwrap();
         assert_eq!(modes.len(), 1);
         assert!((modes[0].frequency - 78.6).abs() < 1e-6);
-        assert_eq!(modes[0].name.to_string(), "first elastic mode");
+        assert_eq!(modes[0].name.to_string(), "first torsion");
         let ends = |remark: &riffel_keys::Message| {
             let up_to = if residual.is_some() { "97 Hz" } else { "49 Hz" };
             remark.to_string().contains(&format!(

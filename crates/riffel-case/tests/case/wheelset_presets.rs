@@ -134,13 +134,38 @@ fn a_rigid_wheelset_takes_the_suspension_of_a_preset() {
     ));
 }
 
+/// A rigid wheelset has mass and inertias of the axle and discs of its preset, each where it is not written; and so has the wheelset of
+/// a curve.
+#[test]
+fn a_rigid_wheelset_weighs_as_its_preset() {
+    let flexible = case(&[]).unwrap();
+    let Some(CaseWheelset::Flexible(flexible)) = flexible.wheelset.as_deref() else {
+        panic!("not flexible");
+    };
+    let expected = flexible.rigid_body();
+    let body = |overrides: &[&str]| match case(overrides).unwrap().wheelset.as_deref() {
+        Some(CaseWheelset::Rigid(rigid)) => rigid.body(),
+        _ => panic!("not rigid"),
+    };
+    assert_eq!(body(&["wheelset.model=rigid"]), expected);
+    let heavier = body(&["wheelset.model=rigid", "wheelset.mass=2000 kg"]);
+    assert_eq!(
+        (heavier.mass, heavier.roll_inertia),
+        (2000.0, expected.roll_inertia)
+    );
+    let curve = include_str!("../../cases/metro-curve.toml").replace("mass = \"1150 kg\"", "");
+    let curve = riffel_case::CurvingCase::parse("case.toml", &curve, &[]).unwrap();
+    let mass = curve.file.wheelset.mass.unwrap().si();
+    // Axle, two wheels and boxes of the preset metro-trailer.
+    assert!((mass - 1150.0).abs() < 30.0, "{mass}");
+}
+
 #[test]
 fn mistakes_name_the_key() {
     for row in [
         "wheelset.preset=metro => is \"metro\", but no wheelset preset has that name; allowed: coach, electric-locomotive, metro-motor, metro-trailer, tram",
         "wheelset.preset=locomotive => no wheelset preset has that name",
         "wheelset.preset=3 => is \"3\", but no wheelset preset",
-        "wheelset.model=rigid => `wheelset.mass` is missing",
         "wheelset.discs=3 => `wheelset.discs` is not a list",
     ] {
         let (change, says) = row.split_once(" => ").unwrap();

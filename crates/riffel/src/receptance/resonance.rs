@@ -71,16 +71,18 @@ pub struct Resonance {
 
 impl Resonance {
     /// P2: where within \[rad/s\] the range the sum of the receptances of rail, wheel and contact is least and the wheel
-    /// moves as its unsprung mass: `inertia` is that which it has there, −1/(ω² Re H_wheel), over that mass. Of several the one
-    /// nearest to one, and none beyond a factor of two: where a suspension or an axle holds the wheel still, the sum is
-    /// least, too, and the wheel seems many times as heavy.
+    /// moves as its unsprung mass: `inertia` is that which it has there, −1/(ω² Re H_wheel), over that mass. Where a suspension
+    /// or an axle holds the wheel still, the sum is least, too, and the wheel seems many times as heavy. Of several, as the
+    /// bending of an axle makes of one, that of the least sum.
     pub fn p2(
         total: impl Fn(f64) -> Complex64,
         inertia: impl Fn(f64) -> f64,
         range: [f64; 2],
     ) -> Option<Self> {
-        let least = local_maxima(|w| -total(w).norm(), range).into_iter();
-        let angular_frequency = Self::as_mass(least, inertia)?;
+        let places = local_maxima(|w| -total(w).norm(), range);
+        let least = places.into_iter().filter(|&w| Self::is_as_mass(inertia(w)));
+        let angular_frequency =
+            least.min_by(|&a, &b| total(a).norm().total_cmp(&total(b).norm()))?;
         Some(Self {
             kind: ResonanceKind::P2,
             angular_frequency,
@@ -90,14 +92,12 @@ impl Resonance {
         })
     }
 
-    /// Of angular frequencies that at which the inertia of a wheel is nearest to its mass, as [`p2`](Self::p2) chooses.
-    pub fn as_mass(of: impl Iterator<Item = f64>, inertia: impl Fn(f64) -> f64) -> Option<f64> {
-        /// Of the unsprung mass: the bending of an axle takes some tenths of it.
+    /// Whether a wheel moves as its unsprung mass, where it has an inertia over that mass as [`p2`](Self::p2) takes it: within a
+    /// factor of two.
+    pub fn is_as_mass(inertia: f64) -> bool {
+        /// The bending of an axle takes some tenths of the mass.
         const AT_MOST: f64 = 2.0;
-        of.map(|w| (w, inertia(w).ln().abs()))
-            .filter(|(_, distance)| *distance <= AT_MOST.ln())
-            .min_by(|a, b| a.1.total_cmp(&b.1))
-            .map(|(w, _)| w)
+        (AT_MOST.recip()..=AT_MOST).contains(&inertia)
     }
 
     /// The peak of a rail's receptance that belongs to a frequency \[rad/s\] which theory gives for an

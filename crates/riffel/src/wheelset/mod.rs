@@ -8,6 +8,7 @@ mod consistency;
 mod flexible;
 mod measured;
 mod modal;
+mod modal_names;
 mod motion;
 mod port;
 mod rigid;

@@ -2,7 +2,8 @@
 
 use num_complex::Complex64;
 
-use super::{ContactReceptances, RigidWheelset, Wheelset};
+use super::modal_names::names;
+use super::{ContactReceptances, ModeName, RigidWheelset, Wheelset};
 use crate::Error;
 
 /// An elastic mode of a wheelset, from its finite-element model or a modal test.
@@ -118,6 +119,11 @@ impl ModalWheelset {
     /// Its elastic modes.
     pub fn modes(&self) -> &[ElasticMode] {
         &self.modes
+    }
+
+    /// What they are, in their order, by how they move the contacts: bending in either plane, torsion, or unnamed.
+    pub fn mode_names(&self) -> Vec<ModeName> {
+        names(&self.modes)
     }
 }
 
