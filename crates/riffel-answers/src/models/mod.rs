@@ -14,8 +14,8 @@ use riffel_plot::LineFigure;
 pub use difference::Difference;
 pub use document::ModelsDocument;
 
-use crate::{AnswerError, WearLimitDocument};
 use crate::highest::Highest;
+use crate::{AnswerError, WearLimitDocument};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
