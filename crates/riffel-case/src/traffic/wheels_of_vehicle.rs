@@ -204,7 +204,8 @@ impl Asked<'_> {
 
     fn at_speed(&self, speed: f64, error: &CaseError) -> CaseError {
         let message = format!(
-            "vehicle \"{}\" at {:.1} km/h: {error}",
+            "`{}`: vehicle \"{}\" at {:.1} km/h: {error}",
+            self.key(".curve"),
             self.name(),
             3.6 * speed
         );

@@ -66,35 +66,34 @@ fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
     Ok(())
 }
 
-/// Between the speeds at which the bogie is balanced rates are interpolated: to 2 % of the largest beside balancing it at each of
-/// the nodes of a distribution. Cause: second order in two standard deviations of the tails.
+/// Between the speeds at which the bogie is balanced rates are interpolated: to 2 % of the largest beside balancing it at every
+/// twentieth of a standard deviation. Cause: second order in two standard deviations of the tails.
 #[test]
 fn speeds_of_a_distribution_take_the_states_between() -> Result<(), CaseError> {
     let normal = on(
         &curve(&[]),
         "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }",
     )?;
-    let nodes = SpeedDistribution::normal(12.5, 1.0).unwrap().nodes();
+    let steps = (-80..=80).map(|step| f64::from(step) / 20.0);
+    let nodes: Vec<(f64, f64)> = steps.map(|z| (12.5 + z, (-0.5 * z * z).exp())).collect();
+    let sum: f64 = nodes.iter().map(|node| node.1).sum();
     let listed = nodes
         .iter()
-        .map(|(v, share)| format!("{{ speed = {v:?}, share = {share:?} }}"));
+        .map(|(v, weight)| format!("{{ speed = {v:?}, share = {:?} }}", weight / sum));
     let listed = listed.collect::<Vec<_>>().join(", ");
     let listed = on(&curve(&[]), &format!("curve = true\nspeeds = [{listed}]"))?;
-    let largest = listed
-        .growth
-        .rates()
-        .iter()
-        .fold(0.0, |a: f64, b| a.max(b.abs()));
+    let rates = listed.growth.rates().iter();
+    let largest = rates.fold(0.0, |a: f64, b| a.max(b.abs()));
     for (one, other) in normal.growth.rates().iter().zip(listed.growth.rates()) {
         assert!((one - other).abs() < 0.02 * largest, "{one:e} {other:e}");
     }
     Ok(())
 }
 
-/// One wheel without spread has the rates of the loop, bit by bit.
+/// One wheel without spread has the rates of the loop, bit by bit, at the amplitude that traffic takes.
 #[test]
 fn one_wheel_without_spread_is_the_loop() -> Result<(), CaseError> {
-    let case = nominal(&[]);
+    let case = nominal(&["corrugation.amplitude=1e-6"]);
     let found = on(&case, "speed = { mean = 30, standard_deviation = 2 }")?;
     let speeds = SpeedDistribution::normal(30.0, 2.0).unwrap();
     let loops = MeanGrowth::compute(&case.places(), &found.growth.wavelengths(), &speeds);

@@ -323,6 +323,35 @@ mod tests {
         Ok(())
     }
 
+    /// A Lorentzian line of the relative half width ζ falls under a normal spread s of the speed to √π u erfcx(u), u = ζ/(√2 s), of
+    /// its height: Voigt's function at its middle. To four digits as tabulated, and the tails cut off.
+    #[test]
+    fn a_line_falls_under_a_spread_of_speed_as_in_closed_form() -> Result<(), Error> {
+        let table = [
+            (0.01, 0.01, 0.6557),
+            (0.01, 0.05, 0.2152),
+            (0.01, 0.10, 0.1159),
+            (0.02, 0.20, 0.1159),
+            (0.10, 0.05, 0.8427),
+            (0.20, 0.20, 0.6557),
+        ];
+        for (width, spread, expected) in table {
+            let mean = 20.0;
+            let line = |v: f64| 1.0 / (1.0 + ((v / mean - 1.0) / width).powi(2));
+            let found = SpeedDistribution::normal(mean, spread * mean)?.means(|v| vec![[line(v)]]);
+            let [value] = found.values[0];
+            let error = (value - expected).abs();
+            assert!(
+                error < 2e-3 * expected,
+                "{width} {spread}: {value} {expected}"
+            );
+            let u = width / (2f64.sqrt() * spread);
+            let closed = std::f64::consts::PI.sqrt() * u * (u * u).exp() * libm::erfc(u);
+            assert!((closed - expected).abs() < 1e-4, "{closed} {expected}");
+        }
+        Ok(())
+    }
+
     #[test]
     fn shares_are_weights() -> Result<(), Error> {
         let speeds = SpeedDistribution::shares(&[(10.0, 1.0), (20.0, 3.0)])?;
