@@ -99,6 +99,30 @@ pub fn growth(
 /// Sections of a rail at every survey that has them, with the number of the survey.
 type OverTime = BTreeMap<i64, Vec<(usize, Section)>>;
 
+/// The sections of a rail at every survey of its line that has it.
+fn over_time(
+    store: &Store,
+    share: f64,
+    length: f64,
+    surveys: &[SurveyRecord],
+    alignments: &[Alignment],
+    rail: &RailRecord,
+) -> Result<OverTime, NetworkError> {
+    let mut sections = OverTime::new();
+    for (number, (survey, alignment)) in surveys.iter().zip(alignments).enumerate() {
+        let same = |other: &&RailRecord| other.name == rail.name;
+        let Some(same) = survey.rails.iter().find(same) else {
+            continue;
+        };
+        let found = Sections::placed(store, survey, same, length, share, alignment)?;
+        for section in found.sections {
+            let of_place = sections.entry(section.index).or_default();
+            of_place.push((number, section));
+        }
+    }
+    Ok(sections)
+}
+
 /// The sections of a line.
 fn of_line(
     store: &Store,
@@ -118,22 +142,7 @@ fn of_line(
     let rails: Result<Vec<OverTime>, NetworkError> = last
         .rails
         .par_iter()
-        .map(|rail| {
-            let mut sections = OverTime::new();
-            for (number, (survey, alignment)) in surveys.iter().zip(&alignments).enumerate() {
-                let same = |other: &&RailRecord| other.name == rail.name;
-                let Some(same) = survey.rails.iter().find(same) else {
-                    continue;
-                };
-                let share = judgement.share;
-                let found = Sections::placed(store, survey, same, length, share, alignment)?;
-                for section in found.sections {
-                    let of_place = sections.entry(section.index).or_default();
-                    of_place.push((number, section));
-                }
-            }
-            Ok(sections)
-        })
+        .map(|rail| over_time(store, judgement.share, length, surveys, &alignments, rail))
         .collect();
     let years = |survey: &SurveyRecord| {
         let days = surveys[0].date.until(survey.date);
@@ -177,10 +186,7 @@ fn of_line(
                         to_m: latest.to,
                         dates: [from.0, to.0].map(|number| surveys[number].date.to_string()),
                         surveys: known.len() - first,
-                        band_m: {
-                            let band = judgement.bands[band.band];
-                            [band.from(), band.to()]
-                        },
+                        band_m: judgement.ends(band.band),
                         rms_m: [from.1, to.1],
                         growth_db_per_year: trend.growth().unwrap_or(change),
                         growth_error_db_per_year: None,

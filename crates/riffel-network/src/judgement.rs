@@ -92,6 +92,12 @@ impl Judgement {
         })
     }
 
+    /// Shortest and longest wavelength of a band \[m\].
+    pub(crate) fn ends(&self, band: usize) -> [f64; 2] {
+        let band = &self.bands[band];
+        [band.from(), band.to()]
+    }
+
     /// A section in each band that is known and has a limit.
     pub(crate) fn bands_of<'a>(
         &'a self,

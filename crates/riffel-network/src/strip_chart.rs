@@ -236,7 +236,7 @@ fn charted(
                 from_m: section.from,
                 to_m: section.to,
                 rail: record.name.clone(),
-                band_m: [judgement.bands[band].from(), judgement.bands[band].to()],
+                band_m: judgement.ends(band),
                 rms_m: section.rms[band],
                 rms_over_limit: ratio,
             };

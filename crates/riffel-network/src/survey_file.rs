@@ -77,7 +77,9 @@ impl SurveyFile {
             path: path.to_owned(),
             reason,
         })?;
-        if let Err(binary) = text_file::Encoding::of(&first) {
+        if first.contains(&0)
+            && let Err(binary) = text_file::Encoding::of(&first)
+        {
             return Err(at(path, binary.line, binary.to_string()));
         }
         let head = reader(path)?

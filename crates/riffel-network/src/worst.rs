@@ -80,7 +80,6 @@ pub fn worst(
                 .into_iter()
                 .filter_map(|section| {
                     let found = judgement.worst(&section)?;
-                    let band = judgement.bands[found.band];
                     let growth = grown.get(&key(&survey.line, &rail.name, section.from));
                     Some(WorstPlace {
                         line: survey.line.clone(),
@@ -88,7 +87,7 @@ pub fn worst(
                         rail: rail.name.clone(),
                         from_m: section.from,
                         to_m: section.to,
-                        band_m: [band.from(), band.to()],
+                        band_m: judgement.ends(found.band),
                         rms_m: section.rms[found.band],
                         rms_over_limit: found.ratio,
                         kind: found.kind(),

@@ -231,7 +231,7 @@ impl Regression {
         });
         let drift = fastest / slowest - 1.0;
         let unsure = error(BLOCK as f64 / 2.0);
-        if !(drift > DRIFT + unsure) {
+        if drift.is_nan() || drift <= DRIFT + unsure {
             return Ok((clock, None));
         }
         let [slowest, fastest] = [slowest, fastest].map(|rate| rounded(rate, unsure.max(1e-5)));

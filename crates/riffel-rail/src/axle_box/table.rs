@@ -210,13 +210,16 @@ impl AxleBoxTable {
 /// A table, where in it what is, and what is to be said of that.
 type Found = (Table, Signals<usize>, Places<usize>, Vec<String>);
 
+/// What takes the line and the numbers of a row.
+type TakeRow<'a> = dyn FnMut(usize, &mut [f64]) -> Result<(), CaseError> + 'a;
+
 /// Hand on the numbers of each row of some columns with its line; `progress` is told of bytes done. Memory: a line.
 fn each_row(
     path: &Path,
     header_lines: usize,
     columns: &NumberColumns,
     width: usize,
-    take: &mut dyn FnMut(usize, &mut [f64]) -> Result<(), CaseError>,
+    take: &mut TakeRow<'_>,
     progress: &dyn Fn(usize),
 ) -> Result<(), CaseError> {
     let failed = |reason| unreadable(path, reason);

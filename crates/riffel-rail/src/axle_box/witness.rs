@@ -69,7 +69,7 @@ impl Witness {
         let off = (length - other).abs() / longer;
         // A step at either end is no contradiction.
         let rounding = 2.0 * self.step / longer;
-        if longer <= 0.0 || !(off > AGREED + rounding) {
+        if longer <= 0.0 || off.is_nan() || off <= AGREED + rounding {
             return Ok(None);
         }
         let words = |by: PlaceBy, length: f64| {

@@ -74,14 +74,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                     })?;
                 }
                 "xoffset" | "yoffset" => {
-                    let offset = number_in(value).ok_or_else(|| {
-                        let shown = clipped(line);
-                        Fault::at(
-                            index + 1,
-                            format!("\"{shown}\" has no number in millimetres"),
-                        )
-                    })?;
-                    written.offset[usize::from(key == "yoffset")] = offset;
+                    written.offset[usize::from(key == "yoffset")] = offset(line, value, index + 1)?;
                 }
                 "xypoints" => announced = value.parse::<usize>().ok(),
                 key if !value.is_empty() && OF_WHEELS.contains(&key) => {
@@ -135,6 +128,14 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
     }
     written.scale(1e-3);
     Ok(written)
+}
+
+/// The millimetres of an offset.
+fn offset(line: &str, value: &str, number: usize) -> Result<f64, Fault> {
+    number_in(value).ok_or_else(|| {
+        let shown = clipped(line);
+        Fault::at(number, format!("\"{shown}\" has no number in millimetres"))
+    })
 }
 
 /// Where X and Y are among the columns.

@@ -42,8 +42,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
         .enumerate()
         .map(|(index, line)| (index + 1, line.trim()));
     let first = lines.find(|(_, line)| !line.is_empty());
-    let kind = first.and_then(|(_, line)| kind_of(line));
-    written.kind = kind;
+    written.kind = first.and_then(|(_, line)| kind_of(line));
     // The title.
     let _ = lines.next();
     // Millimetres: TREADDATUM or GAUGEPOINT, and FLANGEBACK or GAUGE.
@@ -113,32 +112,38 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
             }
         }
     }
-    if let Some(distance) = distance {
-        match kind {
-            Some(ProfileKind::Wheel) => {
-                let origin = 0.5 * distance - flange_back;
-                written.map(|[y, z]| [y - origin, z]);
-                written
-                    .remarks
-                    .push(say!(flange_backs_apart, distance = fixed(distance, 1)));
-                if let Some(datum) = datum.filter(|datum| (datum + flange_back).abs() > 0.05) {
-                    written.remarks.push(say!(
-                        tread_datum_elsewhere,
-                        datum = fixed(datum, 2),
-                        origin = fixed(-flange_back, 2)
-                    ));
-                }
-            }
-            _ => {
-                let depth = datum.unwrap_or(14.0);
-                written.remarks.push(say!(
-                    gauge_of_file,
-                    distance = fixed(distance, 1),
-                    depth = fixed(depth, 1)
-                ));
-            }
-        }
-    }
+    place(&mut written, datum, distance, flange_back);
     written.scale(1e-3);
     Ok(written)
+}
+
+/// Put the origin of a wheel where its flange back says, and tell of the gauge of rails; all in millimetres.
+fn place(
+    written: &mut WrittenProfile,
+    datum: Option<f64>,
+    distance: Option<f64>,
+    flange_back: f64,
+) {
+    let Some(distance) = distance else { return };
+    if written.kind != Some(ProfileKind::Wheel) {
+        let depth = datum.unwrap_or(14.0);
+        written.remarks.push(say!(
+            gauge_of_file,
+            distance = fixed(distance, 1),
+            depth = fixed(depth, 1)
+        ));
+        return;
+    }
+    let origin = 0.5 * distance - flange_back;
+    written.map(|[y, z]| [y - origin, z]);
+    written
+        .remarks
+        .push(say!(flange_backs_apart, distance = fixed(distance, 1)));
+    if let Some(datum) = datum.filter(|datum| (datum + flange_back).abs() > 0.05) {
+        written.remarks.push(say!(
+            tread_datum_elsewhere,
+            datum = fixed(datum, 2),
+            origin = fixed(-flange_back, 2)
+        ));
+    }
 }
