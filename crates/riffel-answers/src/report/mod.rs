@@ -100,6 +100,14 @@ pub struct ReportRequest<'a> {
     pub inputs: &'a Inputs,
 }
 
+/// Sentences in brief under a label.
+fn labelled(label: &str, mut sentences: Vec<String>) -> Vec<String> {
+    if let Some(first) = sentences.first_mut() {
+        *first = format!("<b>{label}:</b> {first}");
+    }
+    sentences
+}
+
 /// Why growth under the traffic is not to be believed, if it is not.
 fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> Option<String> {
     let remarks = forecast.into_iter().flat_map(|answer| &answer.on.remarks);
@@ -134,7 +142,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             diagnosis = diagnosed.ok_or(NO_DIAGNOSIS);
             let (own, words) = measured(rail.path, rail.roughness, limits)?;
             sections.extend(own);
-            brief.extend(words);
+            brief.extend(labelled("How bad, and where", words));
             warnings.extend_from_slice(rail.warnings);
         }
         None => {
@@ -158,7 +166,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                     let file = path.display().to_string();
                     sections.push(map.section);
                     sections.push(mechanism::diagnosis(&file, diagnosis)?);
-                    brief.extend(dominant(diagnosis));
+                    brief.extend(labelled("Why, and how sure", dominant(diagnosis)));
                     warnings.extend(diagnosis.warnings.iter().cloned());
                 }
                 Err(why) => {
@@ -182,7 +190,13 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             };
             let doubt =
                 of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
-            for mut outlook in [forecast, what_if, noise] {
+            let outlooks = [
+                ("What comes", forecast),
+                ("What helps", what_if),
+                ("What is heard", noise),
+            ];
+            for (label, mut outlook) in outlooks {
+                outlook.brief = labelled(label, outlook.brief);
                 // No dates of a growth that nobody has seen.
                 if doubt.is_some() {
                     outlook.brief.clear();

@@ -243,3 +243,25 @@ fn every_preset_computes() {
         );
     }
 }
+
+/// Every rail of the presets stands in a curve: it bends and shears both ways, on discrete supports under a wheelset.
+#[test]
+fn every_rail_stands_in_a_curve() {
+    let curve = include_str!("../../cases/metro-curve.toml");
+    let rails = riffel_case::presets();
+    let rails = rails
+        .iter()
+        .filter(|preset| preset.kind == riffel_case::PresetKind::Rail);
+    let mut names = Vec::new();
+    for rail in rails {
+        let overrides = [
+            format!("rail.section={}", rail.name),
+            "track.model=one-layer-periodic".to_owned(),
+        ];
+        let case = Case::parse("case.toml", curve, &overrides).unwrap();
+        let rigid = |remark: &&riffel_keys::Message| remark.id().contains("rigid");
+        assert_eq!(case.remarks.iter().find(rigid), None, "{}", rail.name);
+        names.push(rail.name.clone());
+    }
+    assert!(names.len() >= 6, "{names:?}");
+}

@@ -156,8 +156,15 @@ fn a_rigid_wheelset_weighs_as_its_preset() {
     let curve = include_str!("../../cases/metro-curve.toml").replace("mass = \"1150 kg\"", "");
     let curve = riffel_case::CurvingCase::parse("case.toml", &curve, &[]).unwrap();
     let mass = curve.file.wheelset.mass.unwrap().si();
-    // Axle, two wheels and boxes of the preset metro-trailer.
-    assert!((mass - 1150.0).abs() < 30.0, "{mass}");
+    // Axle, two wheels, brake discs and boxes of the preset metro-trailer, 1419 kg.
+    let trailer = case(&["wheelset.preset=metro-trailer"]).unwrap();
+    let Some(CaseWheelset::Flexible(trailer)) = trailer.wheelset.as_deref() else {
+        panic!("not flexible");
+    };
+    assert!(
+        (mass / trailer.rigid_body().mass - 1.0).abs() < 1e-9,
+        "{mass}"
+    );
 }
 
 #[test]

@@ -246,15 +246,15 @@ fn readable_motion(case: &Case, answer: &SmoothRailAnswer) -> String {
         (Outcome::RunsAway, None) => "the wheels slide off".to_owned(),
         (_, None) => "the push dies out".to_owned(),
     };
-    let growth = document.linear_growth_rate_per_s;
-    let growth = growth.map_or_else(String::new, |growth| {
-        format!(", where it grows e-fold in {:.3} s", growth.recip())
-    });
     let linear = match (document.linear_unstable_roots, document.linear_frequency_hz) {
         (Some(0), _) => "the linear loop is stable".to_owned(),
-        (Some(_), Some(frequency)) => {
-            format!("the linear loop is unstable near {frequency:.0} Hz{growth}")
-        }
+        (Some(_), Some(frequency)) => match document.linear_growth_rate_per_s {
+            Some(growth) => format!(
+                "the linear loop is unstable near {frequency:.0} Hz, where it grows e-fold in {:.3} s",
+                growth.recip()
+            ),
+            None => format!("the linear loop is unstable near {frequency:.0} Hz"),
+        },
         (Some(_), None) => "the linear loop is unstable".to_owned(),
         (None, _) => "the linear loop cannot be judged".to_owned(),
     };

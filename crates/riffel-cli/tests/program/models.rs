@@ -46,13 +46,16 @@ fn models_stand_side_by_side() {
     // Ours is the case with the exact contact.
     let ours = model("riffel");
     assert_eq!(ours["differs_by"], serde_json::json!([]));
+    // In the midst of the window, whose ends are exact.
+    let wavelengths = document["wavelength_m"].as_array().unwrap();
+    let middle = wavelengths.len() / 2;
+    let wavelength = number(&wavelengths[middle]);
     let point = sandbox.json(&format!(
-        "point cases/nominal.toml --wavelength 0.05 --speed 30 --json {FEW} \
+        "point cases/nominal.toml --wavelength {wavelength} --speed 30 --json {FEW} \
          --set contact.response=non-steady --set contact.creep_law=half-space"
     ));
-    assert_eq!(number(&document["wavelength_m"][2]), 0.05);
     assert_eq!(
-        ours["growth_rate_per_passage"][2],
+        ours["growth_rate_per_passage"][middle],
         point["growth_rate_per_passage"]
     );
     // The joint that moves growth most comes first.

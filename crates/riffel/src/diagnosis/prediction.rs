@@ -250,6 +250,8 @@ impl Mechanism {
 
 #[cfg(test)]
 mod tests {
+    use std::f64::consts::PI;
+
     use super::*;
 
     /// Densities over ln λ add up to one.
@@ -302,7 +304,7 @@ mod tests {
         let range = TrafficSpeeds::between(12.5, 25.0).unwrap();
         assert!(pads.covers(0.14, 0.02, &range) && !pads.covers(0.25, 0.02, &range));
         let wheel = Mechanism::wheel_circumference(0.5);
-        assert!(covered(&wheel, 3.14159 / 2.0) && !covered(&wheel, 3.14159 / 2.4));
+        assert!(covered(&wheel, PI / 2.0) && !covered(&wheel, PI / 2.4));
     }
 
     #[test]

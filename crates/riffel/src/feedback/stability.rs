@@ -150,6 +150,12 @@ fn root_near(
     None
 }
 
+/// The phase of a number beyond that of K (iω)^{−m} with K real of either sign, nearest to zero.
+fn from_asymptote(value: Complex64, order: f64) -> f64 {
+    let beyond = value.arg() + order * FRAC_PI_2;
+    beyond - PI * (beyond / PI).round()
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -172,10 +178,4 @@ mod tests {
         // One on the left is none.
         assert_eq!(root_near(300.0, [1.0, 1e4], &mut value), None);
     }
-}
-
-/// The phase of a number beyond that of K (iω)^{−m} with K real of either sign, nearest to zero.
-fn from_asymptote(value: Complex64, order: f64) -> f64 {
-    let beyond = value.arg() + order * FRAC_PI_2;
-    beyond - PI * (beyond / PI).round()
 }

@@ -109,7 +109,7 @@ impl FineRow {
             wavelengths: first,
             values,
         } = self;
-        if !(size > 0.0) || first.len() < 3 {
+        if size == 0.0 || first.len() < 3 {
             return Self {
                 wavelengths: first,
                 values,

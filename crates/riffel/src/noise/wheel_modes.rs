@@ -293,7 +293,7 @@ mod tests {
     }
 
     /// Driven far below its natural frequency a mode radiates with the efficiency of the frequency that drives it: as disc and
-    /// tread do there, exactly on octaves and within a decibel between them, and a hundred times less than at the natural frequency.
+    /// tread do there, exactly on octaves and within a decibel between them; with many waves around next to nothing.
     #[test]
     fn a_mode_radiates_at_the_frequency_that_drives_it() -> Result<(), Error> {
         let (air, natural) = (Air::default(), 9000.0);
@@ -313,8 +313,14 @@ mod tests {
             let off = 10.0 * (ringing.power.at(TAU * frequency) / expected(frequency)).log10();
             assert!(off.abs() < 1.0, "{frequency}: {off} dB");
         }
+        // Six waves around are short-circuited at 200 Hz, where two still radiate half of what they do above.
+        let six = WheelMode {
+            nodal_diameters: 6,
+            ..mode
+        };
+        let ringing = wheel(&[six])?.modes[0].clone();
         let below = ringing.power.at(TAU * 200.0) / ringing.power.at(TAU * natural);
-        assert!(below < 1e-2, "{below}");
+        assert!(below < 1e-3, "{below}");
         Ok(())
     }
 
