@@ -341,7 +341,10 @@ mod tests {
             let found = SpeedDistribution::normal(mean, spread * mean)?.means(|v| vec![[line(v)]]);
             let [value] = found.values[0];
             let error = (value - expected).abs();
-            assert!(error < 2e-3 * expected, "{width} {spread}: {value} {expected}");
+            assert!(
+                error < 2e-3 * expected,
+                "{width} {spread}: {value} {expected}"
+            );
             let u = width / (2f64.sqrt() * spread);
             let closed = std::f64::consts::PI.sqrt() * u * (u * u).exp() * libm::erfc(u);
             assert!((closed - expected).abs() < 1e-4, "{closed} {expected}");
