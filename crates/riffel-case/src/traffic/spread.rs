@@ -60,7 +60,7 @@ impl<'de, D: Dimension> Deserialize<'de> for Spread<D> {
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
                 f.write_str(
-                    "{ mean, standard_deviation }, { min, max } or a list of { value, share }",
+                    "a table of mean and standard_deviation, one of min and max, or a list of values with shares",
                 )
             }
 

@@ -61,7 +61,7 @@ impl Bend {
     /// Axle passages until a mean square \[m²\] beyond it; none where nothing wears.
     pub(super) fn passages_to(&self, mean_square: f64) -> Option<f64> {
         let more = ((2.0 * mean_square).sqrt() - self.amplitude) / self.depth;
-        more.is_finite().then(|| self.passages + more)
+        more.is_finite().then_some(self.passages + more)
     }
 }
 

@@ -161,7 +161,6 @@ impl VehicleGrowth {
 
     /// The vehicle where its contacts cover the line under study in a share of its passages \[-\], from 0 to 1, and run beside
     /// it in the others, which leave the line as it is.
-    #[must_use]
     pub fn covering(mut self, share: f64) -> Self {
         let course = self.course.iter_mut();
         let course = course.flat_map(|course| &mut course.rates);
