@@ -319,3 +319,4 @@ spread-of-wheel-radius = the spread of wheel radii
 spread-of-load = the spread of loads
 spread-of-friction = the spread of friction
 spread-of-position = the spread of contacts across the rail
+creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another contact.grid may do

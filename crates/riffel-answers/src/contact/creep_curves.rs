@@ -28,26 +28,50 @@ pub struct CreepCurves {
     pub creepages: Vec<f64>,
     /// Law by law, the exact one last.
     pub laws: Vec<CreepCurve>,
+    /// Creepages that were asked for and are left out, since the exact theory does not converge there.
+    pub left_out: Vec<f64>,
 }
 
 impl CreepCurves {
     /// The curves at some creepages \[-\]; `progress` is told of each of them.
     ///
     /// # Errors
-    /// [`CaseError::Physics`] where the exact theory does not converge.
+    /// [`CaseError::Physics`] where the exact theory converges nowhere, or a creepage is negative.
     pub fn new(
         theories: &RollingTheories,
-        creepages: Vec<f64>,
+        mut creepages: Vec<f64>,
         progress: impl Fn(),
     ) -> Result<Self, CaseError> {
         let load = theories.hertz.normal_force();
         let mut exact = Vec::with_capacity(creepages.len());
+        let mut left_out = Vec::new();
+        let mut failure = None;
+        let mut before = None;
         for &creepage in &creepages {
-            let state = theories.half_space.roll(creepage);
-            let state = state.map_err(refused(format!("half-space, creepage {creepage}")))?;
-            exact.push(theories.tractive_ratio(state.tangential_force()));
+            let half_space = &theories.half_space;
+            let state = half_space.roll(creepage).or_else(|error| match &before {
+                Some(before) => half_space.roll_near(creepage, before),
+                None => Err(error),
+            });
             progress();
+            match state {
+                Ok(state) => {
+                    exact.push(theories.tractive_ratio(state.tangential_force()));
+                    before = Some(state);
+                }
+                Err(error @ riffel::Error::NotConverged { .. }) => {
+                    left_out.push(creepage);
+                    failure = Some((creepage, error));
+                }
+                Err(error) => {
+                    return Err(refused(format!("half-space, creepage {creepage}"))(error));
+                }
+            }
         }
+        if let Some((creepage, error)) = failure.filter(|_| exact.is_empty()) {
+            return Err(refused(format!("half-space, creepage {creepage}"))(error));
+        }
+        creepages.retain(|creepage| !left_out.contains(creepage));
         let over = |force: &dyn Fn(f64) -> f64| -> Vec<f64> {
             let ratio = |&creepage| theories.tractive_ratio(force(creepage));
             creepages.iter().map(ratio).collect()
@@ -72,7 +96,11 @@ impl CreepCurves {
             "half-space (exact)",
             exact,
         ));
-        Ok(Self { creepages, laws })
+        Ok(Self {
+            creepages,
+            laws,
+            left_out,
+        })
     }
 }
 

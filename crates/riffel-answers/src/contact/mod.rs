@@ -9,7 +9,7 @@ mod wave_response;
 
 use std::io::{self, Write};
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{Arrangement, LineFigure, Series};
 
 pub use creep_curves::{CreepCurve, CreepCurves};
@@ -91,6 +91,21 @@ impl ContactAnswer {
             panels,
             arrangement: Arrangement::Stacked,
         }
+    }
+
+    /// What the reader should know about it.
+    pub fn remarks(&self) -> Vec<Message> {
+        let mut remarks = self.theories.contact.remarks.clone();
+        if !self.curves.left_out.is_empty() {
+            let percent = |creepage: &f64| format!("{:.4} %", 100.0 * creepage);
+            let creepages: Vec<String> = self.curves.left_out.iter().map(percent).collect();
+            remarks.push(say!(
+                creepages_left_out,
+                creepages = creepages.join(", "),
+                grid = self.theories.contact.file.contact.grid
+            ));
+        }
+        remarks
     }
 
     /// Stick, slip and tractions of the mean state.

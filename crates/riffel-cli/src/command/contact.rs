@@ -14,7 +14,6 @@ use crate::results::Results;
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let contact = arguments.case.read_contact()?;
-    let remarks = contact.remarks.clone();
     let theories = RollingTheories::new(contact)?;
     let creepages = creepages(arguments, &theories)?;
     let ratios = ratios(arguments)?;
@@ -49,7 +48,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
         },
         || readable(&answer),
     )?;
-    print_remarks(&remarks);
+    print_remarks(&answer.remarks());
     Ok(())
 }
 

@@ -209,6 +209,20 @@ impl HalfSpace {
         self.roll_from(Creepages::longitudinal(creepage), None)
     }
 
+    /// The same, begun with the tractions of another creepage nearby: on fine grids near full slip it may converge where
+    /// [`roll`](Self::roll) does not.
+    ///
+    /// # Errors
+    /// As [`roll`](Self::roll).
+    pub fn roll_near(
+        &self,
+        creepage: f64,
+        near: &HalfSpaceRolling,
+    ) -> Result<HalfSpaceRolling, Error> {
+        Error::unless_not_negative("creepage", creepage, "")?;
+        self.roll_from(Creepages::longitudinal(creepage), Some(near))
+    }
+
     /// Steady rolling with lateral creepage and spin as well, of either sign.
     ///
     /// # Errors
