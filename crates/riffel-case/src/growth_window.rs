@@ -21,10 +21,18 @@ impl Case {
         self.told_of(self.wavelength)
     }
 
+    /// The shortest wavelength \[m\] of which the fastest growth is told; zero where the response of the contact has the filter.
+    pub fn shortest_told(&self) -> f64 {
+        match self.file.contact.response {
+            ContactDynamics::NonSteady => 0.0,
+            _ => shortest_not_averaged(self.hertz),
+        }
+    }
+
     /// Those of another window.
     pub fn told_of(&self, window: Axis) -> Option<Axis> {
-        let shortest = shortest_not_averaged(self.hertz);
-        if self.file.contact.response == ContactDynamics::NonSteady || window.min() >= shortest {
+        let shortest = self.shortest_told();
+        if window.min() >= shortest {
             return Some(window);
         }
         Axis::new(shortest, window.max(), window.points()).ok()

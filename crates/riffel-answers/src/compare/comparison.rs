@@ -229,11 +229,10 @@ impl Outcome {
 }
 
 impl FastestLine {
-    /// Of the wavelengths of which growth is told in a case; of all, where the contact averages them out.
+    /// Of the wavelengths that the contact of a case does not average out; of all, where it averages out all.
     fn of(growth: &TrafficGrowth, case: &Case) -> Self {
-        let told = case.growth_window().unwrap_or(case.wavelength);
-        let told = growth.fastest([told.min(), told.max()]);
-        let fastest = told.or_else(|| growth.fastest([0.0, f64::INFINITY]));
+        let told = growth.fastest(case.shortest_told());
+        let fastest = told.or_else(|| growth.fastest(0.0));
         // Every traffic has a line.
         let (wavelength, rate, at_edge) = fastest.unwrap_or_default();
         Self {

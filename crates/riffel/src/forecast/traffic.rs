@@ -97,6 +97,31 @@ impl VehicleGrowth {
         self
     }
 
+    /// Its course with the lines \[m\] beside the window of that; the lines alone where it has none.
+    fn course_over(&self, lines: &[f64]) -> GrowthCourse {
+        let mut over = GrowthCourse {
+            wavelengths: Vec::new(),
+            rates: Vec::new(),
+        };
+        let mut add = |wavelengths: &[f64], rates: &[f64]| {
+            over.wavelengths.extend(wavelengths);
+            over.rates.extend(rates);
+        };
+        let rates = &self.growth.rates;
+        match &self.course {
+            None => add(lines, rates),
+            Some(course) => {
+                let last = course.wavelengths.len() - 1;
+                let before = lines.partition_point(|line| *line < course.wavelengths[0]);
+                let after = lines.partition_point(|line| *line <= course.wavelengths[last]);
+                add(&lines[..before], &rates[..before]);
+                add(&course.wavelengths, &course.rates);
+                add(&lines[after..], &rates[after..]);
+            }
+        }
+        over
+    }
+
     /// Speeds at which narrow lines are looked for; more of them blur what is narrow.
     pub const FEW: usize = 3;
 
@@ -306,22 +331,15 @@ impl TrafficGrowth {
         &self.rates
     }
 
-    /// The wavelength \[m\] within a range that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
-    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line lies
-    /// in the range.
-    pub fn fastest(&self, range: [f64; 2]) -> Option<(f64, f64, bool)> {
+    /// The wavelength \[m\] from a shortest one on that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
+    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line is so long.
+    pub fn fastest(&self, shortest: f64) -> Option<(f64, f64, bool)> {
         let lines = self.wavelengths();
-        let of_lines = |vehicle: &VehicleGrowth| GrowthCourse {
-            wavelengths: lines.clone(),
-            rates: vehicle.growth.rates.clone(),
-        };
-        let courses: Vec<(f64, GrowthCourse)> = (self.vehicles.iter())
-            .map(|vehicle| {
-                let course = vehicle.course.clone();
-                (vehicle.share, course.unwrap_or_else(|| of_lines(vehicle)))
-            })
+        let courses = self.vehicles.iter();
+        let courses: Vec<(f64, GrowthCourse)> = courses
+            .map(|vehicle| (vehicle.share, vehicle.course_over(&lines)))
             .collect();
-        let inside = |wavelength: &&f64| (range[0]..=range[1]).contains(*wavelength);
+        let inside = |wavelength: &&f64| **wavelength >= shortest;
         let places = courses.iter().flat_map(|(_, course)| &course.wavelengths);
         let mut places: Vec<f64> = places.filter(inside).copied().collect();
         places.sort_by(f64::total_cmp);
