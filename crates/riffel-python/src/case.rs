@@ -14,6 +14,7 @@ use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
 use riffel::{Axis, Direction, GrowthMap, Ridge};
+use riffel_answers::WearLimitDocument;
 use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
@@ -388,9 +389,12 @@ impl Case {
         /// From here on the wait may be worth interrupting.
         const MANY: usize = 1000;
         let at = move |wavelength: f64, speed: f64| {
-            Point::new(&case, &case.feedback.at(wavelength, speed))
+            let state = case.feedback.at(wavelength, speed);
+            let wear = case.feedback.mean_wear();
+            let limit = WearLimitDocument::new(wear, Some(state.growth_rate));
+            (Point::new(&case, &state), limit)
         };
-        let points: Vec<Point> = if wavelengths.len() < MANY {
+        let points: Vec<(Point, WearLimitDocument)> = if wavelengths.len() < MANY {
             let pairs = wavelengths.iter().zip(&speeds);
             py.detach(|| {
                 pairs
@@ -406,30 +410,49 @@ impl Case {
             })?
         };
         let points = self.unless_callable_failed(points)?;
-        let columns = points[0].quantities.iter().enumerate();
-        Ok(columns
-            .map(|(index, (quantity, _))| {
-                let values = || points.iter().map(|point| point.quantities[index].1);
-                let reals: Option<Vec<f64>> = values()
+        let columns = points[0].0.quantities.iter().enumerate();
+        let columns = columns.map(|(index, (quantity, _))| {
+            let values = || points.iter().map(|point| point.0.quantities[index].1);
+            let reals: Option<Vec<f64>> = values()
+                .map(|value| match value {
+                    PointValue::Real(value) => Some(value),
+                    PointValue::Complex(_) => None,
+                })
+                .collect();
+            let array = match reals {
+                Some(reals) => reals.into_pyarray(py).into_any(),
+                None => values()
                     .map(|value| match value {
-                        PointValue::Real(value) => Some(value),
-                        PointValue::Complex(_) => None,
+                        PointValue::Real(value) => value.into(),
+                        PointValue::Complex(value) => value,
                     })
-                    .collect();
-                let array = match reals {
-                    Some(reals) => reals.into_pyarray(py).into_any(),
-                    None => values()
-                        .map(|value| match value {
-                            PointValue::Real(value) => value.into(),
-                            PointValue::Complex(value) => value,
-                        })
-                        .collect::<Vec<Complex64>>()
-                        .into_pyarray(py)
-                        .into_any(),
-                };
-                (quantity.key(), quantity.unit(), quantity.name(), array)
-            })
-            .collect())
+                    .collect::<Vec<Complex64>>()
+                    .into_pyarray(py)
+                    .into_any(),
+            };
+            (quantity.key(), quantity.unit(), quantity.name(), array)
+        });
+        let limits = |value: fn(&WearLimitDocument) -> f64| {
+            let values = points.iter().map(|point| value(&point.1));
+            values.collect::<Vec<f64>>().into_pyarray(py).into_any()
+        };
+        let wear = limits(|limit| limit.mean_wear_mm_per_100_mgt);
+        let amplitude = limits(|limit| limit.amplitude_limit_m.unwrap_or(f64::NAN));
+        let beside = [
+            (
+                "mean_wear_mm_per_100_mgt",
+                "mm",
+                "mean wear under 100 MGT",
+                wear,
+            ),
+            (
+                "amplitude_limit_m",
+                "m",
+                "amplitude beyond which the rate cannot last",
+                amplitude,
+            ),
+        ];
+        Ok(columns.chain(beside).collect())
     }
 
     /// Write Ŵ₁ to `values`, a row for each speed, filled up to whole tiles. While it is computed `meanwhile` is called
@@ -609,6 +632,12 @@ impl Case {
                 })
                 .collect()
         })
+    }
+
+    /// Frequency of the P2 resonance in closed form \[Hz\]; none where the case has none.
+    fn p2_closed_form(&self) -> Option<f64> {
+        let closed = self.case.p2_closed_form()?;
+        Some(closed.angular_frequency() / std::f64::consts::TAU)
     }
 
     /// Nominal frequency, decay rate and whether it is an upper bound, for each one-third octave.

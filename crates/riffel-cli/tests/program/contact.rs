@@ -104,7 +104,7 @@ fn contact_document_and_tables() {
     assert_eq!(rows[1][0], "0.0005");
     let (header, rows) = table(&sandbox, "out/frequency-response.csv");
     assert_eq!(header[1..3], ["creepage_force_re", "creepage_force_im"]);
-    assert_eq!((header.len(), rows.len()), (13, 2));
+    assert_eq!((header.len(), rows.len()), (18, 2));
     let force: f64 = rows[0][1].parse().unwrap();
     let expected = response["creepage"]["force"][0][0].as_f64().unwrap();
     assert!((force / expected - 1.0).abs() < 1e-12);
@@ -441,27 +441,10 @@ fn every_law_rolls_steadily() {
         );
         assert!(document["frequency_response"]["load"].is_object(), "{law}");
     }
-    let outcome =
-        sandbox.riffel("contact cases/curve.toml --set contact.grid=24 --creepage 0.001 -o out");
+    // Where all slips the exact theory has its response too.
+    let outcome = sandbox
+        .riffel("contact cases/curve.toml --set contact.grid=24 --creepage 0.001 --ratio 8 -o out");
     assert_eq!(outcome.status, Some(0), "{}", outcome.text);
-    assert!(
-        outcome.text.contains("no frequency response"),
-        "{}",
-        outcome.text
-    );
-    assert!(
-        !sandbox
-            .list("out")
-            .contains(&"frequency-response.csv".to_owned())
-    );
-    let given = "--set contact.creep_law=half-space --set contact.response=non-steady -o again";
-    let outcome = sandbox.riffel(&format!(
-        "contact cases/curve.toml --set contact.grid=24 {given}"
-    ));
-    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-    let text = outcome.text.replace("\n  │ ", " ");
-    assert!(
-        text.contains("contact.creepage") && text.contains("has no slope"),
-        "{text}"
-    );
+    let files = sandbox.list("out");
+    assert!(files.contains(&"frequency-response.csv".to_owned()));
 }

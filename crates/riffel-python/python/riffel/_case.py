@@ -459,7 +459,7 @@ class Case:
         xarray.Dataset
             Complex receptances in m/N over ``frequency``, named as by ``riffel receptance --json``; on discrete
             supports those over a support and in mid-span as well. The attributes ``resonances`` and
-            ``resonance_frequencies_hz`` name what stands out vertically.
+            ``resonance_frequencies_hz`` name what stands out vertically, ``p2_closed_form_hz`` is P2 of masses and springs.
 
         Examples
         --------
@@ -472,8 +472,12 @@ class Case:
         asked = None if frequency is None else array(frequency, "frequency", "frequency")
         load = None if speed is None else scalar(speed, "speed", "speed")
         frequencies, joints = self._case.receptance(asked, load, direction)
-        resonances = self._case.resonances() if direction == "vertical" else None
-        return _track.receptance(frequencies, joints, resonances, self.title)
+        found = _track.receptance(
+            frequencies, joints, self._case.resonances() if direction == "vertical" else None, self.title
+        )
+        if direction == "vertical" and (closed := self._case.p2_closed_form()) is not None:
+            found.attrs["p2_closed_form_hz"] = closed
+        return found
 
     def decay_rate(self, *, direction: str = "vertical") -> xr.DataArray:
         """Track decay rate in one-third octaves of EN 15461, in dB/m over nominal ``frequency``.

@@ -41,8 +41,8 @@ def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Qu
     --------
     >>> named = ["grassie-johnson-1985", "afferrante-ciavarella-2009"]
     >>> growth = riffel.compare_models(case, named, speed="30 m/s")
-    >>> (growth["growth_rate"] > 0).mean("wavelength").round(1).values.tolist()
-    [0.3, 0.7]
+    >>> growth["fastest_frequency"].round(-1).values.tolist()
+    [380.0, 540.0]
     """
     if isinstance(models, str):
         raise ValueError(f"models is {models!r}, but must be a sequence of names")
