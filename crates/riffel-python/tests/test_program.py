@@ -101,7 +101,8 @@ def test_many_points_are_those_one_by_one(nominal: riffel.Case) -> None:
         for wavelength in wavelengths:
             one = nominal.point(wavelength=float(wavelength), speed=float(speed))
             chosen = grid.sel(speed=speed, wavelength=wavelength)
-            assert as_json({str(key): values.item() for key, values in chosen.data_vars.items()}) == as_json(one)
+            many = as_json({str(key): values.item() for key, values in chosen.data_vars.items()})
+            assert many == as_json(one)  # type: ignore[arg-type]
     pairs = nominal.point(
         wavelength=xr.DataArray(wavelengths[:2], dims="section"), speed=xr.DataArray(speeds, dims="section")
     )

@@ -78,10 +78,9 @@ impl<'a> ResponseSweep<'a> {
             })
         };
         let load = self.contact.hertz.normal_force();
-        let asked = "every sweep has the load and the longitudinal creepage";
         Ok(ContactResponse {
-            by_load: by(Input::Load, load.recip()).expect(asked),
-            by_longitudinal: by(Input::Longitudinal, 1.0).expect(asked),
+            by_load: by(Input::Load, load.recip()).expect("every sweep has both"),
+            by_longitudinal: by(Input::Longitudinal, 1.0).expect("every sweep has both"),
             by_lateral: by(Input::Lateral, 1.0),
             by_spin: by(Input::Spin, 1.0),
             by_curvature: by(Input::Profile, 1.0),
