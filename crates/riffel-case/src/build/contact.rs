@@ -287,20 +287,21 @@ impl CheckedKeys {
     ) -> Result<Arc<dyn RollingContact>, CaseError> {
         let contact = self.half_space_of(hertz, friction)?;
         let state = self.exact_state(&contact, mean)?;
+        let with_waves = |creepages: OscillatingCreepages| match self.feels_waves() {
+            true => creepages.on_waves(),
+            false => creepages.into(),
+        };
         if self.file.contact.response != ContactDynamics::NonSteady {
-            let slow = QuasiStaticHalfSpace::new(&contact, &state);
+            let all = with_waves(OscillatingCreepages::All);
+            let slow = QuasiStaticHalfSpace::new(&contact, &state, all);
             let slow = self.physics("contact", slow)?;
             return Ok(self.answering(slow, hertz));
         }
         let (wavelength, _) = self.window()?;
-        let oscillating = match self.feels_waves() {
-            true => oscillating.on_waves(),
-            false => oscillating.into(),
-        };
         let table = NonSteady::new(
             &contact,
             &state,
-            oscillating,
+            with_waves(oscillating),
             wavelength.min(),
             wavelength.max(),
             NonSteady::DEFAULT_TOLERANCE,

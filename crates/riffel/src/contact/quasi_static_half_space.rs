@@ -1,7 +1,8 @@
 //! Rolling contact that answers at once, with the slopes of the exact creep curve.
 
 use super::{
-    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, RollingContact,
+    ContactDerivative, ContactResponse, HalfSpace, HalfSpaceRolling, MeanRolling, Oscillating,
+    RollingContact,
 };
 use crate::Error;
 
@@ -12,17 +13,21 @@ pub struct QuasiStaticHalfSpace {
 }
 
 impl QuasiStaticHalfSpace {
-    /// The slopes about a state, that by the curvature of a wave among them.
+    /// The slopes about a state to the load and what else oscillates.
     ///
     /// # Errors
     /// Those of [`HalfSpace::response`].
-    pub fn new(contact: &HalfSpace, state: &HalfSpaceRolling) -> Result<Self, Error> {
+    pub fn new(
+        contact: &HalfSpace,
+        state: &HalfSpaceRolling,
+        oscillating: impl Into<Oscillating>,
+    ) -> Result<Self, Error> {
         // Where the energy goes is the place of wear's to say.
         let at_once = |by: ContactDerivative| ContactDerivative {
             energy_at_rail: None,
             ..by
         };
-        let response = contact.response(state, f64::INFINITY)?;
+        let response = contact.sweep(state, oscillating.into()).at(f64::INFINITY)?;
         Ok(Self {
             steady: contact.steady(state),
             response: ContactResponse {
