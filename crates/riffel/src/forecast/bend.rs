@@ -1,9 +1,7 @@
 //! Where the growth of a wave meets the mean wear of its rail.
 
 use super::GrowingSum;
-
-/// Steps of bisection: to rounding.
-const STEPS: usize = 100;
+use super::passages_until::passages_until;
 
 /// From some passages on a wave can no longer grow by its rate, for it would need more than the mean wear.
 ///
@@ -25,30 +23,14 @@ pub(super) struct Bend {
 impl Bend {
     /// Where a sum of waves, of mean squares in m², meets a mean depth of wear \[m\]; none where it never does.
     ///
-    /// A is convex in N, so that it does so once. Method: bisection.
+    /// A is convex in N, so that it does so once.
     pub(super) fn of(sum: &GrowingSum, depth: f64) -> Option<Self> {
         let amplitude = |passages: f64| (2.0 * sum.mean_square(passages)).sqrt();
         let is_beyond = |passages: f64| sum.rate(passages) * amplitude(passages) >= depth;
-        let (mut low, mut high) = (0.0, 0.0);
-        if !is_beyond(0.0) {
-            high = 1.0;
-            while !is_beyond(high) {
-                (low, high) = (high, 2.0 * high);
-                if !high.is_finite() {
-                    return None;
-                }
-            }
-            for _ in 0..STEPS {
-                let middle = 0.5 * (low + high);
-                match is_beyond(middle) {
-                    true => high = middle,
-                    false => low = middle,
-                }
-            }
-        }
+        let passages = passages_until(0.0, f64::MAX, is_beyond)?;
         Some(Self {
-            passages: high,
-            amplitude: amplitude(high),
+            passages,
+            amplitude: amplitude(passages),
             depth,
         })
     }

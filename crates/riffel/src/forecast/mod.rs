@@ -19,6 +19,7 @@ mod growing_sum;
 mod jackknife;
 mod lines;
 mod mean_growth;
+mod passages_until;
 mod prediction;
 mod speed_distribution;
 mod traffic;

@@ -1,6 +1,7 @@
 //! The spectrum after some passages.
 
 use super::bend::Bend;
+use super::passages_until::passages_until;
 use super::traffic::lines_of;
 use super::{GrowingSum, LINES_PER_BAND, TrafficGrowth, VehicleGrowth};
 use crate::Error;
@@ -300,7 +301,6 @@ fn force_of<'a>(
 /// `least`. None where it is never so, or beyond all traffic.
 fn parts_after(bands: &[(&ForecastBand, GrowingSum)], least: f64) -> Option<f64> {
     const MOST: f64 = 1e15;
-    const STEPS: usize = 100;
     let is_beyond = |passages: f64| {
         let squares = bands.iter().map(|(band, force)| {
             let by_rate = band.now.level + band.sum.level_change(passages);
@@ -309,19 +309,5 @@ fn parts_after(bands: &[(&ForecastBand, GrowingSum)], least: f64) -> Option<f64>
         });
         squares.sum::<f64>() >= 1.0
     };
-    let (mut low, mut high) = (least, least);
-    while !is_beyond(high) {
-        (low, high) = (high, 2.0 * high.max(1.0));
-        if high > MOST {
-            return None;
-        }
-    }
-    for _ in 0..STEPS {
-        let middle = 0.5 * (low + high);
-        match is_beyond(middle) {
-            true => high = middle,
-            false => low = middle,
-        }
-    }
-    Some(high)
+    passages_until(least, MOST, is_beyond)
 }
