@@ -63,7 +63,7 @@ pub use level_limit::level_limit;
 pub use parameters::parameters;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
-pub use wear_limit::WearLimitDocument;
+pub use wear_limit::{WearLimitDocument, for_whom};
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

@@ -1,6 +1,8 @@
 //! Mean wear beside a growth rate, and how far that rate can last.
 
 use riffel::MeanWear;
+use riffel_case::Case;
+use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
 /// What every document that tells a growth rate tells beside it.
@@ -20,5 +22,19 @@ impl WearLimitDocument {
             mean_wear_mm_per_100_mgt: 1e3 * wear.depth_per_100_mgt(),
             amplitude_limit_m: growth_rate.and_then(|rate| wear.amplitude_limit(rate)),
         }
+    }
+}
+
+/// Whose growth a rate without traffic is: wheels of one kind alone, over the width that their wear comes off.
+pub fn for_whom(case: &Case) -> Message {
+    let contact = case
+        .feedback
+        .contacts()
+        .iter()
+        .find(|it| it.rail == case.feedback.rail());
+    let width = contact.map_or(f64::NAN, |it| 1e3 * it.wear.width());
+    match case.file.wear.band_width {
+        None => say!(rate_of_wheels_on_one_line, width = fixed(width, 1)),
+        Some(_) => say!(rate_of_wheels_over_a_band, width = fixed(width, 0)),
     }
 }

@@ -80,6 +80,11 @@ impl EnergyWear {
         (!plain).then_some((self.by_energy, self.by_load))
     }
 
+    /// Width that the wear comes off \[m\]: 2b of one contact, or that of the band of traffic.
+    pub fn width(&self) -> f64 {
+        self.width
+    }
+
     /// Depth worn per passage for each joule per metre, k_w / (ρ · 2b) \[m²/J\]; over a band k_w / (ρ w).
     pub fn depth_per_energy(&self) -> f64 {
         self.coefficient / (self.density * self.width)

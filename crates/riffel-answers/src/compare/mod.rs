@@ -6,9 +6,11 @@ mod figure;
 
 use std::io::{self, Write};
 
+use riffel::forecast::WearSpread;
 use riffel::roughness::LevelLimit;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Hold, Variant};
+use riffel_keys::{fixed, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
@@ -139,8 +141,9 @@ impl CompareAnswer {
     }
 
     /// What the reader should know of variants: that a part or all has no effect, that less friction means less
-    /// traction.
+    /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<String> {
+        let [_, either_way] = WearSpread::UNMEASURED.band_80();
         let outcomes = self.comparison.outcomes.iter();
         outcomes
             .flat_map(|outcome| {
@@ -153,6 +156,7 @@ impl CompareAnswer {
                 });
                 outcome.effect.sentence().map(str::to_owned).into_iter().chain(kept)
             })
+            .chain([say!(rates_hold_to, factor = fixed(either_way, 1)).to_string()])
             .collect()
     }
 

@@ -3,13 +3,13 @@
 use riffel_keys::Message;
 use std::io::{self, Write};
 
-use riffel::forecast::{Reach, VehicleGrowth};
+use riffel::forecast::{Reach, VehicleGrowth, WearSpread};
 use riffel_case::Case;
 use riffel_case::file::CaseFile;
 use riffel_case::traffic::TrafficFile;
 use serde::Serialize;
 
-use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport};
+use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport, per_million};
 use crate::WearLimitDocument;
 use crate::column;
 use crate::roughness::Level;
@@ -39,6 +39,12 @@ pub struct ForecastDocument<'a> {
     /// For the fastest line.
     #[serde(flatten)]
     wear_limit: WearLimitDocument,
+    /// Change of level of the band that grows fastest, with what the wear coefficient leaves open; null where growth goes by what
+    /// was measured.
+    growth_db_per_million_axles: Option<Banded>,
+    growth_db_per_month: Option<Banded>,
+    /// The times to the limit that leave a tenth of what the wear coefficient may be on either side.
+    months_to_limit_band_80: Option<[f64; 2]>,
     limit: LimitDocument<'a>,
     /// Of the first band that reaches the limit: the grinding interval.
     #[serde(flatten)]
@@ -87,6 +93,29 @@ struct Then {
     level_db: Option<f64>,
 }
 
+/// A number with the bands that hold 50 and 80 % of what it may be.
+#[derive(Serialize)]
+struct Banded {
+    median: f64,
+    band_50: [f64; 2],
+    band_80: [f64; 2],
+}
+
+impl Banded {
+    /// What is in proportion to the wear coefficient; the bounds in order.
+    fn new(median: f64, spread: WearSpread) -> Self {
+        let of = |[low, high]: [f64; 2]| {
+            let (one, other) = (low * median, high * median);
+            [one.min(other), one.max(other)]
+        };
+        Self {
+            median,
+            band_50: of(spread.band_50()),
+            band_80: of(spread.band_80()),
+        }
+    }
+}
+
 #[derive(Serialize)]
 struct LimitDocument<'a> {
     name: &'a str,
@@ -121,6 +150,10 @@ struct Band<'a> {
     level_then_db: Option<f64>,
     limit_db: Option<f64>,
     growth_rate_per_passage: f64,
+    growth_db_per_million_axles: f64,
+    /// What leaves a tenth of what the wear coefficient may be below, and above; null where growth goes by what was measured.
+    growth_db_per_million_axles_low: Option<f64>,
+    growth_db_per_million_axles_high: Option<f64>,
     /// Until the rate no longer lasts, for it would need more than the mean wear of the rail; null where it lasts on.
     passages_to_bend: Option<f64>,
     /// after | beyond-linear-range | never; null without a limit.
@@ -198,6 +231,11 @@ pub(super) fn document<'a>(
         .collect(),
     };
     let valid_to = linear.passages;
+    let months_to_limit = first.and_then(|first| answer.months(first.passages));
+    let fastest = (forecast.bands().iter())
+        .map(|band| per_million(forecast.growth_rate(band)))
+        .max_by(f64::total_cmp);
+    let banded = |per: Option<f64>| Some(Banded::new(fastest? * per?, answer.wear_spread?));
     let warnings = answer.warnings.iter();
     let mut remarks: Vec<Message> = warnings.map(Message::verbatim).collect();
     remarks.extend(answer.on.remarks.iter().cloned());
@@ -249,6 +287,11 @@ pub(super) fn document<'a>(
             traffic.mean_wear(),
             traffic.rates().iter().copied().max_by(f64::total_cmp),
         ),
+        growth_db_per_million_axles: banded(Some(1.0)),
+        growth_db_per_month: banded(answer.on.passages_per_month().map(|it| 1e-6 * it)),
+        months_to_limit_band_80: months_to_limit
+            .zip(answer.wear_spread)
+            .map(|(months, spread)| spread.band_80().map(|factor| factor * months)),
         limit: LimitDocument {
             name: &answer.table.name,
             edition: &answer.table.edition,
@@ -328,6 +371,8 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
             let limit = limits.iter().find(|limit| limit.0 == band);
             let passages_to_limit = limit.and_then(|limit| limit.2.passages());
             let linear = forecast.linear_range([band]);
+            let growth = per_million(forecast.growth_rate(band));
+            let within = answer.wear_spread.map(|it| Banded::new(growth, it).band_80);
             Band {
                 rail: rail.name(),
                 wavelength_m: band.now.band.wavelength(),
@@ -335,6 +380,9 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
                 level_then_db: forecast.level(band, answer.passages),
                 limit_db: limit.map(|limit| limit.1),
                 growth_rate_per_passage: forecast.growth_rate(band),
+                growth_db_per_million_axles: growth,
+                growth_db_per_million_axles_low: within.map(|it| it[0]),
+                growth_db_per_million_axles_high: within.map(|it| it[1]),
                 passages_to_bend: band.bends_after(),
                 limit_reached: limit.map(|limit| limit.2.name()),
                 passages_to_limit,

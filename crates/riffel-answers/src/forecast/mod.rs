@@ -11,7 +11,7 @@ use std::io::{self, Write};
 
 use jiff::ToSpan;
 use jiff::civil::Date;
-use riffel::forecast::{ForecastBand, Reach, TrafficGrowth};
+use riffel::forecast::{ForecastBand, Reach, TrafficGrowth, WearSpread};
 use riffel::roughness::LevelLimit;
 use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, Variant};
@@ -81,6 +81,8 @@ pub struct ForecastAnswer {
     pub date: Option<Date>,
     /// The wear coefficient of two measurements, where there is an earlier one.
     pub wear: Option<WearReport>,
+    /// How well the wear coefficient is known that growth goes by; none where growth goes by what was measured.
+    pub wear_spread: Option<WearSpread>,
     /// What is to be said of the records.
     pub warnings: Vec<String>,
 }
@@ -154,6 +156,7 @@ impl ForecastAnswer {
             limit,
             date: date.or(measured_on),
             wear: None,
+            wear_spread: Some(WearSpread::UNMEASURED),
             warnings,
         })
     }
@@ -169,6 +172,7 @@ impl ForecastAnswer {
             if let Ok(rails) = RailForecast::of_rails(&measured, &growth, Some(&self.limit)) {
                 self.rails = rails;
                 self.on.growth = growth;
+                self.wear_spread = None;
             }
         }
         self.wear = Some(wear);
@@ -273,6 +277,14 @@ impl ForecastAnswer {
         text
     }
 
+    /// Between which months the leading rail reaches its limit, by what the wear coefficient may be.
+    fn months_within(&self) -> Option<String> {
+        let crossings = self.crossings(self.leading());
+        let months = self.months(crossings.first()?.passages)?;
+        let [early, late] = self.wear_spread?.band_80().map(|by| number(by * months));
+        (months > 0.0).then(|| say!(months_within, early = early, late = late).to_string())
+    }
+
     /// Whether the table by band has a column of rails.
     pub fn names_rails(&self) -> bool {
         self.rails.len() > 1
@@ -299,13 +311,63 @@ impl ForecastAnswer {
                 format!("{:.1}", band.now.level),
                 then.map_or_else(|| BEYOND.to_owned(), |level| format!("{level:.1}")),
                 limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
-                format!("{:+.3}", per_million(forecast.growth_rate(band))),
+                self.rate_in_words(per_million(forecast.growth_rate(band))),
                 limit.map_or_else(String::new, |limit| reached(limit.2)),
                 when(forecast.linear_range([band]).passages),
             ];
             name.map(str::to_owned).into_iter().chain(cells).collect()
         };
         forecast.bands().iter().rev().map(row).collect()
+    }
+
+    /// A growth of the level \[dB\] with the band of 80 % that the wear coefficient gives it.
+    fn rate_in_words(&self, growth: f64) -> String {
+        let signed = |growth: f64| match growth > 0.0 {
+            true => format!("+{}", number(growth)),
+            false => number(growth),
+        };
+        match self.wear_spread.map(WearSpread::band_80) {
+            Some(band) => {
+                let mut band = band.map(|factor| factor * growth);
+                band.sort_by(f64::total_cmp);
+                let [low, high] = band.map(number);
+                format!("{} ({low} … {high})", signed(growth))
+            }
+            None => signed(growth),
+        }
+    }
+
+    /// How fast the band of the leading rail grows that does so fastest, within the band that the wear coefficient gives.
+    fn fastest(&self) -> Option<String> {
+        let forecast = &self.leading().forecast;
+        let bands = forecast.bands().iter();
+        let rates = bands.map(|band| (band, per_million(forecast.growth_rate(band))));
+        let (band, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;
+        let [low, high] = self.wear_spread?.band_80();
+        let wavelength = numeral(band.now.band.nominal_millimetres());
+        let [least, most] = [number(low * rate), number(high * rate)];
+        (rate > 0.0).then(|| {
+            let said = match self.on.passages_per_month() {
+                None => say!(
+                    grows_within,
+                    wavelength = wavelength,
+                    low = least,
+                    high = most
+                ),
+                Some(passages) => {
+                    let month = 1e-6 * passages * rate;
+                    say!(
+                        grows_within_a_month,
+                        wavelength = wavelength,
+                        low = least,
+                        high = most,
+                        low_a_month = number(low * month),
+                        high_a_month = number(high * month)
+                    )
+                }
+            };
+            said.to_string()
+        })
     }
 
     /// What follows, in sentences; those on the rail that leads first.
@@ -323,6 +385,7 @@ impl ForecastAnswer {
                 }
             })
             .collect();
+        findings.extend(self.months_within());
         findings.extend(self.rails.iter().map(|rail| {
             let sentence = self.linear_range(rail);
             match self.prefix(rail).trim_end() {
@@ -337,6 +400,7 @@ impl ForecastAnswer {
         if self.rails.iter().any(decays) {
             findings.push(say!(decaying_bands_stay).to_string());
         }
+        findings.extend(self.fastest());
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();

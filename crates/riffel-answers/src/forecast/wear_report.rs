@@ -1,6 +1,6 @@
 //! The wear coefficient of two measurements of a rail, in words and as data.
 
-use riffel::forecast::{FittedBand, LARGE_CHANGE, TrafficGrowth, WearFit, WearVerdict};
+use riffel::forecast::{FittedBand, LARGE_CHANGE, TrafficGrowth, WearFit, WearSpread, WearVerdict};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, fixed, number, say};
@@ -81,6 +81,12 @@ impl WearReport {
     pub fn fitted_coefficient(&self) -> Option<f64> {
         let is_sure = self.fit.verdict == WearVerdict::Fitted;
         is_sure.then_some(self.fit.factor * self.coefficient)
+    }
+
+    /// How well the coefficient of this rail is known, where its interval lies above zero.
+    pub fn spread(&self) -> Option<WearSpread> {
+        self.fitted_coefficient()?;
+        WearSpread::of_interval(self.fit.interval?)
     }
 
     /// Growth as it was measured, in place of that of a model that does not explain it.

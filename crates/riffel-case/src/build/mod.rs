@@ -154,7 +154,8 @@ impl CheckedKeys {
         PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), tractive_ratio)
     }
 
-    /// Wear under a contact; on the rail that is not under study a band may be narrower than the contact, which has no part in growth.
+    /// Wear under a contact. A band narrower than the contact is refused where the case gives that contact; where it follows from a
+    /// curve, and on the rail that is not under study, wear comes off the contact's own width.
     fn wear(
         &self,
         hertz: HertzContact,
@@ -172,20 +173,23 @@ impl CheckedKeys {
             }),
             WearLaw::Energy => None,
         };
+        let lubrication = wear.natural_lubrication.map_or(1.0, |factor| factor.si());
         let law = match regimes {
             None => {
-                let b = hertz.semi_axis_lateral();
-                let law = EnergyWear::new(wear.coefficient.si(), density, b);
+                let coefficient = wear.coefficient.si() / lubrication;
+                let law = EnergyWear::new(coefficient, density, hertz.semi_axis_lateral());
                 self.physics("wear", law)?
             }
             Some(regimes) => {
-                let dry = wear.natural_lubrication.map_or(1.0, |factor| factor.si());
-                let law = regimes.wear(&hertz, steady, density, dry);
+                let law = regimes.wear(&hertz, steady, density, lubrication);
                 self.physics("wear.law", law)?
             }
         };
         match wear.band_width {
-            Some(width) if studied || width.si() >= 2.0 * hertz.semi_axis_lateral() => {
+            Some(width)
+                if studied && self.file.contact.from.is_none()
+                    || width.si() >= 2.0 * hertz.semi_axis_lateral() =>
+            {
                 self.physics("wear.band_width", law.over_band(width.si()))
             }
             _ => Ok(law),

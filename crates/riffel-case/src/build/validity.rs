@@ -65,6 +65,18 @@ pub(crate) fn remarks(
             highest = fixed(highest, 0)
         ));
     }
+    let contact_width = 2.0 * hertz.semi_axis_lateral();
+    if let Some(band) = file
+        .wear
+        .band_width
+        .filter(|band| band.si() < contact_width)
+    {
+        remarks.push(say!(
+            band_narrower_than_contact,
+            band = fixed(1e3 * band.si(), 0),
+            contact = fixed(1e3 * contact_width, 1)
+        ));
+    }
     if !measured && bends_only && file.track.model.is_periodic() {
         remarks.push(say!(pinned_pinned_without_shear));
     }

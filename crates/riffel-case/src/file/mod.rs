@@ -146,7 +146,7 @@ pub struct Wear {
     /// Speed of the wheel, of which creepage makes the sliding speed of `archard-map`; left out, the middle of `map.speed`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<Quantity<Speed>>,
-    /// How many times less a law of regimes wears than dry, by natural lubrication; left out, it is dry.
+    /// How many times less the rail wears than dry steel, by natural lubrication; left out, it is dry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub natural_lubrication: Option<Quantity<Ratio>>,
     /// Width of the band over which the contacts of traffic are spread; left out, that of one contact.

@@ -25,7 +25,7 @@ fn numbers_are_those_of_the_curve() {
     let cases: [(usize, &str); 4] = [(1, "low"), (1, "high"), (2, "left"), (2, "right")];
     for (wheelset, rail) in cases {
         let from = format!("contact.from={{wheelset={wheelset}, rail=\"{rail}\"}}");
-        let asked = case(&[&from]).unwrap();
+        let asked = case(&[&from, "wear.band_width=80 mm"]).unwrap();
         let curving = CurvingCase::parse("curve.toml", CURVE, &[]).unwrap();
         let vehicle = curving.vehicle_in_curve().unwrap();
         let state = &curving.equilibria(&vehicle).unwrap()[0];
@@ -56,10 +56,26 @@ fn numbers_are_those_of_the_curve() {
         let without = CURVE
             .replace("from = { wheelset = 1, rail = \"low\" }\n", "")
             .replace("{ left = 0.4, right = 0.4 }", "0.4");
+        // The high rail's first wheel has a patch wider than the band, which a contact that is given must not have.
+        keys.push("wear.band_width=80 mm".to_owned());
         let by_hand = Case::parse("typed.toml", &without, &keys).unwrap();
         let (got, expected) = (growth(&asked), growth(&by_hand));
         assert!((got / expected - 1.0).abs() < 1e-9, "{got:e} {expected:e}");
     }
+}
+
+/// The wide patch on the high rail wears off its own width, and a remark says so.
+#[test]
+fn a_patch_wider_than_the_band_is_told() {
+    let high = "contact.from={wheelset=1, rail=\"high\"}";
+    let case = case(&[high]).unwrap();
+    let contact = &case.feedback.contacts()[0];
+    assert_eq!(contact.wear.width(), 2.0 * case.hertz.semi_axis_lateral());
+    let told = case
+        .remarks
+        .iter()
+        .any(|remark| remark.id() == "band-narrower-than-contact");
+    assert!(told, "{:?}", case.remarks);
 }
 
 /// The place on the rail is where the upright profile, turned by the inclination, has the contact angle; its curvature goes where the

@@ -6,12 +6,13 @@ use rayon::prelude::*;
 use riffel::Loop;
 use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, say};
 
 use super::on_case::{WheelOnCase, settings_of, window};
 use super::spreads::{Spreads, Values3};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
 use super::{CurveOfVehicle, SpreadEffect, Traffic, TrafficOnCase};
+use crate::from_curve::Equilibrium;
 use crate::kept_state::KeptState;
 use crate::setting::Setting;
 use crate::{Case, Hold, Variant};
@@ -152,31 +153,31 @@ impl Asked<'_> {
                 BALANCED_AT.into_iter().map(at).collect()
             }
         };
-        let at_speed = |&speed: &f64| -> Result<Vec<Case>, CaseError> {
-            let equilibrium = through
-                .at(speed)
-                .map_err(|error| self.at_speed(speed, &error))?;
-            let equilibrium = Arc::new(equilibrium);
+        let (equilibria, without) = self.equilibria(through, &speeds, &balanced)?;
+        let at_speed = |(speed, equilibrium): &(f64, Arc<Equilibrium>)| {
+            let speed = *speed;
             let wheels = 1..=through.wheelsets();
             let wheels = wheels.map(|wheelset| {
-                let wheel = self.case.on_wheelset(&equilibrium, wheelset, &sets);
+                let wheel = self.case.on_wheelset(equilibrium, wheelset, &sets);
                 wheel.map_err(|error| self.at_speed(speed, &error))
             });
             wheels.collect()
         };
-        let cases: Result<Vec<Vec<Case>>, CaseError> = balanced.par_iter().map(at_speed).collect();
-        let cases = cases?;
-        let first = &cases[balanced.len() / 2];
+        let cases: Result<Vec<Vec<Case>>, CaseError> =
+            equilibria.par_iter().map(at_speed).collect();
+        let (cases, balanced) = (cases?, equilibria.iter().map(|it| it.0));
+        let first = &cases[cases.len() / 2];
         for wheel in first {
             self.check_frequencies(wheel, &speeds)?;
         }
-        let remarks = remarks_of(&first[0]);
+        let mut remarks = remarks_of(&first[0]);
+        remarks.extend(without);
         let share = (through.wheelsets() as f64).recip();
         let covering = |wheel: &Case| self.spreads().covering(wheel.hertz.semi_axis_lateral());
         let mut wheels = Vec::new();
         for wheelset in 0..through.wheelsets() {
-            let at = balanced.iter().zip(&cases);
-            let at = at.map(|(speed, cases)| (*speed, &cases[wheelset]));
+            let at = balanced.clone().zip(&cases);
+            let at = at.map(|(speed, cases)| (speed, &cases[wheelset]));
             match speeds.listed() {
                 Some(listed) => wheels.extend(at.zip(listed).map(|((speed, wheel), listed)| {
                     WheelOfVehicle {
@@ -200,6 +201,39 @@ impl Asked<'_> {
             held: None,
             remarks,
         })
+    }
+
+    /// The vehicle balanced at each speed, and a word on those in the tails of a normal distribution at which it finds no equilibrium:
+    /// the nearest speed stands in for them.
+    fn equilibria(
+        &self,
+        through: &ThroughCurve,
+        speeds: &SpeedDistribution,
+        balanced: &[f64],
+    ) -> Result<(Vec<(f64, Arc<Equilibrium>)>, Option<Message>), CaseError> {
+        let at: Vec<_> = balanced
+            .par_iter()
+            .map(|speed| (*speed, through.at(*speed)))
+            .collect();
+        let (mut found, mut without) = (Vec::new(), Vec::new());
+        for (speed, equilibrium) in at {
+            // 95 % of the passages are nearer to the mean.
+            let far = (speed - speeds.mean()).abs() > 1.9 * speeds.deviation();
+            match equilibrium {
+                Ok(equilibrium) => found.push((speed, Arc::new(equilibrium))),
+                Err(_) if far && speeds.listed().is_none() => without.push(speed),
+                Err(error) => return Err(self.at_speed(speed, &error)),
+            }
+        }
+        let words = (!without.is_empty()).then(|| {
+            let speeds = without.iter().map(|speed| format!("{:.0}", 3.6 * speed));
+            say!(
+                no_equilibrium_in_tail,
+                vehicle = self.name(),
+                speeds = speeds.collect::<Vec<_>>().join(", ")
+            )
+        });
+        Ok((found, words))
     }
 
     fn at_speed(&self, speed: f64, error: &CaseError) -> CaseError {

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use riffel_answers::for_whom;
 use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, map_csv, map_netcdf};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
 use riffel_case::Case;
@@ -151,10 +152,11 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
     let observations = answer.observations;
     let observations = observations.map_or_else(String::new, |count| count.sentence() + "\n");
     format!(
-        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{branches}\n{bay}{observations}{}: {}\n",
+        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}{}: {}\n",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),
+        for_whom(case),
         folder.display(),
         files.join(" "),
     )

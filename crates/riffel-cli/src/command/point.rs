@@ -1,6 +1,7 @@
 //! `riffel point`
 
 use riffel::LoopState;
+use riffel_answers::for_whom;
 use riffel_answers::point::{
     IrregularSupportsDocument, NeighboursDocument, PointAnswer, PointRequest,
 };
@@ -190,7 +191,7 @@ fn readable(case: &Case, state: &LoopState) -> String {
         "{}{:.1} mm at {:.1} km/h: {:.1} Hz\n\
          tractive ratio {:.3}, creepage {}{full_slip}, contact {:.2} × {:.2} mm\n\
          {table}\n{}\
-         Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n",
+         Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n{}\n",
         case.file
             .title
             .as_ref()
@@ -205,6 +206,7 @@ fn readable(case: &Case, state: &LoopState) -> String {
         2e3 * case.hertz.semi_axis_lateral(),
         contacts(case, state),
         state.normalized_dissipation.re,
+        for_whom(case),
     )
 }
 

@@ -166,6 +166,11 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
         let (_, table) = section.split_once("<table").unwrap();
         table.split_once("</table>").unwrap().0.to_owned()
     };
+    let without_bands = |table: &str| {
+        let cells = table.split(" (");
+        let kept = cells.map(|cell| cell.split_once(')').map_or(cell, |(_, rest)| rest));
+        kept.collect::<String>()
+    };
     let uncertain = "uncertain by a factor of two";
     let dated = report("--earlier before.csv --dates 2025-05-01,2026-05-01");
     assert!(
@@ -182,7 +187,9 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
     );
     let coefficient = number(&fit["wear_fit"]["coefficient_kg_per_j"]);
     let given = report(&format!("--set wear.coefficient={coefficient:.3e}"));
-    assert_eq!(table(&counted), table(&given));
+    // The fit knows the coefficient better than a hand that types it.
+    assert_eq!(without_bands(&table(&counted)), without_bands(&table(&given)));
+    assert_ne!(table(&counted), table(&given));
     let untouched = report("");
     assert_ne!(table(&untouched), table(&given));
     assert!(given.contains(uncertain) && untouched.contains(uncertain));

@@ -24,6 +24,7 @@ mod prediction;
 mod speed_distribution;
 mod traffic;
 mod wear_fit;
+mod wear_spread;
 
 pub use distribution::Distribution;
 pub use growing_sum::GrowingSum;
@@ -33,3 +34,4 @@ pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
 pub use traffic::{TrafficGrowth, VehicleGrowth};
 pub use wear_fit::{FittedBand, LARGE_CHANGE, MeasuredChange, WearFit, WearVerdict};
+pub use wear_spread::WearSpread;

@@ -392,7 +392,12 @@ fn outlook(
     };
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
-        Some(Ok(fit)) => answer = answer.with_wear(fit),
+        Some(Ok(fit)) => {
+            let fitted = fit.spread();
+            answer = answer.with_wear(fit);
+            // The case goes by the coefficient that was fitted.
+            answer.wear_spread = fitted.or(answer.wear_spread);
+        }
         Some(Err(why)) => answer.warnings.push(why),
         None => (),
     }
