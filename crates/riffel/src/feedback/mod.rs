@@ -5,6 +5,7 @@ mod at_speeds;
 mod closed_form;
 mod contact;
 mod determinant;
+mod hubs;
 mod line_group;
 mod linear;
 mod one_wheel;
@@ -17,6 +18,7 @@ pub(crate) use at_speeds::AtSpeeds;
 pub(crate) use closed_form::ClosedForm;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
+pub use hubs::Hubs;
 pub(crate) use line_group::LineGroup;
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
@@ -46,7 +48,7 @@ use crate::{Error, Rail};
 ///
 /// ```text
 /// normal    P₁/k_H = Δ p − (H f₁)_n                   p = e^{ikx} of the place, times the profile of its rail
-/// creepage  V ξ₁ = −iω (H f₁)_{x,t}
+/// creepage  V ξ₁ = −iω (H f₁)_{x,t}                   with what the direction of P₀ adds, see [`Hubs`]
 /// creep     Q₁ = F_P P₁ + F_ξ ξ₁ + F_κ κ
 /// energy    e₁ = e_P P₁ + e_ξ ξ₁ + e_κ κ                κ = R k²Φ Δ p, where the wave's own geometry has a part
 /// growth    g = −k_w/(ρ 2b) · Re(e₁ at the rail point / p)/Δ per passage of the wheel
@@ -72,6 +74,8 @@ pub struct Loop {
     position: f64,
     comb: Comb,
     amplitude: f64,
+    /// How hubs move where the normal force turns with the wave.
+    hubs: Option<Hubs>,
 }
 
 /// How the interference of several wheels is read: over the wavelength it is a comb of the step λ²/l for wheels at the
@@ -142,6 +146,8 @@ pub struct ContactState {
     pub growth_rate: Option<f64>,
     /// What the wave's own geometry does; none where it has no part.
     pub wave: Option<WaveState>,
+    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`]; none where they stay.
+    pub slip_by_direction: Option<Complex64>,
 }
 
 impl Loop {
@@ -182,6 +188,7 @@ impl Loop {
             position: 0.0,
             comb: Comb::default(),
             amplitude,
+            hubs: None,
         })
     }
 
@@ -195,6 +202,22 @@ impl Loop {
     pub fn with_comb(mut self, comb: Comb) -> Self {
         self.comb = comb;
         self
+    }
+
+    /// The loop in which the normal forces turn with the slope of the wave, see [`Hubs`]; it counts where a wheel yields along the rail.
+    pub fn with_normal_direction(mut self, hubs: Hubs) -> Self {
+        self.hubs = Some(hubs);
+        self
+    }
+
+    /// The same with normal forces that stay upright, on hubs that move.
+    pub fn without_normal_direction(self) -> Self {
+        Self { hubs: None, ..self }
+    }
+
+    /// How hubs move where normal forces turn with the wave.
+    pub fn hubs(&self) -> Option<&Hubs> {
+        self.hubs.as_ref()
     }
 
     /// The loop without any part of the waves' own geometry.
@@ -221,10 +244,14 @@ impl Loop {
             position,
             comb,
             amplitude,
+            hubs,
             ..
         } = self;
         let feedback = Self::new(track, wheels, contacts, amplitude)?;
-        Ok(feedback.at_position(position).with_comb(comb))
+        Ok(Self {
+            hubs,
+            ..feedback.at_position(position).with_comb(comb)
+        })
     }
 
     /// The contacts, that of the first wheel on the rail under study first.
