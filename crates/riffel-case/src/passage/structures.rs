@@ -26,11 +26,13 @@ impl Case {
         let mass = RigidMass::new(keys.required("wheel.mass", wheel.mass)?.si());
         let inertia = keys.required("wheel.inertia", wheel.inertia)?.si();
         let inertia = keys.turning_wheel(inertia, self.hertz.rolling_radius())?;
-        Ok(StructuresInTime::of_one_wheel(
-            keys.physics(key, response)?,
-            &keys.physics("wheel.mass", mass)?,
-            Some(&inertia),
-        ))
+        let mass = keys.physics("wheel.mass", mass)?;
+        let response = keys.physics(key, response)?;
+        let structures = StructuresInTime::of_one_wheel(response, &mass, Some(&inertia));
+        Ok(match wheel.normal_direction {
+            true => structures.with_normal_direction(&mass),
+            false => structures,
+        })
     }
 
     /// Track and wheels of a loop on all axes.

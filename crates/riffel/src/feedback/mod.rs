@@ -363,29 +363,32 @@ impl Loop {
     /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
     /// rolling radius. Between all contacts in their axes, by rows.
     pub(crate) fn free_motion(&self) -> Vec<f64> {
-        /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
-        const SLOW: f64 = 0.3;
-        /// \[1/kg\]: what springs and rounding leave.
-        const NOTHING: f64 = 1e-9;
-        // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
-        const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
         let mut system = System::new(self);
-        let size = 3 * self.contacts.len();
-        let mut free = vec![0.0; size * size];
-        for (times, share) in SHARES {
-            let w = times * SLOW;
+        free_of(|w| {
             system.receptances(self, w, 1.0);
             system.turn_axes(self);
-            for (free, value) in free.iter_mut().zip(system.of_wheels()) {
-                *free -= share * w * w * value.re;
-            }
-        }
-        for free in &mut free {
-            if free.abs() < NOTHING {
-                *free = 0.0;
-            }
-        }
-        free
+            system.of_wheels().collect()
+        })
+    }
+
+    /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; none where normal forces stay upright.
+    pub(crate) fn hub_receptances(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+    ) -> Option<Vec<Complex64>> {
+        let places = self.contacts.iter();
+        let places: Vec<(f64, Rail)> = places
+            .map(|contact| (contact.along, contact.rail))
+            .collect();
+        let hubs = self.hubs.as_ref()?;
+        Some(hubs.between(angular_frequency, speed, &places))
+    }
+
+    /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
+    pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
+        self.hubs.as_ref()?;
+        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -429,6 +432,31 @@ impl Loop {
             }
         }
     }
+}
+
+/// A \[1/kg\] of receptances −A/ω² at ω → 0, which are told at an angular frequency \[rad/s\].
+fn free_of(mut receptances: impl FnMut(f64) -> Vec<Complex64>) -> Vec<f64> {
+    /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
+    const SLOW: f64 = 0.3;
+    /// \[1/kg\]: what springs and rounding leave.
+    const NOTHING: f64 = 1e-9;
+    // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
+    const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
+    let mut free = Vec::new();
+    for (times, share) in SHARES {
+        let w = times * SLOW;
+        let values = receptances(w);
+        free.resize(values.len(), 0.0);
+        for (free, value) in free.iter_mut().zip(values) {
+            *free -= share * w * w * value.re;
+        }
+    }
+    for free in &mut free {
+        if free.abs() < NOTHING {
+            *free = 0.0;
+        }
+    }
+    free
 }
 
 impl From<&Loop> for Loop {
