@@ -527,6 +527,8 @@ impl Case {
         let bridged = |radius: f64| amplitude * radius * (TAU / wavelength).powi(2) >= 1.0;
         let chosen = self.keys.text.is_written("corrugation.amplitude");
         if chosen && wave.is_some_and(|wave| bridged(wave.radius())) {
+            // To a micrometre, as it was meant.
+            let wavelength = (1e6 * wavelength).round() / 1e6;
             return Err(self.keys.out_of_range(
                 "corrugation.amplitude",
                 self.file.corrugation.amplitude,
