@@ -106,7 +106,7 @@ checks! {
     rolling: half_space_creep_curve, frequency_response_to_creepage, frequency_response_to_load,
         dissipation_at_the_rail, half_space_creep_forces, frequency_response_across_the_rail,
         frequency_response_at_the_default;
-    wave_geometry: wave_under_the_half_space, curvature_filter;
+    wave_geometry: waves_in_the_loop_of_the_paper, wave_under_the_half_space, curvature_filter;
     transient: carter_in_two_dimensions, slopes_of_the_half_space, shift_of_cattaneo,
         stiffness_of_mindlin, from_cattaneo_to_carter, frequency_response_by_time;
     contact_filter: contact_filter_of_the_solver, contact_filter_scales_with_the_patch,

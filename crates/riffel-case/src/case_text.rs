@@ -19,8 +19,12 @@ const PROFILES: [&str; 4] = [
 ];
 
 /// Keys of the wheel that a wheelset replaces.
-pub(crate) const REPLACED_BY_WHEELSET: [&str; 3] =
-    ["wheel.mass", "wheel.inertia", "wheel.rotation"];
+pub(crate) const REPLACED_BY_WHEELSET: [&str; 4] = [
+    "wheel.mass",
+    "wheel.inertia",
+    "wheel.rotation",
+    "wheel.normal_direction",
+];
 
 /// The file of keys of a case, with what its reader should know.
 #[derive(Clone)]

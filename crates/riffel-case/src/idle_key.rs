@@ -32,6 +32,12 @@ impl Case {
             "wheel" if inner == "inertia" && self.file.wheel.rotation() != Rotation::Inertia => {
                 "wheel.rotation is the limit of no inertia or of infinite inertia"
             }
+            "wheel"
+                if inner == "normal_direction"
+                    && self.file.wheel.rotation() != Rotation::Inertia =>
+            {
+                "wheel.rotation holds the creepage or the force along the rail"
+            }
             "contact"
                 if inner.starts_with("conformity")
                     && contact.contact_angle.is_none_or(|angle| angle.si() == 0.0) =>
@@ -84,6 +90,7 @@ impl Case {
                 WheelsetModel::Flexible,
                 WheelsetModel::Modal,
             ],
+            "normal_direction" => &[WheelsetModel::Rigid, WheelsetModel::Flexible],
             "file" => &[WheelsetModel::Modal, WheelsetModel::Measured],
             _ => return None,
         };

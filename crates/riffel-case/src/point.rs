@@ -324,8 +324,32 @@ pub struct Point {
     pub quantities: Vec<(PointQuantity, PointValue)>,
     /// What the wave's own geometry does; none where it has no part.
     pub wave_geometry: Option<WavePoint>,
+    /// What the direction of the normal force does; none where it stays upright.
+    pub normal_direction: Option<DirectionPoint>,
     /// What a loop on all axes adds.
     pub all_axes: Option<AllAxes>,
+}
+
+/// What the direction of the normal force on the slope of a wave does at the contact under study.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct DirectionPoint {
+    /// Slip speed over V along the rail, before creep forces answer it.
+    pub creepage: PointValue,
+    /// What it adds to the normalised dissipation at a point of the rail, to that of an upright force on a hub which moves.
+    pub dissipation: PointValue,
+}
+
+impl DirectionPoint {
+    fn new(case: &Case, state: &LoopState) -> Option<Self> {
+        let creepage = state.contacts[0].slip_by_direction?;
+        let plain = case.feedback.clone().without_normal_direction();
+        let plain = plain.at(state.wavelength, state.speed);
+        let added = state.normalized_dissipation - plain.normalized_dissipation;
+        Some(Self {
+            creepage: PointValue::Complex(creepage),
+            dissipation: PointValue::Complex(added),
+        })
+    }
 }
 
 /// What the wave's own geometry does at the contact under study.
@@ -439,6 +463,7 @@ impl Point {
                 .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
                 .collect(),
             wave_geometry: WavePoint::new(case, state),
+            normal_direction: DirectionPoint::new(case, state),
             all_axes: AllAxes::new(case, state),
         }
     }
@@ -474,6 +499,9 @@ impl Serialize for Point {
         if let Some(wave) = &self.wave_geometry {
             map.serialize_entry("wave_geometry", wave)?;
         }
+        if let Some(direction) = &self.normal_direction {
+            map.serialize_entry("normal_direction", direction)?;
+        }
         if let Some(all_axes) = &self.all_axes {
             map.serialize_entry("steady_force_n", &all_axes.steady_force_n)?;
             let track = &all_axes.track_receptance_matrix_m_per_n;
@@ -499,6 +527,8 @@ impl Case {
         let bridged = |radius: f64| amplitude * radius * (TAU / wavelength).powi(2) >= 1.0;
         let chosen = self.keys.text.is_written("corrugation.amplitude");
         if chosen && wave.is_some_and(|wave| bridged(wave.radius())) {
+            // To a micrometre, as it was meant.
+            let wavelength = (1e6 * wavelength).round() / 1e6;
             return Err(self.keys.out_of_range(
                 "corrugation.amplitude",
                 self.file.corrugation.amplitude,

@@ -2,6 +2,7 @@
 
 use std::f64::consts::TAU;
 
+use riffel::Complex64;
 use riffel::wheelset::{
     ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode,
     RigidWheelset, Wheelset,
@@ -30,6 +31,14 @@ impl Wheelset for CaseWheelset {
             Self::Flexible(wheelset) => wheelset.receptances(angular_frequency),
             Self::Modal(wheelset, _) => wheelset.receptances(angular_frequency),
             Self::Measured(wheelset) => wheelset.receptances(angular_frequency),
+        }
+    }
+
+    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
+        match self {
+            Self::Rigid(wheelset) => wheelset.hubs(angular_frequency),
+            Self::Flexible(wheelset) => wheelset.hubs(angular_frequency),
+            Self::Modal(..) | Self::Measured(_) => None,
         }
     }
 }

@@ -137,7 +137,6 @@ profile-over-wheel = Δ/H Rad
 
 loss-factors-not-causal = Verlustfaktoren sind nicht kausal: in der Zeit ist das Gleis ein kausales nahebei, wo nötig mit Dämpfern in den Schichten, Rezeptanz im Mittel { $per_cent } % daneben
 fitted-receptances-off = in der Zeit liegen die Rezeptanzen von Gleis und Rädern bis 3 kHz im Mittel { $per_cent } % daneben, höchstens { $most } %: Verlustfaktoren sind nicht kausal, und Wellen zwischen weit entfernten Rädern brauchen mehr Schwingungen, als angepasst werden
-wave-geometry-not-in-time = in der Zeit spürt ein Kontakt, der verspätet antwortet oder überall gleitet, nichts von der Geometrie der Welle selbst, die der Kreis dieses Falls hat: Wachstum ist hier das von contact.wave_geometry = false
 unstable-but-still = linear ist der Kreis instabil, doch nichts ist sichtbar gewachsen: was wächst, wächst langsamer, als diese Rechnung zeigt, oder die Strukturen in der Zeit sind stabil, wo die des Kreises es nicht sind
 stable-but-limit-cycle = linear ist der Kreis stabil, doch der Anstoß reicht für einen Grenzzyklus neben der Ruhelage
 support-passing-close-to-wave = auch die Überfahrt der Stützpunkte regt das Rad alle { $length } mm an, zu nahe an dieser Welle, um beide zu trennen: die Harmonischen enthalten beides

@@ -145,7 +145,6 @@ profile-over-wheel = Δ/H wheel
 
 loss-factors-not-causal = loss factors are not causal: in time the track is a causal one near it, with dashpots in its layers where need be, { $per_cent } % rms off in receptance
 fitted-receptances-off = in time receptances of track and wheels are { $per_cent } % rms off up to 3 kHz, { $most } % at worst: loss factors are not causal, and waves between wheels far apart take more oscillations than are fitted
-wave-geometry-not-in-time = in time a contact that answers late, or slides everywhere, does not feel the wave's own geometry, which the loop of this case has: growth here is that of contact.wave_geometry = false
 unstable-but-still = the linear loop is unstable, but nothing has been seen to grow: what grows does so more slowly than this run shows, or the structures in time are stable where those of the loop are not
 stable-but-limit-cycle = the linear loop is stable, but the push is large enough for a limit cycle beside the state of rest
 support-passing-close-to-wave = passing the supports shakes the wheel every { $length } mm as well, too close to this wave to tell them apart: harmonics hold both

@@ -62,7 +62,6 @@ impl PassageAnswer {
         Ok(Self {
             remarks: remarks::of_track(&model)
                 .into_iter()
-                .chain(remarks::of_waves(case))
                 .collect(),
             contacts: case
                 .contact_names()

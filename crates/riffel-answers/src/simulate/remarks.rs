@@ -1,7 +1,6 @@
 //! What the reader of a march should know.
 
 use riffel::passage::{Outcome, PassageModel, Settled, Sinusoid, SmoothRail, TransientContact};
-use riffel_case::Case;
 use riffel_keys::{Message, fixed, say};
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
@@ -27,12 +26,6 @@ pub(super) fn of_track(model: &PassageModel) -> Option<Message> {
             )
         }),
     }
-}
-
-/// That a march does not have the wave's own geometry, where the loop of the case has it.
-pub(super) fn of_waves(case: &Case) -> Option<Message> {
-    let has = case.file.contact.wave_geometry == Some(true);
-    (has && !case.waves_bend_in_time()).then(|| say!(wave_geometry_not_in_time))
 }
 
 /// That a linear loop and what follows a push do not say the same, if so.

@@ -159,7 +159,6 @@ impl SinusoidAnswer {
             .flatten();
         let remarks = remarks::of_track(&model)
             .into_iter()
-            .chain((!transient).then(|| remarks::of_waves(case)).flatten())
             .chain(troughs)
             .chain(supports)
             .chain(elements);

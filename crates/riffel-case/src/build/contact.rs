@@ -4,9 +4,9 @@ use std::sync::Arc;
 
 use riffel::contact::{
     CreepLaw, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
-    OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot, WaveGeometry,
+    Oscillating, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot, WaveGeometry,
 };
-use riffel::passage::LateContact;
+use riffel::passage::{LateContact, WaveInTime};
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
 use riffel_keys::CaseError;
 
@@ -37,6 +37,8 @@ pub(crate) struct CreepInTime {
     pub(crate) law: Arc<dyn CreepLaw>,
     /// What it makes of the past.
     pub(crate) late: Option<Arc<LateContact>>,
+    /// What a contact that answers late makes of waves, where their geometry has a part.
+    pub(crate) wave: Option<WaveInTime>,
 }
 
 impl CheckedKeys {
@@ -253,7 +255,8 @@ impl CheckedKeys {
         let contact = self.half_space_of(hertz, friction)?;
         let state = self.exact_state(&contact, self.mean_state()?)?;
         let law = self.physics("contact", HalfSpaceCurve::new(&contact, &state))?;
-        let late = match self.file.contact.response {
+        let (mut late, mut wave) = (None, None);
+        match self.file.contact.response {
             ContactDynamics::NonSteady => {
                 let a = hertz.semi_axis_longitudinal();
                 let shortest = contact.shortest_wavelength().max(SHORTEST * a);
@@ -261,21 +264,34 @@ impl CheckedKeys {
                 let table = NonSteady::new(
                     &contact,
                     &state,
-                    OscillatingCreepages::Longitudinal,
+                    self.with_waves(OscillatingCreepages::Longitudinal),
                     range[0],
                     range[1],
                     NonSteady::DEFAULT_TOLERANCE,
                 );
                 let table = self.physics("contact.grid", table)?;
-                let late = LateContact::new(&table, &law, a, range);
-                Some(Arc::new(self.physics("contact.grid", late)?))
+                let filters = LateContact::new(&table, &law, a, range);
+                let filters = self.physics("contact.grid", filters)?;
+                wave = self.wave(hertz)?.map(|geometry| {
+                    WaveInTime::late_of(geometry, Arc::new(table), &filters, range)
+                });
+                late = Some(Arc::new(filters));
             }
-            _ => None,
-        };
+            _ => {}
+        }
         Ok(CreepInTime {
             law: Arc::new(law),
             late,
+            wave,
         })
+    }
+
+    /// What oscillates, with the waves where their geometry has a part.
+    fn with_waves(&self, creepages: OscillatingCreepages) -> Oscillating {
+        match self.feels_waves() {
+            true => creepages.on_waves(),
+            false => creepages.into(),
+        }
     }
 
     fn half_space(
@@ -287,12 +303,8 @@ impl CheckedKeys {
     ) -> Result<Arc<dyn RollingContact>, CaseError> {
         let contact = self.half_space_of(hertz, friction)?;
         let state = self.exact_state(&contact, mean)?;
-        let with_waves = |creepages: OscillatingCreepages| match self.feels_waves() {
-            true => creepages.on_waves(),
-            false => creepages.into(),
-        };
         if self.file.contact.response != ContactDynamics::NonSteady {
-            let all = with_waves(OscillatingCreepages::All);
+            let all = self.with_waves(OscillatingCreepages::All);
             let slow = QuasiStaticHalfSpace::new(&contact, &state, all);
             let slow = self.physics("contact", slow)?;
             return Ok(self.answering(slow, hertz));
@@ -301,7 +313,7 @@ impl CheckedKeys {
         let table = NonSteady::new(
             &contact,
             &state,
-            with_waves(oscillating),
+            self.with_waves(oscillating),
             wavelength.min(),
             wavelength.max(),
             NonSteady::DEFAULT_TOLERANCE,

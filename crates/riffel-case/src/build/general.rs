@@ -3,11 +3,11 @@
 use std::sync::Arc;
 
 use riffel::contact::{Conformity, MeanState, MovingContact, OscillatingCreepages};
-use riffel::feedback::Contact;
+use riffel::feedback::{Contact, Hubs};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
-use riffel::wheelset::{Motion, RigidInertia};
+use riffel::wheelset::{Motion, Wheelset};
 use riffel::{
     Carter3d, Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY,
 };
@@ -18,6 +18,7 @@ use crate::checked_keys::CheckedKeys;
 use crate::file::{Comb, Rotation, TrackModel};
 use crate::general_keys::{ConformityKeys, ContactKeys, GeneralKeys, TwistKeys};
 use crate::track::Track;
+use crate::wheelset::CaseWheelset;
 
 /// One side of the wheelsets: its contact but for where it stands.
 struct Side {
@@ -103,6 +104,10 @@ impl CheckedKeys {
                 Comb::Resolved => riffel::feedback::Comb::Resolved,
                 Comb::Mean => riffel::feedback::Comb::Mean,
             });
+        let feedback = match &wheelset {
+            None => self.with_direction_of_lone_wheels(feedback)?,
+            Some(wheelset) => self.with_direction_of_wheelsets(feedback, wheelset)?,
+        };
         Ok(ClosedLoop {
             feedback,
             hertz,
@@ -113,6 +118,33 @@ impl CheckedKeys {
             lateral_resonances: lateral_resonances.unwrap_or_default(),
             remarks,
         })
+    }
+
+    /// The loop of wheelsets, whose normal forces turn with the wave where the case says so.
+    fn with_direction_of_wheelsets(
+        &self,
+        feedback: Loop,
+        wheelset: &Arc<CaseWheelset>,
+    ) -> Result<Loop, CaseError> {
+        /// Any: whether it is told does not depend on it \[rad/s\].
+        const FREQUENCY: f64 = 1e3;
+        let Some(keys) = &self.file.wheelset else {
+            return Ok(feedback);
+        };
+        if !keys.normal_direction {
+            return Ok(feedback);
+        }
+        if wheelset.hubs(FREQUENCY).is_none() {
+            return Err(self.text.keys.invalid(
+                "wheelset.normal_direction",
+                &format!(
+                    "is true, but wheelset.model = \"{}\" tells how the contacts move and not how the hubs do",
+                    keys.model.name()
+                ),
+                "choose wheelset.model = \"rigid\" or \"flexible\", or leave it out",
+            ));
+        }
+        Ok(feedback.with_normal_direction(Hubs::OfWheelsets(wheelset.clone())))
     }
 
     /// The contact of the first wheel with one rail, which is under study or not.
@@ -214,8 +246,7 @@ impl CheckedKeys {
         };
         let longitudinal = inertia
             .map(|inertia| {
-                let rigid = RigidInertia::new(inertia.si(), hertz.rolling_radius());
-                self.physics("wheel.inertia", rigid)
+                self.turning_wheel(inertia.si(), hertz.rolling_radius())
                     .map(|rigid| Arc::new(rigid) as Arc<dyn Receptance>)
             })
             .transpose()?;

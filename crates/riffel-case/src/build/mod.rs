@@ -10,7 +10,7 @@ mod wheelset;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
-use riffel::feedback::OneWheel;
+use riffel::feedback::{Hubs, OneWheel};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
@@ -123,8 +123,9 @@ impl CheckedKeys {
             wear: self.wear(hertz, &steady, true)?,
             amplitude: self.file.corrugation.amplitude.si(),
         };
+        let feedback = self.physics("contact", feedback.close())?;
         Ok(ClosedLoop {
-            feedback: self.physics("contact", feedback.close())?,
+            feedback: self.with_direction_of_lone_wheels(feedback)?,
             hertz,
             steady,
             carter: contact.carter,
@@ -201,12 +202,37 @@ impl CheckedKeys {
         // Filled in with the keys; the mass it may come from is checked.
         let inertia = self.required("wheel.inertia", wheel.inertia)?.si();
         Ok(match wheel.rotation() {
-            Rotation::Inertia => {
-                let rigid = RigidInertia::new(inertia, radius);
-                Motion::compliant(self.physics("wheel.inertia", rigid)?)
-            }
+            Rotation::Inertia => Motion::compliant(self.turning_wheel(inertia, radius)?),
             Rotation::ConstantTangentialForce => Motion::Free,
             Rotation::ConstantCreepage => Motion::Held,
         })
+    }
+
+    /// A wheel without a partner that turns with an inertia \[kg m²\]; its hub moves along the rail where the normal force turns with the
+    /// wave.
+    pub(crate) fn turning_wheel(
+        &self,
+        inertia: f64,
+        radius: f64,
+    ) -> Result<RigidInertia, CaseError> {
+        let rigid = RigidInertia::new(inertia, radius);
+        let rigid = self.physics("wheel.inertia", rigid)?;
+        match self.file.wheel.normal_direction {
+            false => Ok(rigid),
+            true => {
+                let mass = self.required("wheel.mass", self.file.wheel.mass)?;
+                self.physics("wheel.mass", rigid.with_moving_hub(mass.si()))
+            }
+        }
+    }
+
+    /// The loop of lone wheels, whose normal forces turn with the wave where the case says so.
+    fn with_direction_of_lone_wheels(&self, feedback: Loop) -> Result<Loop, CaseError> {
+        if !self.file.wheel.normal_direction {
+            return Ok(feedback);
+        }
+        let mass = self.required("wheel.mass", self.file.wheel.mass)?;
+        let hub = self.physics("wheel.mass", RigidMass::new(mass.si()))?;
+        Ok(feedback.with_normal_direction(Hubs::Lone(Arc::new(hub))))
     }
 }

@@ -20,6 +20,9 @@ pub struct Wheel {
     #[serde(default, skip_serializing_if = "Option::is_none")]
     #[schemars(with = "Rotation", extend("default" = "inertia"))]
     pub rotation: Option<Rotation>,
+    /// Whether the normal force turns with the slope of a wave, P₀r' along the rail; the hub then moves along the rail as the mass.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub normal_direction: bool,
 }
 
 impl Wheel {

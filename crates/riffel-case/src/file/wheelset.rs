@@ -35,6 +35,9 @@ pub struct Wheelset {
     /// The rail under study.
     #[serde(default)]
     pub rail: RailSide,
+    /// Whether the normal forces turn with the slope of a wave, P₀r' along the rail; for `rigid` and `flexible`.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub normal_direction: bool,
     /// Primary suspension, but for `measured`; left out, none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub suspension: Option<Suspension>,

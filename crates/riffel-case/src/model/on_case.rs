@@ -17,7 +17,7 @@ use super::joints::{
     ContactJoint, CreepageJoint, Joints, PlaceOfWearJoint, TrackJoint, WearJoint, WheelJoint,
 };
 use crate::Case;
-use crate::case_text::CaseText;
+use crate::case_text::{CaseText, REPLACED_BY_WHEELSET};
 use crate::file::CreepLawName;
 use crate::file::{Axle, Rotation, Support, TrackModel, Wheelset, WheelsetModel};
 use crate::substitutes::{GivenReceptance, Substitutes};
@@ -77,6 +77,9 @@ impl ModelOnCase {
             keys.remove(&["contact.conformity"]);
         }
         keys.set("contact.wave_geometry", joints.wave_geometry)?;
+        if !joints.wave_geometry {
+            keys.remove(&["wheel.normal_direction", "wheelset.normal_direction"]);
+        }
         match joints.place_of_wear {
             PlaceOfWearJoint::Own => {}
             PlaceOfWearJoint::Lag => keys.set("contact.dissipation_phase", "lag")?,
@@ -330,7 +333,7 @@ impl ModelKeys<'_> {
         }
         let half_spacing = 0.5 * Wheelset::default_contact_spacing().si();
         let mass = 2.0 * mass.si();
-        self.remove(&["wheel.mass", "wheel.inertia", "wheel.rotation"]);
+        self.remove(&REPLACED_BY_WHEELSET);
         self.set("wheelset.model", "rigid")?;
         self.set("wheelset.mass", mass)?;
         let roll = mass * half_spacing * half_spacing;

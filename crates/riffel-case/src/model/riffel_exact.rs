@@ -41,7 +41,7 @@ pub(super) static WITH_WAVES: FieldModel = FieldModel {
         "oscillation of the spin",
         "conformity: the contact does not move across the profiles",
         "what the passage of supports excites",
-        "the direction of the normal force on the slope of a wave",
+        "the direction of the normal force on the slope of a wave, unless the case has it",
     ],
     not_given: &[],
 };

@@ -30,17 +30,6 @@ impl Case {
             .collect()
     }
 
-    /// Whether wheels in time feel the wave's own geometry as the loop of the case does: contacts that answer late, and those that
-    /// slide everywhere, do not.
-    pub fn waves_bend_in_time(&self) -> bool {
-        let at_once = self.file.contact.response == ContactDynamics::QuasiStatic;
-        let contacts = self.feedback.contacts();
-        at_once
-            && contacts
-                .iter()
-                .all(|contact| WaveInTime::of(contact).is_some())
-    }
-
     /// The contact of one wheel along one axis.
     fn one_contact_in_time(&self, of_loop: &Contact) -> Result<ContactInTime, CaseError> {
         let (keys, friction) = (&self.keys, self.steady.friction);
@@ -49,15 +38,19 @@ impl Case {
             Some(carter) => Some(Arc::new(carter) as Arc<dyn CreepLaw>),
             None => keys.creep_law(self.hertz, friction)?,
         };
-        let CreepInTime { law, late } = match law {
-            Some(law) => CreepInTime { law, late: None },
+        let CreepInTime { law, late, wave } = match law {
+            Some(law) => CreepInTime {
+                law,
+                late: None,
+                wave: None,
+            },
             None => keys.exact_in_time(self.hertz, friction)?,
         };
         let contact = ContactInTime::of_one_wheel(self.steady, self.hertz.stiffness(), law);
         let contact = keys.physics("contact", contact)?;
         let even = self.file.wheel.rotation() == Rotation::ConstantCreepage;
         Ok(ContactInTime {
-            wave: WaveInTime::of(of_loop).filter(|_| self.waves_bend_in_time()),
+            wave: wave.or_else(|| WaveInTime::of(of_loop)),
             late,
             held: [even, contact.held[1]],
             ..contact

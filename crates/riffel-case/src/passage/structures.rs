@@ -6,7 +6,7 @@ use riffel::Error;
 use riffel::feedback::Contact;
 use riffel::passage::{ImpulseResponse, StructuresInTime};
 use riffel::receptance::SpatialMovingLoad;
-use riffel::wheelset::{RigidInertia, RigidMass};
+use riffel::wheelset::RigidMass;
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -25,12 +25,14 @@ impl Case {
         };
         let mass = RigidMass::new(keys.required("wheel.mass", wheel.mass)?.si());
         let inertia = keys.required("wheel.inertia", wheel.inertia)?.si();
-        let inertia = RigidInertia::new(inertia, self.hertz.rolling_radius());
-        Ok(StructuresInTime::of_one_wheel(
-            keys.physics(key, response)?,
-            &keys.physics("wheel.mass", mass)?,
-            Some(&keys.physics("wheel.inertia", inertia)?),
-        ))
+        let inertia = keys.turning_wheel(inertia, self.hertz.rolling_radius())?;
+        let mass = keys.physics("wheel.mass", mass)?;
+        let response = keys.physics(key, response)?;
+        let structures = StructuresInTime::of_one_wheel(response, &mass, Some(&inertia));
+        Ok(match wheel.normal_direction {
+            true => structures.with_normal_direction(&mass),
+            false => structures,
+        })
     }
 
     /// Track and wheels of a loop on all axes.

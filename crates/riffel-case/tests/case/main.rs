@@ -14,6 +14,7 @@ mod track;
 mod traffic;
 mod traffic_wheels;
 mod wave_geometry;
+mod waves_in_time;
 mod wheelset_cases;
 mod wheelset_files;
 mod wheelset_presets;

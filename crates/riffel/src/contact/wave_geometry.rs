@@ -65,6 +65,14 @@ impl WaveGeometry {
         self.sliding.is_some()
     }
 
+    /// What a contact that slides everywhere presses and wears by; none of a point, and of one that sticks anywhere.
+    pub fn filter(&self) -> Option<ContactFilter> {
+        match self.patch {
+            WavePatch::Point => None,
+            _ => self.sliding,
+        }
+    }
+
     /// R \[m\].
     pub fn radius(&self) -> f64 {
         self.radius
@@ -89,10 +97,8 @@ impl WaveGeometry {
 
     /// F \[-\], the share of a displacement that a contact presses by and wears of; one unless it slides everywhere as a patch.
     pub fn pressed(&self, wavenumber: f64) -> f64 {
-        match (&self.sliding, &self.patch) {
-            (None, _) | (_, WavePatch::Point) => 1.0,
-            (Some(filter), _) => filter.amplitude(wavenumber, 0.0),
-        }
+        self.filter()
+            .map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0))
     }
 
     /// Derivative by κ at κ = 0 of a force under constant load and creepages \[N\], on a wheel of the radius R/(1 + κ).

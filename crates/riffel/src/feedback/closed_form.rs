@@ -6,7 +6,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::contact::{Derivative, Derivatives};
-use super::{Contact, ContactState, Loop, LoopState};
+use super::{Contact, ContactState, Hubs, Loop, LoopState};
 use crate::Receptance;
 use crate::contact::MeanRolling;
 use crate::wheelset::Motion;
@@ -21,6 +21,8 @@ pub(crate) struct ClosedForm {
     /// How the surface of the wheel moves along the rail under the tangential force: its rotation.
     pub(crate) rotation: Motion,
     pub(crate) contact: Contact,
+    /// How its hub moves along the rail, where the normal force turns with the wave and the wheel yields.
+    pub(crate) hub: Option<Arc<dyn Receptance>>,
     /// The mean state of the contact.
     pub(crate) steady: MeanRolling,
     /// Amplitude Δ of the profile \[m\].
@@ -64,9 +66,15 @@ impl ClosedForm {
             (Motion::Compliant(()), None) | (Motion::Held, _) => Motion::Held,
             (Motion::Free, _) => Motion::Free,
         };
+        let hub = match (&feedback.hubs, &rotation) {
+            (Some(Hubs::OfWheelsets(_)), _) => return None,
+            (Some(Hubs::Lone(hub)), Motion::Compliant(_)) => Some(hub.clone()),
+            _ => None,
+        };
         Some(Self {
             track: track.vertical.clone()?,
             wheel: wheels.vertical.clone()?,
+            hub,
             rotation,
             steady: contact.rolling.steady(),
             contact: contact.clone(),
@@ -124,6 +132,8 @@ impl ClosedForm {
                 energy_at_rail: dissipation_at_rail / speed,
                 growth_rate: Some(growth_rate),
                 wave,
+                slip_by_direction: (self.hub.as_ref())
+                    .map(|_| self.slip_by_direction(wavelength, speed) * self.amplitude),
             }],
         }
     }
@@ -180,6 +190,16 @@ impl ClosedForm {
         }
     }
 
+    /// s₁/V that the direction of the normal force makes of a metre of the profile, k²T P₀ \[1/m\], see [`Hubs`].
+    fn slip_by_direction(&self, wavelength: f64, speed: f64) -> Complex64 {
+        let Some(hub) = &self.hub else {
+            return Complex64::ZERO;
+        };
+        let wavenumber = 2.0 * PI / wavelength;
+        let load = wavenumber * wavenumber * self.steady.normal_force;
+        load * hub.receptance(wavenumber * speed, speed)
+    }
+
     /// What a normal force \[N\] and a profile \[m\] do.
     fn creep(
         &self,
@@ -197,9 +217,12 @@ impl ClosedForm {
         // (13) and (16) for s₁/V and Q₁, finite in both limits of the inertia: (17), (18)
         let ratio = self.rotation.ratio(2.0 * PI * speed / wavelength, speed);
         let slip = -ratio.speed / speed;
-        let force = by_load.force[0] * normal_force + by_profile.force[0] * profile;
+        let of_direction = self.slip_by_direction(wavelength, speed) * profile;
+        let force = by_load.force[0] * normal_force
+            + by_profile.force[0] * profile
+            + by_creepage.force[0] * of_direction;
         let share = force / (ratio.force - by_creepage.force[0] * slip);
-        let slip = share * slip;
+        let slip = share * slip + of_direction;
         let energy = |of: fn(&Derivative) -> Complex64| {
             of(by_load) * normal_force + of(by_creepage) * slip + of(by_profile) * profile
         };

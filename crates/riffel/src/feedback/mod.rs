@@ -5,6 +5,7 @@ mod at_speeds;
 mod closed_form;
 mod contact;
 mod determinant;
+mod hubs;
 mod line_group;
 mod linear;
 mod one_wheel;
@@ -17,6 +18,7 @@ pub(crate) use at_speeds::AtSpeeds;
 pub(crate) use closed_form::ClosedForm;
 pub use contact::{Contact, WaveState};
 pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
+pub use hubs::Hubs;
 pub(crate) use line_group::LineGroup;
 pub use one_wheel::OneWheel;
 pub use stability::Stability;
@@ -46,7 +48,7 @@ use crate::{Error, Rail};
 ///
 /// ```text
 /// normal    P₁/k_H = Δ p − (H f₁)_n                   p = e^{ikx} of the place, times the profile of its rail
-/// creepage  V ξ₁ = −iω (H f₁)_{x,t}
+/// creepage  V ξ₁ = −iω (H f₁)_{x,t}                   with what the direction of P₀ adds, see [`Hubs`]
 /// creep     Q₁ = F_P P₁ + F_ξ ξ₁ + F_κ κ
 /// energy    e₁ = e_P P₁ + e_ξ ξ₁ + e_κ κ                κ = R k²Φ Δ p, where the wave's own geometry has a part
 /// growth    g = −k_w/(ρ 2b) · Re(e₁ at the rail point / p)/Δ per passage of the wheel
@@ -72,6 +74,8 @@ pub struct Loop {
     position: f64,
     comb: Comb,
     amplitude: f64,
+    /// How hubs move where the normal force turns with the wave.
+    hubs: Option<Hubs>,
 }
 
 /// How the interference of several wheels is read: over the wavelength it is a comb of the step λ²/l for wheels at the
@@ -142,6 +146,8 @@ pub struct ContactState {
     pub growth_rate: Option<f64>,
     /// What the wave's own geometry does; none where it has no part.
     pub wave: Option<WaveState>,
+    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`]; none where they stay.
+    pub slip_by_direction: Option<Complex64>,
 }
 
 impl Loop {
@@ -182,6 +188,7 @@ impl Loop {
             position: 0.0,
             comb: Comb::default(),
             amplitude,
+            hubs: None,
         })
     }
 
@@ -195,6 +202,22 @@ impl Loop {
     pub fn with_comb(mut self, comb: Comb) -> Self {
         self.comb = comb;
         self
+    }
+
+    /// The loop in which the normal forces turn with the slope of the wave, see [`Hubs`]; it counts where a wheel yields along the rail.
+    pub fn with_normal_direction(mut self, hubs: Hubs) -> Self {
+        self.hubs = Some(hubs);
+        self
+    }
+
+    /// The same with normal forces that stay upright, on hubs that move.
+    pub fn without_normal_direction(self) -> Self {
+        Self { hubs: None, ..self }
+    }
+
+    /// How hubs move where normal forces turn with the wave.
+    pub fn hubs(&self) -> Option<&Hubs> {
+        self.hubs.as_ref()
     }
 
     /// The loop without any part of the waves' own geometry.
@@ -221,10 +244,14 @@ impl Loop {
             position,
             comb,
             amplitude,
+            hubs,
             ..
         } = self;
         let feedback = Self::new(track, wheels, contacts, amplitude)?;
-        Ok(feedback.at_position(position).with_comb(comb))
+        Ok(Self {
+            hubs,
+            ..feedback.at_position(position).with_comb(comb)
+        })
     }
 
     /// The contacts, that of the first wheel on the rail under study first.
@@ -336,29 +363,32 @@ impl Loop {
     /// A \[1/kg\] of H → −A/ω² at ω → 0, of the wheels that nothing holds: their masses, and inertias over the square of the
     /// rolling radius. Between all contacts in their axes, by rows.
     pub(crate) fn free_motion(&self) -> Vec<f64> {
-        /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
-        const SLOW: f64 = 0.3;
-        /// \[1/kg\]: what springs and rounding leave.
-        const NOTHING: f64 = 1e-9;
-        // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
-        const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
         let mut system = System::new(self);
-        let size = 3 * self.contacts.len();
-        let mut free = vec![0.0; size * size];
-        for (times, share) in SHARES {
-            let w = times * SLOW;
+        free_of(|w| {
             system.receptances(self, w, 1.0);
             system.turn_axes(self);
-            for (free, value) in free.iter_mut().zip(system.of_wheels()) {
-                *free -= share * w * w * value.re;
-            }
-        }
-        for free in &mut free {
-            if free.abs() < NOTHING {
-                *free = 0.0;
-            }
-        }
-        free
+            system.of_wheels().collect()
+        })
+    }
+
+    /// Receptances of the hubs along the rail \[m/N\] between all contacts, by rows; none where normal forces stay upright.
+    pub(crate) fn hub_receptances(
+        &self,
+        angular_frequency: f64,
+        speed: f64,
+    ) -> Option<Vec<Complex64>> {
+        let places = self.contacts.iter();
+        let places: Vec<(f64, Rail)> = places
+            .map(|contact| (contact.along, contact.rail))
+            .collect();
+        let hubs = self.hubs.as_ref()?;
+        Some(hubs.between(angular_frequency, speed, &places))
+    }
+
+    /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
+    pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
+        self.hubs.as_ref()?;
+        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -402,6 +432,31 @@ impl Loop {
             }
         }
     }
+}
+
+/// A \[1/kg\] of receptances −A/ω² at ω → 0, which are told at an angular frequency \[rad/s\].
+fn free_of(mut receptances: impl FnMut(f64) -> Vec<Complex64>) -> Vec<f64> {
+    /// Below any suspension, and high enough for the inertia of an axle beside its stiffness \[rad/s\].
+    const SLOW: f64 = 0.3;
+    /// \[1/kg\]: what springs and rounding leave.
+    const NOTHING: f64 = 1e-9;
+    // Springs leave powers of ω²: the polynomial through one, four and nine times the same, at zero.
+    const SHARES: [(f64, f64); 3] = [(1.0, 1.5), (2.0, -0.6), (3.0, 0.1)];
+    let mut free = Vec::new();
+    for (times, share) in SHARES {
+        let w = times * SLOW;
+        let values = receptances(w);
+        free.resize(values.len(), 0.0);
+        for (free, value) in free.iter_mut().zip(values) {
+            *free -= share * w * w * value.re;
+        }
+    }
+    for free in &mut free {
+        if free.abs() < NOTHING {
+            *free = 0.0;
+        }
+    }
+    free
 }
 
 impl From<&Loop> for Loop {

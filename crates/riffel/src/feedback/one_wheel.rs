@@ -52,6 +52,10 @@ impl Loop {
             amplitude: closed.amplitude,
         }
         .close()
+        .map(|feedback| Self {
+            hubs: self.hubs,
+            ..feedback
+        })
     }
 }
 

@@ -10,6 +10,7 @@ use super::linear::{Equations, Solve};
 use super::turn::{NORMAL, SHIFT, Turn};
 use super::{Comb, Contact, ContactState, Loop};
 use crate::vector::lanes_of;
+use crate::wheelset::Motion;
 use crate::{Place, Rail};
 
 /// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
@@ -35,6 +36,9 @@ pub(crate) struct System {
     /// Receptances of both in the axes of the contacts; of each entry the real parts of all lanes, then the imaginary ones.
     receptances: Vec<f64>,
     equations: Equations,
+    /// Where the hubs stand, and −ik T N of each contact and excitation, where normal forces turn with the wave.
+    hubs: Vec<(f64, Rail)>,
+    direction: Option<Vec<f64>>,
     /// Which excitation is that of each contact.
     excitation: Vec<usize>,
     /// Creepages of the contacts, and Ŵ₁ of the mean growth.
@@ -96,6 +100,10 @@ impl System {
             wheels: vec![Complex64::ZERO; places_count * places_count],
             receptances: vec![0.0; 2 * size * size * lanes],
             equations: Equations::new(size, columns, lanes),
+            hubs: (of.contacts.iter())
+                .map(|contact| (contact.along, contact.rail))
+                .collect(),
+            direction: (of.hubs.as_ref()).map(|_| vec![0.0; 2 * count * columns * lanes]),
             excitation,
             creepages: vec![0.0; 2 * 2 * of.contacts.len() * lanes],
             dissipation: vec![0.0; 2 * lanes],
@@ -116,6 +124,7 @@ impl System {
     pub(crate) fn turn(&mut self, of: &Loop, answers: &Answers, speed: f64) {
         for (lane, &wavelength) in answers.wavelengths().iter().enumerate() {
             self.receptances(of, 2.0 * PI * speed / wavelength, speed);
+            self.turn_normals(of, speed, wavelength, lane);
             self.gather(of, lane);
         }
         self.arch.dispatch(Turn {
@@ -124,6 +133,7 @@ impl System {
             excitation: &self.excitation,
             answers,
             receptances: &self.receptances,
+            direction: self.direction.as_deref(),
             equations: &mut self.equations,
             creepages: &mut self.creepages,
             dissipation: &mut self.dissipation,
@@ -172,6 +182,34 @@ impl System {
         if !self.rolling.is_empty() {
             let track = &of.track;
             track.roll_matrix(angular_frequency, speed, &self.rolling, &mut self.rolls);
+        }
+    }
+
+    /// What the direction of the normal forces makes of the waves under the contacts, after their receptances.
+    fn turn_normals(&mut self, of: &Loop, speed: f64, wavelength: f64, lane: usize) {
+        let (size, count, lanes) = (self.size(), of.contacts.len(), self.lanes);
+        let (Some(hubs), Some(direction)) = (&of.hubs, &mut self.direction) else {
+            return;
+        };
+        let wavenumber = 2.0 * PI / wavelength;
+        let of_hubs = hubs.between(wavenumber * speed, speed, &self.hubs);
+        let columns = direction.len() / (2 * lanes * count);
+        for (to, contact) in of.contacts.iter().enumerate() {
+            let mut slips = vec![Complex64::ZERO; columns];
+            // A surface that is held does not slip, and one that is free slips as its force asks for.
+            if matches!(contact.motion[0], Motion::Compliant(())) {
+                for (from, source) in of.contacts.iter().enumerate() {
+                    let profile = of.amplitude * source.profile * source.phase(wavenumber);
+                    let load = source.rolling.steady().normal_force;
+                    let along = self.track[3 * to * size + 3 * from] + of_hubs[to * count + from];
+                    slips[self.excitation[from]] +=
+                        wavenumber * wavenumber * load * along * profile;
+                }
+            }
+            for (column, slip) in slips.into_iter().enumerate() {
+                let parts = &mut direction[2 * (to * columns + column) * lanes..];
+                (parts[lane], parts[lanes + lane]) = (slip.re, slip.im);
+            }
         }
     }
 
@@ -329,6 +367,10 @@ impl System {
             energy_at_rail,
             growth_rate: (contact.profile != 0.0).then(|| -depth / of.amplitude),
             wave,
+            slip_by_direction: self.direction.as_ref().map(|direction| {
+                let columns = self.equations.width() - self.equations.size();
+                self.number(direction, index * columns + self.excitation[index], 0)
+            }),
         }
     }
 

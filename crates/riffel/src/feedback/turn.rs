@@ -25,6 +25,8 @@ pub(super) struct Turn<'a> {
     /// Receptances H of track and wheels together, by rows; zero by unknowns that are no forces. In a loop in which a contact moves the
     /// fourth row of a contact is θ − u_t/R_t, and its fourth column is by the moment of a shift.
     pub(super) receptances: &'a [f64],
+    /// −ik T N of each contact and excitation, by rows: the slip that the direction of the normal forces makes; none where they stay.
+    pub(super) direction: Option<&'a [f64]>,
     /// Made here and solved.
     pub(super) equations: &'a mut Equations,
     /// Creepages along and across of each contact.
@@ -116,6 +118,13 @@ impl Turn<'_> {
                 }
                 right.fill(zero.parts());
                 right[excitation] = answer.force_by_profile[axis].parts();
+                if let Some(direction) = self.direction {
+                    let slips = Vector::<S>::row(direction).chunks_exact(width - size);
+                    let slips = slips.skip(index).take(1).flatten();
+                    for (entry, &slip) in right.iter_mut().zip(slips) {
+                        add(simd, entry, by_creepage[0].times(simd, slip.into()));
+                    }
+                }
             }
             let (row, right) = rows[NORMAL * width..][..width].split_at_mut(size);
             row.copy_from_slice(normal);
@@ -199,6 +208,15 @@ impl Turn<'_> {
                     Motion::Compliant(()) => {
                         times_i(simd, displacements[axis], wavenumbers[0]).negative(simd)
                     }
+                };
+                let creepage = match self.direction {
+                    Some(direction) if axis == 0 => {
+                        let columns = equations.width() - size;
+                        let slips = Vector::<S>::row(direction);
+                        let slip = Vector::<S>::from(slips[index * columns + column]);
+                        slip.plus(simd, creepage)
+                    }
+                    _ => creepage,
                 };
                 creepages[axis] = creepage.parts();
                 dissipation = growth_by_creepage[axis].times_plus(simd, creepage, dissipation);

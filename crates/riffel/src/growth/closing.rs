@@ -15,6 +15,8 @@ pub(super) struct Closing<'a> {
     pub(super) slip: &'a SplitComplex,
     /// The same two columns of the wave's own geometry.
     pub(super) wave: Option<&'a [SplitComplex; 2]>,
+    /// e_ξ Δ/(μP₀ξ₀) and, by the direction of the normal force, T k²P₀, see [`Hubs`](crate::feedback::Hubs).
+    pub(super) direction: Option<[&'a SplitComplex; 2]>,
     /// z, the share of the force.
     pub(super) force: f64,
     /// 1/k_H \[m/N\].
@@ -41,6 +43,7 @@ impl WithSimd for Closing<'_> {
         ]
         .map(|row| Rows::<S>::of(row));
         let wave = self.wave.map(|wave| wave.each_ref().map(Rows::<S>::of));
+        let direction = self.direction.map(|rows| rows.map(Rows::<S>::of));
         let contact = simd.splat_f64s(self.contact);
         let per_speed = simd.splat_f64s(self.per_speed);
         let one = simd.splat_f64s(1.0);
@@ -62,6 +65,11 @@ impl WithSimd for Closing<'_> {
                 let geometry = by_force.at(j).scaled(simd, force.re);
                 let geometry = by_speed.at(j).times_plus(simd, speed, geometry);
                 numerator = geometry.times_plus(simd, receptance, numerator);
+            }
+            if let Some([by_creepage, slip]) = &direction {
+                let by_profile = by_creepage.at(j).times(simd, slip.at(j));
+                let by_profile = by_profile.scaled(simd, force.re);
+                numerator = by_profile.times_plus(simd, receptance, numerator);
             }
             let sliding = slip.at(j).times_plus(simd, speed, force);
             let denominator = receptance.times(simd, sliding);

@@ -66,6 +66,8 @@ struct Columns {
     by_speed: SplitComplex,
     /// Q_ξ.
     slip: SplitComplex,
+    /// e_ξ Δ/(μP₀ξ₀); none where normal forces do not turn with the wave. What slip that makes of itself cancels from the column by speed.
+    by_creepage: Option<SplitComplex>,
     /// Of the wave's own geometry e_r Δ/(μP₀ξ₀) and (e_r Q_ξ − e_ξ Q_r) Δ/(μP₀ξ₀), r the profile; none where it has no part.
     wave: Option<[SplitComplex; 2]>,
 }
@@ -77,6 +79,7 @@ struct Scratch {
     track: SplitComplex,
     wheel: SplitComplex,
     speeds: SplitComplex,
+    direction: SplitComplex,
     result: SplitComplex,
 }
 
@@ -100,6 +103,8 @@ impl Columns {
             by_force: column(&|at| at.by_load.at_rail * scale * at.pressed),
             by_speed: column(&|at| cross(&at.by_load, at) * scale * at.pressed),
             slip: column(&|at| at.by_creepage[0].force[0]),
+            by_creepage: (feedback.hub.as_ref())
+                .map(|_| column(&|at| at.by_creepage[0].at_rail * scale)),
             wave: contact.wave.is_some().then(|| {
                 [
                     column(&|at| at.by_profile.at_rail * scale),
@@ -177,6 +182,7 @@ impl Tiles {
                 track: SplitComplex::ZERO,
                 wheel: SplitComplex::ZERO,
                 speeds: SplitComplex::ZERO,
+                direction: SplitComplex::ZERO,
                 result: SplitComplex::ZERO,
             }),
             arch: Arch::new(),
@@ -201,6 +207,17 @@ impl Tiles {
         joints
             .rotation
             .speeds(frequencies, speed, &mut scratch.speeds);
+        let direction = joints.hub.as_ref().zip(columns.by_creepage.as_ref());
+        let direction = direction.map(|(hub, by_creepage)| {
+            let slips = &mut scratch.direction;
+            hub.receptances(frequencies, speed, slips);
+            let parts = slips.re.iter_mut().zip(&mut slips.im);
+            for ((re, im), k) in parts.zip(&columns.wavenumber) {
+                let load = joints.steady.normal_force * k * k;
+                (*re, *im) = (*re * load, *im * load);
+            }
+            [by_creepage, &*slips]
+        });
         self.arch.dispatch(Closing {
             track: &scratch.track,
             wheel: &scratch.wheel,
@@ -209,6 +226,7 @@ impl Tiles {
             by_speed: &columns.by_speed,
             slip: &columns.slip,
             wave: columns.wave.as_ref(),
+            direction,
             force: joints.rotation.force(),
             contact: joints.contact.stiffness.recip(),
             per_speed,

@@ -1,6 +1,7 @@
 //! Wheels along a given profile.
 
-use super::{ContactInstant, March, PassageModel};
+use super::felt::Felt;
+use super::{ContactInTime, ContactInstant, March, PassageModel};
 use crate::Error;
 use crate::roughness::Profile;
 
@@ -36,9 +37,12 @@ impl PassageModel {
     /// [`Error::ProfileTooShort`] for a profile shorter than the memory, and those of memory and march.
     pub fn pass(&self, profile: &Profile, largest_step: f64) -> Result<Passage, Error> {
         let spacing = profile.spacing();
-        let filter = self.contact_filter;
-        let averaged = filter.map(|filter| averaged(profile, filter.semi_axis_longitudinal()));
-        let heights = averaged.as_deref().unwrap_or(profile.heights());
+        let pressed = |contact: &ContactInTime| match self.filter_of(contact) {
+            Some(filter) => averaged(profile, filter.semi_axis_longitudinal()),
+            None => profile.heights().to_vec(),
+        };
+        let pressed: Vec<Vec<f64>> = self.contacts.iter().map(pressed).collect();
+        let heights = &pressed[0];
         let memory = self.memory()?;
         let run_in = (memory / spacing).ceil() as usize;
         if run_in + 1 >= heights.len() {
@@ -48,7 +52,7 @@ impl PassageModel {
             });
         }
         let trend = Line::through(&heights[..=run_in]);
-        let rail = |index: isize| match usize::try_from(index) {
+        let rail = |heights: &[f64], index: isize| match usize::try_from(index) {
             // Past the end the last height goes on, which only the cubic before it sees.
             Ok(index) => heights[index.min(heights.len() - 1)] - trend.at(0.0),
             Err(_) => {
@@ -58,23 +62,35 @@ impl PassageModel {
                 (trend.slope * index as f64 + rough) * faded(share)
             }
         };
-        let bent = self.under_contacts(|wave| wave.along(profile));
-        let curvature = |contact: usize, index: isize| match usize::try_from(index) {
-            Ok(index) => bent[contact][index.min(heights.len() - 1)],
-            Err(_) => {
-                let before = index.unsigned_abs().min(run_in);
-                bent[contact][before] * faded(1.0 - before as f64 / run_in as f64)
+        let contacts = self.contacts.iter();
+        let beside: Vec<Vec<Felt>> = contacts
+            .map(|contact| self.felt_along(contact, profile))
+            .collect();
+        let felt = |contact: usize, index: isize| Felt {
+            height: rail(&pressed[contact], index),
+            ..match usize::try_from(index) {
+                Ok(index) => beside[contact][index.min(heights.len() - 1)],
+                Err(_) => {
+                    let before = index.unsigned_abs().min(run_in);
+                    let share = 1.0 - before as f64 / run_in as f64;
+                    let there = beside[contact][before].times(faded(share));
+                    // What was mirrored falls where it rose.
+                    Felt {
+                        slope: -there.slope,
+                        ..there
+                    }
+                }
             }
         };
         let substeps = (spacing / largest_step).ceil().max(1.0);
         let mut march = self.march_before(spacing / substeps, run_in as f64 * spacing)?;
         let mut roll = Roll::new(&mut march, substeps as usize, spacing);
-        roll.along(rail, curvature, -(run_in as isize), 0, |_| ());
+        roll.along(felt, -(run_in as isize), 0, |_| ());
         roll.begin_to_count();
         let first = roll.march.now();
         let mut contacts: Vec<Vec<ContactInstant>> =
             first.iter().map(|&first| vec![first]).collect();
-        roll.along(rail, curvature, 0, heights.len() as isize - 1, |now| {
+        roll.along(felt, 0, heights.len() as isize - 1, |now| {
             for (contacts, now) in contacts.iter_mut().zip(now) {
                 contacts.push(*now);
             }
@@ -198,40 +214,32 @@ impl<'a, 'm> Roll<'a, 'm> {
         self.lost as f64 / self.steps as f64
     }
 
-    /// On from one height to another, with κ under the contacts by their numbers at each; `visit` is shown the contacts when the first wheel is at each height after the first.
+    /// On from one height to another, at which contacts by their numbers feel what is told; `visit` is shown the contacts when the first
+    /// wheel is at each height after the first.
     pub(super) fn along(
         &mut self,
-        heights: impl Fn(isize) -> f64,
-        curvatures: impl Fn(usize, isize) -> f64,
+        felt: impl Fn(usize, isize) -> Felt,
         from: isize,
         to: isize,
         mut visit: impl FnMut(&[ContactInstant]),
     ) {
-        let around = |index: isize| [-1, 0, 1, 2].map(|by| heights(index + by));
+        let beside: Vec<bool> = self.march.feel_more_than_height().collect();
         for index in from..to {
-            let under_first = around(index);
             for step in 1..=self.substeps {
                 let share = step as f64 / self.substeps as f64;
                 let place = |ahead: f64| {
                     let place = share + ahead / self.spacing;
                     (index + place.floor() as isize, place - place.floor())
                 };
-                self.march.advance_along(
-                    |ahead| {
-                        if ahead == 0.0 {
-                            return cubic(under_first, share);
-                        }
-                        let (index, share) = place(ahead);
-                        cubic(around(index), share)
-                    },
-                    |contact, ahead| {
-                        let (index, share) = place(ahead);
-                        cubic(
-                            [-1, 0, 1, 2].map(|by| curvatures(contact, index + by)),
-                            share,
-                        )
-                    },
-                );
+                self.march.advance_along(|contact, ahead| {
+                    // To the last bit of the share.
+                    let (index, share) = match ahead == 0.0 {
+                        true => (index, share),
+                        false => place(ahead),
+                    };
+                    let around = [-1, 0, 1, 2].map(|by| felt(contact, index + by));
+                    Felt::between(around, |four| cubic(four, share), beside[contact])
+                });
                 for contact in self.march.now() {
                     let [least, largest] = &mut self.normal_force;
                     *least = least.min(contact.normal_force);

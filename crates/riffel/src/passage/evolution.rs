@@ -6,8 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-use super::PassageModel;
 use super::along_profile::{Roll, faded};
+use super::felt::Felt;
+use super::PassageModel;
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
@@ -238,19 +239,16 @@ impl Evolution {
         let run_in = (wheel.memory / self.spacing).ceil();
         let substeps = (self.spacing / largest_step).ceil().max(1.0);
         let mut march = model.march_before(self.spacing / substeps, run_in * self.spacing)?;
-        let raw = heights;
-        let averaged = self.felt(raw, model);
-        let heights = averaged.as_deref().unwrap_or(raw);
         let count = heights.len() as isize;
-        let ring = |index: isize| heights[index.rem_euclid(count) as usize];
+        let contacts = model.contacts.iter();
+        let under: Vec<Vec<Felt>> = contacts
+            .map(|contact| model.felt_around(contact, heights, self.spacing))
+            .collect();
+        let felt = |contact: usize, index: isize| under[contact][index.rem_euclid(count) as usize];
         let mut roll = Roll::new(&mut march, substeps as usize, self.spacing);
         let share = |index: isize| faded(1.0 + 2.0 * (index as f64 / run_in + 0.5));
-        let bent = model.under_contacts(|wave| wave.around(raw, self.spacing));
-        let curvature =
-            |contact: usize, index: isize| bent[contact][index.rem_euclid(count) as usize];
         roll.along(
-            |index| ring(index) * share(index),
-            |contact, index| curvature(contact, index) * share(index),
+            |contact, index| felt(contact, index).times(share(index)),
             -(run_in as isize),
             0,
             |_| (),
@@ -259,7 +257,7 @@ impl Evolution {
         let worn = model.on_rail_under_study();
         let mut energies = vec![vec![0.0; heights.len()]; worn.len()];
         let mut index = 0;
-        roll.along(ring, curvature, 0, count, |contacts| {
+        roll.along(felt, 0, count, |contacts| {
             // The first wheel is now at the next height; the last is the first.
             index = (index + 1) % heights.len();
             for (energies, (contact, _)) in energies.iter_mut().zip(&worn) {
@@ -274,8 +272,10 @@ impl Evolution {
             let contact = &model.contacts[*index];
             let waves = spectrum(energies);
             // What of the energy is that of the wave's own geometry at constant load and slip speed.
-            let own: Option<Vec<Complex64>> = contact.wave.as_ref().map(|wave| {
-                let waves = spectrum(&bent[*index]).into_iter();
+            let at_once = contact.wave.as_ref().filter(|_| contact.late.is_none());
+            let own: Option<Vec<Complex64>> = at_once.map(|wave| {
+                let bent: Vec<f64> = under[*index].iter().map(|felt| felt.curvature).collect();
+                let waves = spectrum(&bent).into_iter();
                 waves
                     .map(|bent| wave.energy() * contact.profile * bent)
                     .collect()
@@ -296,7 +296,10 @@ impl Evolution {
                 let own = own
                     .as_ref()
                     .map_or(Complex64::ZERO, |own| own[n] * by_place);
-                let at_rail = (wave - own) * Complex64::cis(left) + own * later_of_wave(lag);
+                let at_rail = match at_once.filter(|wave| wave.is_sliding()) {
+                    Some(sliding) => (wave - own) * sliding.pressed(wavelength) + own,
+                    None => (wave - own) * Complex64::cis(left) + own * later_of_wave(lag),
+                };
                 *sum -= per_energy * at_rail * by_place.conj();
             }
         }
@@ -308,17 +311,6 @@ impl Evolution {
                 normal_force: roll.normal_force,
             },
         })
-    }
-
-    /// The ring as a wheel with a contact filter feels it; none where it feels the heights themselves.
-    fn felt(&self, heights: &[f64], model: &PassageModel) -> Option<Vec<f64>> {
-        model.contact_filter?;
-        let length = heights.len() as f64 * self.spacing;
-        let mut waves = spectrum(heights);
-        for (n, wave) in waves.iter_mut().enumerate().skip(1) {
-            *wave *= model.felt(length / n as f64);
-        }
-        Some(series(waves, heights.len()))
     }
 
     /// Passages after which the first third-octave band has changed by a share.

@@ -166,11 +166,16 @@ impl LateMotion {
         }
     }
 
-    /// A step of a contact begins.
-    pub(super) fn advance(&mut self, contact: &ContactInTime, now: &ContactInstant) {
+    /// A step of a contact begins, under which the wave has the curvature κ: it feels the slip speed, over V.
+    pub(super) fn advance(
+        &mut self,
+        contact: &ContactInTime,
+        now: &ContactInstant,
+        curvature: f64,
+    ) {
         self.advance_by([
             now.normal_force - contact.spring.normal_force(),
-            now.creepage - contact.mean.creepages.longitudinal,
+            now.creepage / (1.0 + curvature) - contact.mean.creepages.longitudinal,
         ]);
     }
 
@@ -182,7 +187,7 @@ impl LateMotion {
         }
     }
 
-    /// Load \[N\] and creepage at which the law is asked for the force, if the step ends with these.
+    /// Load \[N\] and slip speed over V at which the law is asked for the force, if the step ends with these.
     pub(super) fn for_force(
         &self,
         contact: &ContactInTime,

@@ -1,5 +1,7 @@
 //! The motion of wheels along rails, step by step.
 
+use super::direction_in_time::DirectionMotion;
+use super::felt::Felt;
 use super::late_contact::LateMotion;
 use super::structures_motion::StructuresMotion;
 use super::tangent_equation::{Slopes, TangentEquation};
@@ -44,6 +46,8 @@ impl ContactInstant {
 pub struct March<'a> {
     model: &'a PassageModel,
     motion: StructuresMotion<'a>,
+    /// Of the normal forces that turn with the waves.
+    direction: Option<DirectionMotion<'a>>,
     now: Vec<ContactInstant>,
     /// f − f₀ at the contacts and axes.
     forces: Vec<f64>,
@@ -61,8 +65,11 @@ pub struct March<'a> {
     before: Vec<[f64; 2]>,
     forces_before: Vec<f64>,
     heights: Vec<f64>,
-    /// κ of the waves under the contacts.
-    curvatures: Vec<f64>,
+    /// What the contacts feel of the waves beside their heights, and felt a step before.
+    felt: Vec<Felt>,
+    felt_before: Vec<Felt>,
+    /// N = P₀r'.
+    turned: Vec<f64>,
 }
 
 impl<'a> March<'a> {
@@ -90,6 +97,10 @@ impl<'a> March<'a> {
             }
         };
         Self {
+            direction: model.structures.direction().map(|direction| {
+                let poles = model.structures.terms().map(|(pole, _)| pole);
+                DirectionMotion::new(direction, poles, step / model.speed)
+            }),
             motion: StructuresMotion::new(
                 &model.structures,
                 mean_forces.collect(),
@@ -112,7 +123,9 @@ impl<'a> March<'a> {
             before: Vec::with_capacity(model.contacts.len()),
             forces_before: vec![0.0; size],
             heights: vec![0.0; model.contacts.len()],
-            curvatures: vec![0.0; model.contacts.len()],
+            felt: vec![Felt::default(); model.contacts.len()],
+            felt_before: vec![Felt::default(); model.contacts.len()],
+            turned: vec![0.0; model.contacts.len()],
             model,
         }
     }
@@ -122,7 +135,7 @@ impl<'a> March<'a> {
         &self.now
     }
 
-    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals, and no curvature that
+    /// One step on, to places where the profiles under the contacts have the heights r \[m\], along their normals, and nothing else that
     /// counts.
     pub fn advance(&mut self, heights: &[f64]) -> &[ContactInstant] {
         /// Forces of the others come into an equation with the mass of a wheel: a sweep leaves a hundredth of the change.
@@ -130,12 +143,21 @@ impl<'a> March<'a> {
         const REST: f64 = 1e-8;
         self.motion
             .advance(&self.forces, &mut self.displacement, &mut self.speed);
-        let contacts = self.model.contacts.iter().zip(&self.now);
-        for (late, (contact, now)) in self.late.iter_mut().zip(contacts) {
+        let contacts = self.model.contacts.iter().zip(&self.felt);
+        if let Some(direction) = &mut self.direction {
+            for (turned, (contact, felt)) in self.turned.iter_mut().zip(contacts) {
+                *turned = contact.spring.normal_force() * felt.slope;
+            }
+            direction.advance(&self.turned, &mut self.speed);
+        }
+        let contacts = self.model.contacts.iter().zip(&self.felt_before);
+        let contacts = contacts.zip(&self.now);
+        for (late, ((contact, felt), now)) in self.late.iter_mut().zip(contacts) {
             if let Some(late) = late {
-                late.advance(contact, now);
+                late.advance(contact, now, felt.curvature);
             }
         }
+        self.felt_before.copy_from_slice(&self.felt);
         self.before.clear();
         let creepages = self.now.iter();
         self.before
@@ -174,29 +196,25 @@ impl<'a> March<'a> {
         &self.now
     }
 
-    /// One step on along a rail whose height under study, and κ under a contact of a number, are told at a distance ahead of the first
-    /// wheel \[m\].
-    pub(super) fn advance_along(
-        &mut self,
-        height: impl Fn(f64) -> f64,
-        curvature: impl Fn(usize, f64) -> f64,
-    ) {
+    /// One step on along a rail, of which under study a contact of a number feels what is told at a distance ahead of the first wheel \[m\].
+    pub(super) fn advance_along(&mut self, felt: impl Fn(usize, f64) -> Felt) {
         let mut heights = std::mem::take(&mut self.heights);
         for (index, contact) in self.model.contacts.iter().enumerate() {
-            (heights[index], self.curvatures[index]) = match contact.profile {
-                0.0 => (0.0, 0.0),
-                profile => {
-                    let curvature = contact
-                        .wave
-                        .as_ref()
-                        .map(|_| curvature(index, contact.along));
-                    let height = profile * height(contact.along);
-                    (height, profile * curvature.unwrap_or(0.0))
-                }
+            self.felt[index] = match contact.profile {
+                0.0 => Felt::default(),
+                profile => felt(index, contact.along).times(profile),
             };
+            heights[index] = self.felt[index].height;
         }
         self.advance(&heights);
         self.heights = heights;
+    }
+
+    /// Of each contact, whether it feels more of waves than their height.
+    pub(super) fn feel_more_than_height(&self) -> impl Iterator<Item = bool> + use<'a> {
+        let model = self.model;
+        let contacts = model.contacts.iter();
+        contacts.map(|contact| model.feels_more_than_height(contact))
     }
 
     /// One contact under the present forces of all others; the change of its forces over its mean load. It `is_met` where its
@@ -223,7 +241,8 @@ impl<'a> March<'a> {
         let (approach, normal_force) = contact.spring.meet(gap, give_way, before.approach);
 
         let mean = &contact.mean;
-        let curvature = self.curvatures[index];
+        let felt = self.felt[index];
+        let curvature = felt.curvature;
         let slower = 1.0 + curvature;
         let at_rest = [mean.creepages.longitudinal, mean.creepages.lateral];
         let v = self.model.speed / slower;
@@ -232,6 +251,11 @@ impl<'a> March<'a> {
             late: self.late[index].as_ref(),
             normal_force,
             curvature,
+            by_wave: match (&contact.wave, &contact.late) {
+                (Some(wave), None) => wave.force(curvature),
+                _ => [felt.force, 0.0],
+            },
+            energy_of_wave: felt.energy,
             known: at_rest.map(|creepage| creepage * slower),
             by_force: [[0.0; 2]; 2],
         };

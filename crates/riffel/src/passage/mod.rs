@@ -10,8 +10,10 @@
 //! [`SmoothRail`] is what becomes of a loop that is unstable without any profile.
 
 mod along_profile;
+mod direction_in_time;
 mod eigenvalues;
 mod evolution;
+mod felt;
 mod hertz_spring;
 mod impulse_response;
 mod late_contact;

@@ -125,14 +125,6 @@ impl PassageModel {
         filter.map_or(1.0, |filter| filter.amplitude(TAU / wavelength, 0.0))
     }
 
-    /// What the geometry of the waves makes under each contact; the default where it has no part.
-    pub(super) fn under_contacts<T: Default>(&self, of: impl Fn(&WaveInTime) -> T) -> Vec<T> {
-        let waves = self.contacts.iter().map(|contact| contact.wave.as_ref());
-        waves
-            .map(|wave| wave.map(&of).unwrap_or_default())
-            .collect()
-    }
-
     /// Numbers and places \[m\] of the contacts on the rail under study.
     pub(super) fn on_rail_under_study(&self) -> Vec<(usize, f64)> {
         let contacts = self.contacts.iter().enumerate();

@@ -5,7 +5,8 @@ use std::f64::consts::TAU;
 use num_complex::Complex64;
 
 use super::along_profile::faded;
-use super::{ContactInstant, ImpulseResponse, PassageModel};
+use super::felt::FeltWave;
+use super::{ContactInTime, ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
 
 /// A profile Δ cos(2πx/λ), upward.
@@ -137,14 +138,13 @@ impl PassageModel {
         wanted: &dyn Fn() -> bool,
     ) -> Result<Vec<Settled>, Error> {
         profile.check(steps)?;
-        let felt = Sinusoid {
-            amplitude: profile.amplitude * self.felt(profile.wavelength),
-            ..profile
+        let felt = |contact: &ContactInTime| {
+            let FeltWave(by_height) = self.felt_by(contact, profile.wavelength);
+            FeltWave(by_height.map(|by| profile.amplitude * by))
         };
-        let bent =
-            self.under_contacts(|wave| profile.amplitude * wave.per_metre(profile.wavelength));
+        let felt: Vec<FeltWave> = self.contacts.iter().map(felt).collect();
         if let Some(spacing) = self.structures.support_spacing() {
-            return self.settle_over_supports(felt, &bent, steps, spacing, wanted);
+            return self.settle_over_supports(profile, &felt, steps, spacing, wanted);
         }
         let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
@@ -159,11 +159,9 @@ impl PassageModel {
             for step in 1..=steps {
                 let share = step as f64 / steps as f64;
                 let grown = faded(((number - 1) as f64 + share) / onset);
-                let wave = |ahead: f64| (TAU * share + TAU * ahead / wavelength).cos();
-                march.advance_along(
-                    |ahead| grown * felt.amplitude * wave(ahead),
-                    |index, ahead| grown * bent[index] * wave(ahead),
-                );
+                let wave =
+                    |ahead: f64| Complex64::cis(TAU * share + TAU * ahead / wavelength);
+                march.advance_along(|index, ahead| felt[index].times(grown).at(wave(ahead)));
                 for (wave, instant) in waves.iter_mut().zip(march.now()) {
                     wave.push(*instant);
                 }
@@ -197,20 +195,17 @@ impl PassageModel {
         })
     }
 
-    /// The same of a sinusoid as the wheels feel it, with κ of its crests under the contacts, on discrete supports at a spacing \[m\].
+    /// The same of a sinusoid with what the contacts feel of it, on discrete supports at a spacing \[m\].
     fn settle_over_supports(
         &self,
         profile: Sinusoid,
-        bent: &[f64],
+        felt: &[FeltWave],
         steps: usize,
         spacing: f64,
         wanted: &dyn Fn() -> bool,
     ) -> Result<Vec<Settled>, Error> {
         const WAVES: f64 = 8.0;
-        let Sinusoid {
-            amplitude,
-            wavelength,
-        } = profile;
+        let wavelength = profile.wavelength;
         let waves_of = |length: f64| (length / wavelength).ceil() as usize;
         let (before, counted) = (
             waves_of(self.memory()?),
@@ -228,11 +223,8 @@ impl PassageModel {
             }
             let grown = faded(index as f64 / onset);
             let angle = TAU * (index % steps) as f64 / steps as f64;
-            let wave = |ahead: f64| (angle + TAU * ahead / wavelength).cos();
-            march.advance_along(
-                |ahead| grown * amplitude * wave(ahead),
-                |index, ahead| grown * bent[index] * wave(ahead),
-            );
+            let wave = |ahead: f64| Complex64::cis(angle + TAU * ahead / wavelength);
+            march.advance_along(|index, ahead| felt[index].times(grown).at(wave(ahead)));
             if index > before * steps {
                 for (contacts, now) in contacts.iter_mut().zip(march.now()) {
                     contacts.push(*now);

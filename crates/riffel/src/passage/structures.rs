@@ -6,6 +6,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::ImpulseResponse;
+use super::direction_in_time::DirectionInTime;
 use super::pole_search::{PoleFit, PoleSearch};
 use super::rail_in_time::{RailInTime, is_along, places};
 use super::vector_fitting::{Sampled, residues, shared_poles, starting_poles};
@@ -45,6 +46,8 @@ pub struct StructuresInTime {
     free: Vec<f64>,
     /// The rail down and across, where it is fitted by itself.
     rail: Option<RailInTime>,
+    /// What normal forces do that turn with the waves.
+    direction: Option<DirectionInTime>,
     share_cut: f64,
     largest_error: f64,
 }
@@ -56,6 +59,8 @@ struct Sample {
     whole: Vec<Complex64>,
     /// What of it is fitted together.
     fitted: Vec<Complex64>,
+    /// That along the rail by forces through the hubs; empty where normal forces stay upright.
+    direction: Vec<Complex64>,
 }
 
 impl StructuresInTime {
@@ -71,8 +76,16 @@ impl StructuresInTime {
     /// [`Error::NotCausal`] if no causal response comes near enough, [`Error::OutOfRange`] for a receptance that is not finite.
     pub fn of(feedback: &Loop, speed: f64, natural_frequencies: &[f64]) -> Result<Self, Error> {
         let receptances = |w: f64| {
-            let whole = feedback.contact_receptances(w, speed);
-            [whole.clone(), whole]
+            let Some(hubs) = feedback.hub_receptances(w, speed) else {
+                let whole = feedback.contact_receptances(w, speed);
+                return [whole.clone(), whole, Vec::new()];
+            };
+            let [whole, wheels] = feedback.receptances_with_those_of_wheels(w, speed);
+            let rail: Vec<Complex64> = (whole.iter().zip(&wheels))
+                .map(|(whole, wheels)| whole - wheels)
+                .collect();
+            let direction = with_rail_along(hubs, &rail);
+            [whole.clone(), whole, direction]
         };
         Self::fitted(feedback, &receptances, natural_frequencies)
     }
@@ -97,6 +110,21 @@ impl StructuresInTime {
             share_cut: track.share_cut(),
             largest_error: track.largest_error(),
             rail: Some(RailInTime::under_one_wheel(track)),
+            direction: None,
+        }
+    }
+
+    /// Those of [one wheel](Self::of_one_wheel) whose normal force turns with the wave, and whose hub moves along the rail as a mass.
+    #[must_use]
+    pub fn with_normal_direction(self, hub: &RigidMass) -> Self {
+        let direction = DirectionInTime {
+            contacts: 1,
+            free: vec![hub.mass().recip()],
+            residues: Vec::new(),
+        };
+        Self {
+            direction: Some(direction),
+            ..self
         }
     }
 
@@ -116,12 +144,15 @@ impl StructuresInTime {
             let [whole, mut fitted] = feedback.receptances_with_those_of_wheels(w, track.speed());
             let even = track.evenly(w, &places);
             // The axes of contacts and track are the same along the rail.
-            for (index, along) in even.at(0).into_iter().flatten().enumerate() {
+            let even = even.at(0).unwrap_or_default();
+            for (index, along) in even.iter().enumerate() {
                 if is_along(index / size) && is_along(index % size) {
                     fitted[index] += along;
                 }
             }
-            [whole, fitted]
+            let hubs = feedback.hub_receptances(w, track.speed());
+            let direction = hubs.map_or_else(Vec::new, |hubs| with_rail_along(hubs, even));
+            [whole, fitted, direction]
         };
         let even = Self::fitted(feedback, &receptances, natural_frequencies)?;
         let [share_cut, largest_error] = rail.errors();
@@ -208,6 +239,11 @@ impl StructuresInTime {
         self.largest_error
     }
 
+    /// What normal forces do that turn with the waves; none where they stay upright.
+    pub(super) fn direction(&self) -> Option<&DirectionInTime> {
+        self.direction.as_ref()
+    }
+
     /// Poles p_j and residue matrices R_j by rows.
     pub(super) fn terms(&self) -> impl Iterator<Item = (Complex64, &[Complex64])> + '_ {
         let residues = self.residues.iter().map(Vec::as_slice);
@@ -225,8 +261,18 @@ impl StructuresInTime {
     }
 }
 
-/// Receptances by rows at an angular frequency: the whole, and what of it is fitted together.
-type Receptances<'a> = dyn Fn(f64) -> [Vec<Complex64>; 2] + Sync + 'a;
+/// Receptances by rows at an angular frequency: the whole, what of it is fitted together, and along the rail by forces through the hubs.
+type Receptances<'a> = dyn Fn(f64) -> [Vec<Complex64>; 3] + Sync + 'a;
+
+/// Receptances of hubs with those of a rail along itself, of which all axes are given by rows.
+fn with_rail_along(mut hubs: Vec<Complex64>, rail: &[Complex64]) -> Vec<Complex64> {
+    let contacts = hubs.len().isqrt();
+    for (index, hub) in hubs.iter_mut().enumerate() {
+        let (to, from) = (index / contacts, index % contacts);
+        *hub += rail[9 * to * contacts + 3 * from];
+    }
+    hubs
+}
 
 /// Transfer functions over frequency.
 struct Transfer {
@@ -235,6 +281,8 @@ struct Transfer {
     /// H + A/ω² of each entry of the upper triangle that is not zero.
     entries: Vec<Entry>,
     free: Vec<f64>,
+    /// The same by forces through the hubs, and its A; none where normal forces stay upright.
+    direction: Option<(Vec<Entry>, Vec<f64>)>,
 }
 
 struct Entry {
@@ -291,7 +339,41 @@ impl Transfer {
                 });
             }
         }
+        let direction = feedback.free_hubs().map(|free| {
+            let contacts = size / 3;
+            let entry = |index: usize| {
+                let (row, column) = (index / contacts, index % contacts);
+                let own = |sample: &Sample, contact: usize| {
+                    sample.whole[3 * contact * (size + 1)].norm()
+                };
+                let sizes = samples.iter().map(|sample| {
+                    let size = (own(sample, row) * own(sample, column)).sqrt();
+                    match sample.w < TAU * StructuresInTime::KNOWN {
+                        true => size,
+                        false => size / HINT,
+                    }
+                });
+                Entry {
+                    row,
+                    column,
+                    sizes: sizes.collect(),
+                    values: samples
+                        .iter()
+                        .map(|sample| sample.direction[index] + free[index] / (sample.w * sample.w))
+                        .collect(),
+                }
+            };
+            let counts = |entry: &Entry| {
+                let pairs = entry.values.iter().zip(&entry.sizes);
+                pairs
+                    .into_iter()
+                    .any(|(value, size)| value.norm() > NOTHING * size)
+            };
+            let entries = (0..free.len()).map(entry).filter(counts);
+            (entries.collect(), free)
+        });
         Ok(Self {
+            direction,
             size,
             frequencies: samples.iter().map(|sample| sample.w).collect(),
             entries,
@@ -332,6 +414,28 @@ impl Transfer {
                 matrix[column * size + row] = residue;
             }
         }
+        let direction = self.direction.as_ref().map(|(entries, free)| {
+            let contacts = size / 3;
+            let mut matrices = vec![vec![Complex64::ZERO; contacts * contacts]; poles.len()];
+            for Entry {
+                row,
+                column,
+                values,
+                sizes,
+            } in entries
+            {
+                let fit =
+                    residues(frequencies, std::slice::from_ref(values), sizes, &poles).swap_remove(0);
+                for (matrix, fraction) in matrices.iter_mut().zip(&fit) {
+                    matrix[row * contacts + column] = fraction.of_term();
+                }
+            }
+            DirectionInTime {
+                contacts,
+                free: free.clone(),
+                residues: matrices,
+            }
+        });
         let (mut share_cut, mut weights, mut largest_error) = (0.0, 0.0, 0f64);
         let mut errors = Vec::new();
         for (index, w) in frequencies.iter().enumerate() {
@@ -358,6 +462,7 @@ impl Transfer {
             residues: matrices,
             free: self.free.clone(),
             rail: None,
+            direction,
             // Wheels that nothing holds leave nothing to fit.
             share_cut: match weights > 0.0 {
                 true => share_cut / weights,
@@ -404,9 +509,14 @@ fn samples(
         frequencies
             .into_par_iter()
             .map(|w| {
-                let [whole, fitted] = receptances(w);
+                let [whole, fitted, direction] = receptances(w);
                 match whole.iter().all(|value| value.is_finite()) {
-                    true => Ok(Sample { w, whole, fitted }),
+                    true => Ok(Sample {
+                        w,
+                        whole,
+                        fitted,
+                        direction,
+                    }),
                     false => Err(Error::OutOfRange {
                         quantity: "frequency of a receptance that is not finite",
                         value: w / TAU,

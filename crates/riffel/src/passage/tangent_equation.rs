@@ -12,6 +12,9 @@ pub(super) struct TangentEquation<'a> {
     pub(super) normal_force: f64,
     /// κ of the wave under it.
     pub(super) curvature: f64,
+    /// What the wave itself makes of the creep forces \[N\], and of the energy of a late contact \[J/m\].
+    pub(super) by_wave: [f64; 2],
+    pub(super) energy_of_wave: f64,
     pub(super) known: [f64; 2],
     pub(super) by_force: [[f64; 2]; 2],
 }
@@ -33,16 +36,18 @@ impl TangentEquation<'_> {
         let Some(late) = self.late else {
             let creepages = self.creepages(creepage);
             let force = pair(self.contact.law.forces(self.normal_force, creepages));
-            return match &self.contact.wave {
-                Some(wave) => {
-                    let change = wave.force(self.curvature);
+            return match self.contact.wave {
+                Some(_) => {
+                    let change = self.by_wave;
                     self.within_friction([0, 1].map(|axis| force[axis] + change[axis]))
                 }
                 None => force,
             };
         };
-        let (load, along) = late.for_force(self.contact, self.normal_force, creepage[0]);
-        self.within_friction(self.steady_force(load, [along, creepage[1]]))
+        let slip = creepage[0] / (1.0 + self.curvature);
+        let (load, along) = late.for_force(self.contact, self.normal_force, slip);
+        let [along, across] = self.steady_force(load, [along, creepage[1]]);
+        self.within_friction([along + self.by_wave[0], across])
     }
 
     /// A creep force, no larger than friction.
@@ -62,12 +67,13 @@ impl TangentEquation<'_> {
         let (creepage, force) = match self.late {
             None => (creepage, force),
             Some(late) => {
-                let (load, along) = late.for_energy(self.contact, self.normal_force, creepage[0]);
+                let slip = creepage[0] / (1.0 + self.curvature);
+                let (load, along) = late.for_energy(self.contact, self.normal_force, slip);
                 let creepage = [along, creepage[1]];
                 (creepage, self.steady_force(load, creepage))
             }
         };
-        creepage[0] * force[0] + creepage[1] * force[1]
+        self.energy_of_wave + creepage[0] * force[0] + creepage[1] * force[1]
     }
 
     /// Q of the steady law; none without a load.

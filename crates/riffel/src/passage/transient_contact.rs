@@ -89,7 +89,7 @@ impl PassageModel {
         let rolled = |across: usize, elements: usize| {
             let length = profile.wavelength / elements as f64;
             let rolling = contact.with_elements(across, length, profile)?;
-            let mut rolling = RollingOverWave::new(self, &settled, elements, rolling);
+            let mut rolling = RollingOverWave::new(self, &settled, elements, rolling, profile);
             if contact.over_true_gap {
                 rolling.press_on(profile)?;
             }
@@ -197,6 +197,8 @@ struct RollingOverWave {
     least: f64,
     /// Creepage in the middle of the step to come.
     creepage: f64,
+    /// What the direction of the normal force adds to it, −P₀r/(MV²), in the middle of each step.
+    climbing: Vec<f64>,
     /// R²h/(I_wV) \[1/N\], zero where the creepage is held.
     creepage_per_force: f64,
     mean_force: f64,
@@ -212,6 +214,7 @@ impl RollingOverWave {
         settled: &Settled,
         count: usize,
         contact: TransientRolling,
+        profile: Sinusoid,
     ) -> Self {
         let step = contact.step_length();
         let wheel = &model.contacts[0];
@@ -219,6 +222,12 @@ impl RollingOverWave {
             false => model.structures.free()[0] * step / (model.speed * model.speed),
             true => 0.0,
         };
+        let direction = model.structures.direction();
+        let per_height = match direction.filter(|_| !wheel.held[0]) {
+            Some(direction) => -wheel.mean.normal_force * direction.free[0] / model.speed.powi(2),
+            None => 0.0,
+        };
+        let middles = (0..count).map(|index| (index as f64 + 0.5) / count as f64);
         let largest = contact.hertz();
         let semi_axes = step / largest.semi_axis_longitudinal();
         Self {
@@ -229,6 +238,9 @@ impl RollingOverWave {
             // a grows with the cube root of the load.
             least: largest.normal_force() * semi_axes.powi(3),
             creepage: settled.harmonics[0].creepage.re,
+            climbing: middles
+                .map(|share| per_height * profile.amplitude * (TAU * share).cos())
+                .collect(),
             creepage_per_force,
             mean_force: wheel.mean.forces.longitudinal,
             wave: Vec::with_capacity(count),
@@ -289,11 +301,12 @@ impl RollingOverWave {
         self.wave.clear();
         self.energy.fill(0.0);
         for (index, &[load, approach]) in self.loads.iter().enumerate() {
+            let creepage = self.creepage + self.climbing[index];
             let tangential_force = if load <= self.least {
                 self.contact.lift();
                 0.0
             } else {
-                let creepages = Creepages::longitudinal(self.creepage);
+                let creepages = Creepages::longitudinal(creepage);
                 let step = match &self.pressed {
                     Some(pressed) => self.contact.roll_pressed(&pressed[index], creepages)?,
                     None => self.contact.roll(load, creepages)?,
@@ -311,7 +324,7 @@ impl RollingOverWave {
                 normal_force: load,
                 tangential_force,
                 lateral_force: 0.0,
-                creepage: self.creepage - 0.5 * change,
+                creepage: creepage - 0.5 * change,
                 lateral_creepage: 0.0,
                 approach,
                 energy_at_rail: 0.0,

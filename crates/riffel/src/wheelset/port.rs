@@ -56,11 +56,21 @@ pub trait Wheelset: Send + Sync {
     ///
     /// The loop wants the displacement under the force of the *wheel on the rail*, u_w = −H f.
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances;
+
+    /// Displacement along the rail of the wheels at the contacts per force along it through their hubs \[m/N\], `[at][from]`, left and
+    /// right: such a force does not turn them. None of a wheelset that does not tell it.
+    fn hubs(&self, _angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
+        None
+    }
 }
 
 impl<W: Wheelset + ?Sized> Wheelset for Arc<W> {
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
         (**self).receptances(angular_frequency)
+    }
+
+    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
+        (**self).hubs(angular_frequency)
     }
 }
 

@@ -90,6 +90,17 @@ impl RigidWheelset {
 
 impl Wheelset for RigidWheelset {
     fn receptances(&self, angular_frequency: f64) -> ContactReceptances {
+        let sections = self.sections(angular_frequency);
+        sections.at_contacts(self.contacts.rolling_radius)
+    }
+
+    fn hubs(&self, angular_frequency: f64) -> Option<[[Complex64; 2]; 2]> {
+        Some(self.sections(angular_frequency).forward)
+    }
+}
+
+impl RigidWheelset {
+    fn sections(&self, angular_frequency: f64) -> SectionReceptances {
         let w = angular_frequency;
         let inertia = |inertia: f64| Complex64::from(-w * w * inertia);
         let springs = |direction| match &self.suspension {
@@ -111,14 +122,13 @@ impl Wheelset for RigidWheelset {
         let between = |receptance: &dyn Fn(f64, f64) -> Complex64| {
             places.map(|at| places.map(|from| receptance(at, from)))
         };
-        let sections = SectionReceptances {
+        SectionReceptances {
             forward: between(&|at, from| forward + at * from * yaw),
             downward: between(&|at, from| downward + at * from * roll),
             downward_by_tilt: between(&|at, _| at * roll),
             tilt: between(&|_, _| roll),
             twist: between(&|_, _| spin),
             sideward: between(&|_, _| sideward),
-        };
-        sections.at_contacts(self.contacts.rolling_radius)
+        }
     }
 }

@@ -30,6 +30,18 @@ impl RigidInertia {
         })
     }
 
+    /// The same of a wheel whose hub moves along the rail as a mass \[kg\], too: H = −(R²/I_w + 1/m)/ω².
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless it is positive.
+    pub fn with_moving_hub(self, mass: f64) -> Result<Self, Error> {
+        Error::unless_positive("mass", mass, "kg")?;
+        Ok(Self {
+            per_mass: self.per_mass - mass.recip(),
+            ..self
+        })
+    }
+
     /// The paper's reduced inertia of a wheel of mass m_w \[kg\]: I_w = 0.75 m_w R²/2 \[kg m²\].
     pub fn reduced_inertia(mass: f64, rolling_radius: f64) -> f64 {
         0.75 * mass * rolling_radius * rolling_radius / 2.0
@@ -40,7 +52,7 @@ impl RigidInertia {
         self.inertia
     }
 
-    /// I/R² \[kg\], the mass that moves along the rail as the surface of the wheel does.
+    /// I/R² \[kg\] where the hub stays, the mass that moves along the rail as the surface of the wheel does.
     pub fn mass_along(&self) -> f64 {
         -self.per_mass.recip()
     }

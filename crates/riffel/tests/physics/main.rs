@@ -9,6 +9,7 @@ mod geometric_creepage;
 mod growth;
 mod load_wear;
 mod moving_contact;
+mod normal_direction;
 mod passage;
 mod passing_supports;
 mod spatial_track;

@@ -129,12 +129,7 @@ fn rate(case: &Case, wavelength: f64, speed: f64) -> Result<Complex64, CaseError
     const NEIGHBOURS: usize = 3;
     /// Of a bay: harmonics of it from this one on, some 10⁻³, stay in the mean.
     const PLACES: u32 = 16;
-    let bent = case.feedback.clone();
-    // What the march has.
-    let feedback = &match case.waves_bend_in_time() {
-        true => bent,
-        false => bent.without_wave_geometry(),
-    };
+    let feedback = &case.feedback;
     let Some(spacing) = case.track.support_spacing() else {
         return Ok(feedback.complex_growth_rate(wavelength, speed));
     };

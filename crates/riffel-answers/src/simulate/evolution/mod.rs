@@ -251,11 +251,6 @@ impl EvolutionRun {
             remarks: worst
                 .and_then(remarks::of_track)
                 .into_iter()
-                .chain(
-                    self.vehicles
-                        .iter()
-                        .find_map(|vehicle| remarks::of_waves(&vehicle.case)),
-                )
                 .chain(airborne)
                 .collect(),
             stages,

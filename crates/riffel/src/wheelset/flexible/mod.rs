@@ -270,6 +270,16 @@ impl Wheelset for FlexibleWheelset {
         };
         sections.at_contacts(self.contacts.rolling_radius)
     }
+
+    fn hubs(&self, angular_frequency: f64) -> Option<Between> {
+        let motions = &self.motions;
+        let bending = motions.horizontal.as_ref().unwrap_or(&motions.vertical);
+        Some(entry(
+            &bending.between(motions.contacts, angular_frequency),
+            0,
+            0,
+        ))
+    }
 }
 
 #[cfg(test)]

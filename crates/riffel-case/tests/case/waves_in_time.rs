@@ -1,0 +1,102 @@
+//! The shape of waves in time, by the keys of a case.
+
+use riffel::Complex64;
+use riffel::passage::Sinusoid;
+use riffel_case::{Case, NOMINAL_CASE};
+
+const TRAILER: &str = include_str!("../../../../cases/wheelset-metro-trailer.toml");
+
+fn case(text: &str, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
+    Case::parse("case", text, &overrides).unwrap()
+}
+
+/// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.
+fn trailer(overrides: &[&str]) -> Case {
+    let viscous = [
+        "track.model=one-layer",
+        "track.pad.loss_factor=0",
+        "track.pad.damping=20e3",
+        "rail.loss_factor=0",
+        "contact.creep_law=polach",
+    ];
+    case(TRAILER, &[&viscous, overrides].concat())
+}
+
+/// Largest difference of the first harmonics of forces and creepages over waves of 1 µm at any contact from those of the linear loop, over the
+/// largest of its kind, and what the shape of the waves makes of it.
+fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
+    let profile = Sinusoid {
+        amplitude: 1e-6,
+        wavelength,
+    };
+    let settled = case.in_time(speed).unwrap().settle(profile, 256).unwrap();
+    let plain = case.feedback.clone().without_wave_geometry();
+    let plain = plain.without_normal_direction().at(wavelength, speed);
+    let linear = case.feedback.at(wavelength, speed);
+    let scale = profile.amplitude / case.feedback.amplitude();
+    let mut most = [[0f64; 3]; 2];
+    for (index, settled) in settled.iter().enumerate() {
+        let first = &settled.harmonics[1];
+        let of = |state: &riffel::LoopState| {
+            let contact = &state.contacts[index];
+            [contact.force.to_vec(), contact.creepage.to_vec()]
+                .map(|values| values.into_iter().map(|value| scale * value).collect::<Vec<_>>())
+        };
+        let got: [Vec<Complex64>; 2] = [
+            vec![first.tangential_force, first.lateral_force, first.normal_force],
+            vec![first.creepage, first.lateral_creepage],
+        ];
+        for (kind, (got, (linear, plain))) in got
+            .iter()
+            .zip(of(&linear).iter().zip(of(&plain)))
+            .enumerate()
+        {
+            for ((got, linear), plain) in got.iter().zip(linear).zip(plain) {
+                let [off, by_shape, size] = &mut most[kind];
+                *off = off.max((got - linear).norm());
+                *by_shape = by_shape.max((plain - linear).norm());
+                *size = size.max(linear.norm());
+            }
+        }
+    }
+    [0, 1].map(|of| {
+        most.iter()
+            .map(|kind| kind[of] / kind[2])
+            .fold(0.0, f64::max)
+    })
+}
+
+/// First harmonics with the shape of the waves under every contact that can be followed in time, and with normal forces that turn with them; of a
+/// contact that answers late the filters leave 10⁻⁴.
+#[test]
+fn shapes_of_waves_are_those_of_the_linear_loop() {
+    let waves = "contact.wave_geometry=true";
+    let (turned, climbing) = (
+        "wheel.normal_direction=true",
+        "wheelset.normal_direction=true",
+    );
+    let late = ["contact.response=non-steady", "contact.grid=16"];
+    let slips = NOMINAL_CASE.replace("tractive_ratio = 0.1", "creepage = \"2 %\"");
+    let sliding = "contact.creep_law=full-sliding";
+    let slides_across = [
+        "contact.creepage={longitudinal=\"1 %\", lateral=\"2 %\"}",
+        sliding,
+    ];
+    let antiphase = "wheelset.opposite_rail=antiphase";
+    let two = ["wheelset.opposite_rail=absent", "train.wheels=[0, 2.1]"];
+    for (case, wavelength, speed) in [
+        (case(NOMINAL_CASE, &[waves, turned]), 0.0557, 30.0),
+        (case(NOMINAL_CASE, &[turned]), 0.03, 10.0),
+        (case(NOMINAL_CASE, &[&late[..], &[waves, turned]].concat()), 0.04, 30.0),
+        (case(NOMINAL_CASE, &[&late[..], &[waves]].concat()), 0.08, 30.0),
+        (case(&slips, &[sliding, waves]), 0.04, 20.0),
+        (trailer(&[antiphase, waves, climbing]), 0.05, 20.0),
+        (trailer(&[&two[..], &[waves, climbing]].concat()), 0.08, 15.0),
+        (case(NOMINAL_CASE, &[&slides_across[..], &[waves]].concat()), 0.05, 20.0),
+    ] {
+        let [off, by_shape] = off(&case, wavelength, speed);
+        assert!(off < 1e-3, "{wavelength} {speed}: {off:.1e}");
+        assert!(by_shape > 0.01, "{wavelength} {speed}: {by_shape:.1e}");
+    }
+}
