@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::{Case, ContactName};
+use crate::{Case, ContactName, DamagePoint};
 
 /// A quantity at one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -324,6 +324,8 @@ pub struct Point {
     pub quantities: Vec<(PointQuantity, PointValue)>,
     /// What the wave's own geometry does; none where it has no part.
     pub wave_geometry: Option<WavePoint>,
+    /// What laws of damage say; none where the case has none.
+    pub damage: Option<DamagePoint>,
     /// What a loop on all axes adds.
     pub all_axes: Option<AllAxes>,
 }
@@ -439,6 +441,7 @@ impl Point {
                 .filter_map(|quantity| Some((quantity, quantity.value(case, state)?)))
                 .collect(),
             wave_geometry: WavePoint::new(case, state),
+            damage: DamagePoint::new(case, state),
             all_axes: AllAxes::new(case, state),
         }
     }
@@ -473,6 +476,9 @@ impl Serialize for Point {
         }
         if let Some(wave) = &self.wave_geometry {
             map.serialize_entry("wave_geometry", wave)?;
+        }
+        if let Some(damage) = &self.damage {
+            map.serialize_entry("damage", damage)?;
         }
         if let Some(all_axes) = &self.all_axes {
             map.serialize_entry("steady_force_n", &all_axes.steady_force_n)?;

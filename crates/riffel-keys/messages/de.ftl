@@ -312,3 +312,11 @@ spread-of-load = die Streuung der Lasten
 spread-of-friction = die Streuung der Reibung
 spread-of-position = die Streuung der Kontakte quer zur Schiene
 creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } auf einem Gitter von { $grid } nicht und bleibt dort aus; ein anderes contact.grid kann helfen
+
+## Schäden neben dem Verschleiß
+
+damage-beyond-friction = der ausgenutzte Kraftschluss des mittleren Zustands ist { $friction }: über 0,6 sind Spannungen und Shakedown-Grenzen der Schadensgesetze mit nichts verglichen
+moment-beside-its-limit = die mittlere Last biegt die Schiene mit { $moment } kN m, dem { $share }-fachen von damage.bending.limit
+flow-hardens = Fließen mit einer Verfestigungstiefe kommt zur Ruhe: Wachstum durch Fließen ist das der ersten Überfahrten; was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
+below-the-limit-of-flow = die mittlere Beanspruchung ist { $demand }, unter eins: nach dem Gesetz { $law } wächst eine Welle erst, wenn ihre eigenen Kräfte die Grenze überschreiten
+fatigue-loses-nothing = damage.fatigue.loss ist null: Ermüdung wird genannt, hat aber keinen Anteil am Wachstum

@@ -320,3 +320,11 @@ spread-of-load = the spread of loads
 spread-of-friction = the spread of friction
 spread-of-position = the spread of contacts across the rail
 creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another contact.grid may do
+
+## Damage beside wear
+
+damage-beyond-friction = the utilised friction of the mean state is { $friction }: above 0.6 stress and shakedown limits of the laws of damage have not been compared with anything
+moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of damage.bending.limit
+flow-hardens = flow with a hardening depth comes to rest: growth by flow is that of the first passages; what goes on is ratchetting at the hardened yield
+below-the-limit-of-flow = the mean demand is { $demand }, below one: by the law of { $law } a wave does not grow until its own forces exceed the limit
+fatigue-loses-nothing = damage.fatigue.loss is zero: fatigue is told, but takes no part in growth

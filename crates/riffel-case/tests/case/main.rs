@@ -2,6 +2,7 @@
 
 mod case_file;
 mod closed_forms;
+mod damage;
 mod contact;
 mod general_loop;
 mod measured_resonances;

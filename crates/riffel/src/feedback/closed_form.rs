@@ -9,6 +9,7 @@ use super::contact::{Derivative, Derivatives};
 use super::{Contact, ContactState, Loop, LoopState};
 use crate::Receptance;
 use crate::contact::MeanRolling;
+use crate::damage::Oscillation;
 use crate::wheelset::Motion;
 
 /// One wheel that is held across the rail, and whose own receptances and that of the track say all.
@@ -42,6 +43,11 @@ struct Creep {
     slip: Complex64,
     energy: Complex64,
     dissipation_at_rail: Complex64,
+    /// Of [`Derivative`], energies per metre.
+    worn: Complex64,
+    dissipated: Complex64,
+    growth: Complex64,
+    demand: Complex64,
 }
 
 impl ClosedForm {
@@ -93,10 +99,18 @@ impl ClosedForm {
             Motion::Compliant(structure) => structure.receptance(angular_frequency, speed),
             Motion::Held | Motion::Free => Complex64::ZERO,
         };
+        let oscillation = self.oscillation(&creep, normal_force, track_receptance, wavelength);
+        let force = [creep.tangential_force, Complex64::ZERO, normal_force];
+        let damage = self
+            .contact
+            .damage_state(&oscillation, force, self.amplitude.into());
         // The profile loses the depth k_w e₁/(ρ·2b) per passage, and |Δ| grows like exp(g · passages).
         let worn = self.contact.wear.depth_per_energy()
             * (self.steady.full_slip_energy_per_metre() * normalized.re);
-        let growth_rate = -worn / self.amplitude;
+        let growth_rate = match &damage {
+            Some(damage) => damage.growth().re,
+            None => -worn / self.amplitude,
+        };
         let diagonal = |along, normal| {
             let mut matrix = [[Complex64::ZERO; 3]; 3];
             (matrix[0][0], matrix[2][2]) = (along, normal);
@@ -116,7 +130,7 @@ impl ClosedForm {
             mean_dissipation: self.steady.energy_per_metre() * speed,
             growth_rate,
             contacts: vec![ContactState {
-                force: [creep.tangential_force, Complex64::ZERO, normal_force],
+                force,
                 creepage: [creepage, Complex64::ZERO],
                 spin: Complex64::ZERO,
                 shift: Complex64::ZERO,
@@ -124,6 +138,7 @@ impl ClosedForm {
                 energy_at_rail: dissipation_at_rail / speed,
                 growth_rate: Some(growth_rate),
                 wave,
+                damage,
             }],
         }
     }
@@ -132,7 +147,32 @@ impl ClosedForm {
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         let derivatives = self.contact.derivatives(wavelength);
         let turn = self.turn(&derivatives, wavelength, speed);
-        turn.creep.dissipation_at_rail / self.full_slip(speed)
+        let Some(damage) = self.contact.clipped_damage() else {
+            return turn.creep.growth * speed / self.full_slip(speed);
+        };
+        let receptance = turn.track_receptance;
+        let at = self.oscillation(&turn.creep, turn.normal_force, receptance, wavelength);
+        let clipped = damage.clipped(self.contact.mean_of_damage(), &at);
+        let equivalent = turn.creep.growth + clipped / self.contact.wear.depth_per_energy();
+        equivalent / self.steady.full_slip_energy_per_metre()
+    }
+
+    /// What laws of damage take.
+    fn oscillation(
+        &self,
+        creep: &Creep,
+        load: Complex64,
+        receptance: Complex64,
+        wavelength: f64,
+    ) -> Oscillation {
+        Oscillation {
+            demand: creep.demand,
+            wear: creep.worn,
+            energy: creep.dissipated,
+            load,
+            receptance,
+            wavenumber: 2.0 * PI / wavelength,
+        }
     }
 
     /// The share of a profile of the wavenumber \[rad/m\] that presses.
@@ -208,6 +248,10 @@ impl ClosedForm {
             slip,
             energy: energy(|by| by.energy), // (14)
             dissipation_at_rail: energy(|by| by.at_rail) * speed,
+            worn: energy(|by| by.at_rail),
+            dissipated: energy(|by| by.dissipated),
+            growth: energy(|by| by.growth),
+            demand: energy(|by| by.demand),
         }
     }
 }
