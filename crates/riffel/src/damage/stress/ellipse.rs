@@ -92,7 +92,7 @@ impl EllipseStress {
     /// At x/a, y/b and z/a ≥ 0, z into the rail. At the surface that of the patch, or beside it.
     pub fn at(&self, [x, y, z]: [f64; 3]) -> UnitStress {
         // The surface is the limit of small depths.
-        let (y, z) = (y * self.b, z.max(1e-9 * self.b.min(1.0)));
+        let (y, z) = (y * self.b, z.max(1e-12 * self.b.min(1.0)));
         let (place, axes) = ([x, y], [1.0, self.b]);
         // Index 0 of the integrals is the longer axis.
         let long = usize::from(self.b > 1.0);
@@ -281,22 +281,23 @@ fn confocal([big, small]: [f64; 2], [x2, y2]: [f64; 2], z2: f64) -> f64 {
         true => (-r / (q * size)).clamp(-1.0, 1.0),
         false => 1.0,
     };
+    // λ (F(λ) − 1) is concave and above zero at λ = 0: Newton from above comes down to the root, however small beside rounding of
+    // the cubic.
     let mut root = 2.0 * size * (cosine.acos() / 3.0).cos() - shift;
-    root = root.max(z2 / (1.0 + (x2 / big).max(y2 / small)) * 1e-3);
-    for _ in 0..6 {
-        // ln λ of the sum: all its terms are positive and fall.
+    root = root.max(0.0) + 1e-7 * (big + x2 + y2 + z2);
+    for _ in 0..60 {
         let [a, b] = [big + root, small + root];
-        let value = x2 / a + y2 / b + z2 / root - 1.0;
-        let slope = x2 / (a * a) + y2 / (b * b) + z2 / (root * root);
-        let next = root + value / slope;
-        if !(next > 0.0) {
-            root *= 0.5;
-            continue;
-        }
-        if (next - root).abs() <= 4.0 * f64::EPSILON * root {
-            return next;
-        }
+        let rest = x2 / a + y2 / b - 1.0;
+        let slope = x2 * big / (a * a) + y2 * small / (b * b) - 1.0;
+        let next = match slope < 0.0 {
+            true => (root - (z2 + root * rest) / slope).max(z2),
+            false => 2.0 * root,
+        };
+        let close = (next - root).abs() <= 4.0 * f64::EPSILON * root;
         root = next;
+        if close {
+            break;
+        }
     }
     root
 }

@@ -36,8 +36,8 @@ pub struct StressMaximum {
 impl StressMaximum {
     /// The largest value of a measure under a traction.
     ///
-    /// Method: a grid over the half y ≥ 0, or all of it under a traction across the rail, then closer and closer about the best point. At the
-    /// surface in polar places √(1 − ρ²), for its stress has a root at the edge.
+    /// Method: a grid, then closer and closer about the best point. At the
+    /// surface over angles, for its stress has a root at the edge.
     pub fn find(
         ellipse: &EllipseStress,
         traction: &Traction,
@@ -46,18 +46,19 @@ impl StressMaximum {
     ) -> Self {
         match depth {
             Depth::Surface => {
-                let at = |[angle, root]: [f64; 2]| {
+                // x = sin α, y = cos α sin β: its root √(1 − x² − y²) is cos α cos β.
+                let at = |[alpha, beta]: [f64; 2]| {
+                    let place = [alpha.sin(), alpha.cos() * beta.sin(), 0.0];
                     // The edge itself has no field; this close the root of what is left is 1e-6.
-                    let radius = (1.0 - root * root).clamp(0.0, 1.0 - 1e-12).sqrt();
-                    let (sine, cosine) = angle.sin_cos();
-                    let place = [radius * cosine, radius * sine, 0.0];
+                    let inside = 1.0 - 1e-12;
+                    let place = place.map(|value| inside * value);
                     Self {
                         value: measure.of(&traction.stress(ellipse, place)),
                         place,
                     }
                 };
-                let half = std::f64::consts::PI;
-                search(at, [[-half, half], [0.0, 1.0]], [24, 12])
+                let quarter = std::f64::consts::FRAC_PI_2;
+                search(at, [[-quarter, quarter]; 2], [24, 12])
             }
             Depth::Below => {
                 let smaller = ellipse.across_over_along().min(1.0);
@@ -75,45 +76,66 @@ impl StressMaximum {
     }
 }
 
-/// The largest value in a box, from a grid of so many steps on.
+/// The largest value in a box: from a grid of so many steps on, closer and closer about its best points.
 fn search<const N: usize>(
     at: impl Fn([f64; N]) -> StressMaximum,
     bounds: [[f64; 2]; N],
     steps: [usize; N],
 ) -> StressMaximum {
-    let point = |mut number: usize, counts: [usize; N], bounds: [[f64; 2]; N]| {
-        std::array::from_fn(|axis| {
-            let count = counts[axis] + 1;
-            let step = number % count;
-            number /= count;
-            let [low, high] = bounds[axis];
-            low + (high - low) * step as f64 / counts[axis] as f64
+    /// Points of the grid that are looked at closer: ridges have several.
+    const CLOSER: usize = 6;
+    let grid = |counts: [usize; N], bounds: [[f64; 2]; N]| {
+        let all: usize = counts.iter().map(|count| count + 1).product();
+        (0..all).map(move |mut number| -> [f64; N] {
+            std::array::from_fn(|axis| {
+                let count = counts[axis] + 1;
+                let step = number % count;
+                number /= count;
+                let [low, high] = bounds[axis];
+                low + (high - low) * step as f64 / counts[axis] as f64
+            })
         })
     };
-    let all = |counts: [usize; N]| counts.iter().map(|count| count + 1).product::<usize>();
-    let mut best = ([0.0; N], StressMaximum { value: -1.0, place: [0.0; 3] });
-    let look = |counts: [usize; N], inside: [[f64; 2]; N], best: &mut ([f64; N], StressMaximum)| {
-        for number in 0..all(counts) {
-            let place = point(number, counts, inside);
-            let found = at(place);
-            if found.value > best.1.value {
-                *best = (place, found);
-            }
-        }
-    };
-    look(steps, bounds, &mut best);
-    let mut half: [f64; N] =
+    let step: [f64; N] =
         std::array::from_fn(|axis| (bounds[axis][1] - bounds[axis][0]) / steps[axis] as f64);
-    for _ in 0..24 {
-        let inside = std::array::from_fn(|axis| {
-            let [low, high] = bounds[axis];
-            [
-                (best.0[axis] - half[axis]).max(low),
-                (best.0[axis] + half[axis]).min(high),
-            ]
-        });
-        look([4; N], inside, &mut best);
-        half = half.map(|half| 0.55 * half);
+    let mut found: Vec<([f64; N], StressMaximum)> =
+        grid(steps, bounds).map(|place| (place, at(place))).collect();
+    found.sort_by(|one, other| other.1.value.total_cmp(&one.1.value));
+    let mut begun: Vec<([f64; N], StressMaximum)> = Vec::new();
+    for start in found {
+        let near = |other: &([f64; N], StressMaximum)| {
+            (0..N).all(|axis| (start.0[axis] - other.0[axis]).abs() < 1.5 * step[axis])
+        };
+        if begun.len() < CLOSER && !begun.iter().any(near) {
+            begun.push(start);
+        }
     }
-    best.1
+    for best in &mut begun {
+        let mut half = step;
+        for _ in 0..16 {
+            let inside = std::array::from_fn(|axis| {
+                let [low, high] = bounds[axis];
+                [
+                    (best.0[axis] - half[axis]).max(low),
+                    (best.0[axis] + half[axis]).min(high),
+                ]
+            });
+            for place in grid([4; N], inside) {
+                let found = at(place);
+                if found.value > best.1.value {
+                    *best = (place, found);
+                }
+            }
+            half = half.map(|half| 0.5 * half);
+        }
+    }
+    let values = begun.into_iter().map(|(_, found)| found);
+    let least = StressMaximum {
+        value: 0.0,
+        place: [0.0; 3],
+    };
+    values.fold(least, |best, found| match found.value > best.value {
+        true => found,
+        false => best,
+    })
 }
