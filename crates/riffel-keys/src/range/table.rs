@@ -660,7 +660,7 @@ pub static RANGES: &[PhysicalRange] = &[
         "The load of a wheel.",
     ),
     row::<Length>(
-        &["corrugation.amplitude", "outputs.wave.amplitude"],
+        &["corrugation.amplitude", "outputs.wave.amplitude", "--amplitude"],
         [1e-12, 0.01],
         [1e-8, 2e-3],
         "Smooth rails have 0.1 µm, the worst corrugation 0.5 mm.",

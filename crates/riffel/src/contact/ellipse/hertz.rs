@@ -141,12 +141,6 @@ impl HertzContact {
         })
     }
 
-    /// Largest pressure p₀ = 3P/2πab \[Pa\].
-    pub fn maximum_pressure(&self) -> f64 {
-        let area = std::f64::consts::PI * self.semi_axis_longitudinal() * self.semi_axis_lateral();
-        1.5 * self.normal_force() / area
-    }
-
     /// The material of both bodies.
     pub fn material(&self) -> ElasticMaterial {
         self.material
