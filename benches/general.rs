@@ -152,6 +152,7 @@ fn at_hand(wheels: usize) -> Result<Loop, Failure> {
         wave: None,
         place_of_wear: PlaceOfWear::new(DissipationPhase::None, 6e-3, 0.3),
         wear,
+        damage: None,
     });
     let track = Arc::new(AtHand::matrix(3 * wheels));
     Ok(Loop::new(track, Arc::new(Still), contacts.collect(), 1e-5)?)

@@ -9,7 +9,7 @@ use schemars::JsonSchema;
 use serde::ser::SerializeMap;
 use serde::{Deserialize, Serialize, Serializer};
 
-use crate::{Case, ContactName};
+use crate::{Case, ContactName, DamagePoint};
 
 /// A quantity at one wavelength and speed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
@@ -326,6 +326,8 @@ pub struct Point {
     pub wave_geometry: Option<WavePoint>,
     /// What the direction of the normal force does; none where it stays upright.
     pub normal_direction: Option<DirectionPoint>,
+    /// What laws of damage say; none where the case has none.
+    pub damage: Option<DamagePoint>,
     /// What a loop on all axes adds.
     pub all_axes: Option<AllAxes>,
 }
@@ -464,6 +466,7 @@ impl Point {
                 .collect(),
             wave_geometry: WavePoint::new(case, state),
             normal_direction: DirectionPoint::new(case, state),
+            damage: DamagePoint::new(case, state),
             all_axes: AllAxes::new(case, state),
         }
     }
@@ -501,6 +504,9 @@ impl Serialize for Point {
         }
         if let Some(direction) = &self.normal_direction {
             map.serialize_entry("normal_direction", direction)?;
+        }
+        if let Some(damage) = &self.damage {
+            map.serialize_entry("damage", damage)?;
         }
         if let Some(all_axes) = &self.all_axes {
             map.serialize_entry("steady_force_n", &all_axes.steady_force_n)?;

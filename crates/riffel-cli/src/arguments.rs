@@ -8,7 +8,9 @@ pub(crate) mod network;
 mod noise;
 mod number;
 mod page;
+mod point_in_rail;
 mod roughness;
+mod shakedown;
 mod simulate;
 mod study;
 
@@ -33,7 +35,9 @@ pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
 pub(crate) use page::Page;
+use point_in_rail::PointInRail;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
@@ -145,6 +149,8 @@ pub(crate) enum Command {
     Compare(Compare),
     /// How loud a train is on a rough rail, and what would make it quieter.
     Noise(Noise),
+    /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
+    Shakedown(Shakedown),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
@@ -517,6 +523,19 @@ pub(crate) struct Contact {
     /// to 100].
     #[arg(long, value_name = "RATIOS", value_delimiter = ',')]
     pub(crate) ratio: Vec<Quantity<Ratio>>,
+
+    /// Stress in the rail under the mean state, at the surface and below, in place of creep curves and responses.
+    #[arg(long, conflicts_with_all = ["creepage", "ratio"])]
+    pub(crate) stress: bool,
+
+    /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        requires = "stress",
+        allow_hyphen_values = true
+    )]
+    pub(crate) stress_at: Vec<PointInRail>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
     #[arg(long)]

@@ -130,6 +130,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Map(arguments) => command::map::run(&arguments)?,
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
         Command::Noise(arguments) => command::noise::run(&arguments)?,
+        Command::Shakedown(arguments) => command::shakedown::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Contact(arguments) => command::contact::run(&arguments)?,

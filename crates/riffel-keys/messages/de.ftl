@@ -319,3 +319,34 @@ spread-of-load = die Streuung der Lasten
 spread-of-friction = die Streuung der Reibung
 spread-of-position = die Streuung der Kontakte quer zur Schiene
 creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } auf einem Gitter von { $grid } nicht und bleibt dort aus; ein anderes contact.grid kann helfen
+
+## Schäden neben dem Verschleiß
+
+damage-beyond-friction = der ausgenutzte Kraftschluss des mittleren Zustands ist { $friction }: über 0,6 sind Spannungen und Shakedown-Grenzen der Schadensgesetze mit nichts verglichen
+moment-beside-its-limit = die mittlere Last biegt die Schiene mit { $moment } kN m, dem { $share }-fachen von damage.bending.limit
+flow-hardens = Fließen mit einer Verfestigungstiefe kommt zur Ruhe: Wachstum durch Fließen ist das der ersten Überfahrten; was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
+below-the-limit-of-flow = die mittlere Beanspruchung ist { $demand }, unter eins: nach dem Gesetz { $law } wächst eine Welle erst, wenn ihre eigenen Kräfte die Grenze überschreiten
+fatigue-loses-nothing = damage.fatigue.loss ist null: Ermüdung wird genannt, hat aber keinen Anteil am Wachstum
+shear-yield-assumed = die Schubfließgrenze der Schiene ist mit { $shear } MPa angenommen; damage.shear_yield oder damage.grade sagen sie
+parts-along-the-wave = Rad und Schiene trennen sich entlang der Welle: Kräfte im Verhältnis zum Profil gelten nur unterhalb der Amplitude dafür
+shakedown-beyond-friction = über einem ausgenutzten Kraftschluss von 0,6 sind diese Grenzen mit nichts verglichen
+shakedown-of-mean = mittlerer Zustand: p₀/k = { $pressure } bei k = { $shear } MPa, ausgenutzter Kraftschluss { $friction }, Beanspruchung { $demand }, Oberflächenermüdungsindex { $index }
+utilised-friction = ausgenutzter Kraftschluss
+limit-elastic = elastische Grenze
+limit-line = Shakedown, Linienkontakt
+limit-surface = an der Oberfläche
+limit-subsurface = darunter
+phase-of-wave = Phase °
+pressure-over-yield = p₀/k
+surface-fatigue-index = Oberflächenermüdungsindex
+demand-of-flow = Beanspruchung
+demand-is-largest-at = die Beanspruchung ist am größten, { $demand }, { $phase }° nach dem Wellenberg, und auf { $share } % der Welle über eins
+stress-beyond-ratio = a/b liegt außerhalb von 0,3 bis 3, worin die Spannung unter dem Kontakt mit anderen Zahlen verglichen ist
+stress-beyond-friction = über einem Reibbeiwert von 0,6 ist die Spannung unter dem Kontakt mit nichts verglichen
+stress-under-contact = Spannung unter dem Kontakt: p₀ = { $pressure } MPa, a/b = { $ratio }, Reibung { $friction }, Kraftschlussausnutzung { $tractive }; Spannungen durch p₀, Tresca ist die größte Schubspannung
+in-full-slip = volles Gleiten
+in-partial-slip = teilweises Gleiten
+traction-of-contact = Tangentialspannung
+measure-of-stress = Maß
+depth-of-stress = Ort
+stress-over-pressure = Spannung/p₀

@@ -327,3 +327,34 @@ spread-of-load = the spread of loads
 spread-of-friction = the spread of friction
 spread-of-position = the spread of contacts across the rail
 creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another contact.grid may do
+
+## Damage beside wear
+
+damage-beyond-friction = the utilised friction of the mean state is { $friction }: above 0.6 stress and shakedown limits of the laws of damage have not been compared with anything
+moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of damage.bending.limit
+flow-hardens = flow with a hardening depth comes to rest: growth by flow is that of the first passages; what goes on is ratchetting at the hardened yield
+below-the-limit-of-flow = the mean demand is { $demand }, below one: by the law of { $law } a wave does not grow until its own forces exceed the limit
+fatigue-loses-nothing = damage.fatigue.loss is zero: fatigue is told, but takes no part in growth
+shear-yield-assumed = the shear yield of the rail is taken as { $shear } MPa; damage.shear_yield or damage.grade say it
+parts-along-the-wave = wheel and rail part along the wave: forces in proportion to the profile hold only below its amplitude there
+shakedown-beyond-friction = above a utilised friction of 0.6 these limits have not been compared with anything
+shakedown-of-mean = mean state: p₀/k = { $pressure } at k = { $shear } MPa, utilised friction { $friction }, demand { $demand }, surface fatigue index { $index }
+utilised-friction = utilised friction
+limit-elastic = elastic limit
+limit-line = shakedown, line contact
+limit-surface = at the surface
+limit-subsurface = below it
+phase-of-wave = phase °
+pressure-over-yield = p₀/k
+surface-fatigue-index = surface fatigue index
+demand-of-flow = demand
+demand-is-largest-at = the demand is largest, { $demand }, at { $phase }° after the crest, and above one along { $share } % of the wave
+stress-beyond-ratio = a/b is beyond 0.3 to 3, within which the stress under the contact has been compared with other numbers
+stress-beyond-friction = above a friction of 0.6 the stress under the contact has not been compared with anything
+stress-under-contact = stress under the contact: p₀ = { $pressure } MPa, a/b = { $ratio }, friction { $friction }, tractive ratio { $tractive }; stresses over p₀, Tresca is the largest shear stress
+in-full-slip = full slip
+in-partial-slip = partial slip
+traction-of-contact = traction
+measure-of-stress = measure
+depth-of-stress = where
+stress-over-pressure = stress/p₀

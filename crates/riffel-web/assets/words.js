@@ -214,7 +214,7 @@ const NAMES = {
   'contact.grid': ['grid', 'Gitter'], 'contact.polach': ["Polach's law", 'Gesetz von Polach'],
   'contact.polach.limit_friction_ratio': ['limit friction ratio A', 'Reibungsverhältnis A'], 'contact.polach.friction_decay': ['friction decay B', 'Reibungsabfall B'],
   'contact.polach.speed': ['speed V', 'Geschwindigkeit V'], 'contact.polach.adhesion_reduction': ['adhesion reduction k_A', 'Minderung Haften k_A'], 'contact.polach.slip_reduction': ['slip reduction k_S', 'Minderung Gleiten k_S'],
-  'corrugation.amplitude': ['amplitude Δ', 'Amplitude Δ'], 'wear.coefficient': ['wear coefficient k_w', 'Verschleißbeiwert k_w'], 'wear.density': ['density ρ', 'Dichte ρ'], 'wear.band_width': ['band width w', 'Bandbreite w'], 'wear.law': ['law', 'Gesetz'], 'wear.speed': ['speed V', 'Geschwindigkeit V'], 'wear.natural_lubrication': ['natural lubrication', 'natürliche Schmierung'],
+  'corrugation.amplitude': ['amplitude Δ', 'Amplitude Δ'], 'wear.coefficient': ['wear coefficient k_w', 'Verschleißbeiwert k_w'], 'wear.density': ['density ρ', 'Dichte ρ'], 'wear.band_width': ['band width w', 'Bandbreite w'], 'wear.law': ['law', 'Gesetz'], 'wear.spread': ['spread σ', 'Streuung σ'], 'wear.speed': ['speed V', 'Geschwindigkeit V'], 'wear.natural_lubrication': ['natural lubrication', 'natürliche Schmierung'],
   'map.wavelength': ['Wavelengths', 'Wellenlängen'], 'map.speed': ['Speeds', 'Geschwindigkeiten'],
   wheelset: ['Wheelset', 'Radsatz'], train: ['Train', 'Zug'], opposite_contact: ['Contact on the opposite rail', 'Kontakt auf der anderen Schiene'],
   'wheelset.mass': ['mass M', 'Masse M'], 'wheelset.roll_inertia': ['roll inertia J_x', 'Trägheit um x J_x'], 'wheelset.spin_inertia': ['spin inertia J_y', 'Trägheit um die Welle J_y'],

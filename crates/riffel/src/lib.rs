@@ -92,6 +92,7 @@ pub mod axlebox;
 mod constants;
 pub mod contact;
 pub mod curving;
+pub mod damage;
 pub mod diagnosis;
 mod direction;
 mod elastic;
@@ -130,7 +131,7 @@ pub use num_complex::Complex64;
 pub use place_of_wear::{DissipationPhase, PlaceOfWear};
 pub use receptance::Receptance;
 pub use wear::EnergyWear;
-pub use wear_regime::WearRegimes;
+pub use wear_regime::{WearCorners, WearRegimes};
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

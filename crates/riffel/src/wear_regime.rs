@@ -3,9 +3,21 @@
 use std::f64::consts::PI;
 
 use crate::contact::MeanRolling;
+use crate::damage::Ramps;
+use crate::gauss::{equal_panels, panels};
 use crate::{EnergyWear, Error, HertzContact};
 
-/// A law of wear with regimes, smooth between them.
+/// How regimes of wear meet.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum WearCorners {
+    /// As twin discs are drawn (the USFD law): a slope, a plateau, a slope. On the plateau a wave is answered by its load alone,
+    /// h₁/h₀ = ⅔P₁/P₀.
+    Sharp,
+    /// The corner at 10.4 N/mm² by a fourth power, that at 77.2 over 5 N/mm².
+    Rounded,
+}
+
+/// A law of wear with regimes.
 ///
 /// A step from a slope to a plateau makes the growth of a wave vanish on the plateau but for what its patch does, and a step
 /// upward makes it infinite: contacts of traffic work on either side of a corner, so that their mean has none.
@@ -13,8 +25,14 @@ use crate::{EnergyWear, Error, HertzContact};
 pub enum WearRegimes {
     /// Mass per metre and area over Tγ/A, energy per metre and area of the patch: 5.3 µg/m/mm² per N/mm² to 10.4 N/mm², then
     /// 55.1 µg/m/mm², above 77.2 N/mm² rising by 61.9. R8T wheel on UIC60 900A rail, twin disc, dry (Lewis & Dwyer-Joyce 2004 as
-    /// quoted by others; the offset of the last regime is contradictory there, here the law is continuous).
-    TgammaArea,
+    /// quoted by others; the offset of the last regime is contradictory there, here the law is continuous). Contacts of traffic are
+    /// spread about the mean state as their median.
+    TgammaArea {
+        /// How its regimes meet.
+        corners: WearCorners,
+        /// Standard deviation of ln(Tγ/A) over traffic \[-\]; zero: all contacts are alike.
+        spread: f64,
+    },
     /// k(v, p) of V = kNs/H (Jendel, *Wear* 253 (2002) 89, recalled and not looked up; the middle of each range): 5e-4 mild, 35e-4
     /// from 0.2 to 0.7 m/s, 350e-4 above 0.8 H; H = 2.75 GPa.
     ArchardMap {
@@ -65,11 +83,14 @@ impl WearRegimes {
     fn at(self, steady: &MeanRolling, area: f64) -> AtMeanState {
         let (energy, load) = (steady.energy_per_metre(), steady.normal_force);
         match self {
-            Self::TgammaArea => {
+            Self::TgammaArea { corners, spread } => {
                 // [N/mm²], and [µg/m/mm²] = 1e-9 kg/m/mm².
                 let x = 1e-6 * energy / area;
-                let [rate, slope] = tgamma_area(x);
-                let by_energy = x * slope / rate;
+                let [rate, rise] = match corners {
+                    WearCorners::Sharp => REGIMES.over_log_normal(x, spread),
+                    WearCorners::Rounded => rounded_over_log_normal(x, spread),
+                };
+                let by_energy = rise / rate;
                 AtMeanState {
                     coefficient: 1e-9 * rate / x,
                     by_energy,
@@ -91,6 +112,32 @@ impl WearRegimes {
             }
         }
     }
+}
+
+/// Rate \[µg/m/mm²\] over Tγ/A \[N/mm²\] with sharp corners.
+const REGIMES: Ramps = Ramps::new([(0.0, 5.3), (10.4, -5.3), (77.2, 61.9)]);
+
+/// E W and E x W′ of the rounded law over x = median · e^{σz}.
+fn rounded_over_log_normal(median: f64, sigma: f64) -> [f64; 2] {
+    /// Standard deviations beyond which nothing counts.
+    const TAIL: f64 = 10.0;
+    let at = |x: f64| {
+        let [rate, slope] = tgamma_area(x);
+        [rate, x * slope]
+    };
+    if sigma == 0.0 {
+        return at(median);
+    }
+    let mut sums = [0.0; 2];
+    // The corner at 77.2 is 0.065 wide in ln x.
+    let longest = (0.03 / sigma).min(0.25);
+    for (z, weight) in panels(&equal_panels([-TAIL, TAIL], longest)) {
+        let bell = (-0.5 * z * z).exp() / (2.0 * PI).sqrt();
+        for (sum, value) in sums.iter_mut().zip(at(median * (sigma * z).exp())) {
+            *sum += weight * bell * value;
+        }
+    }
+    sums
 }
 
 /// Rate \[µg/m/mm²\] and its slope at Tγ/A \[N/mm²\], the corner at 10.4 rounded by a fourth power, that at 77.2 over 5 N/mm².

@@ -51,7 +51,16 @@ impl CheckedKeys {
         vertical: &Track,
     ) -> Result<ClosedLoop, CaseError> {
         let mut remarks = Vec::new();
-        let study = self.side((keys.rail, true), &keys.contact, keys.mean, 1.0, steel)?;
+        let study = self.side(
+            (keys.rail, true),
+            &keys.contact,
+            keys.mean,
+            1.0,
+            steel,
+            vertical,
+        )?;
+        let damage = study.contact.damage.iter();
+        remarks.extend(damage.flat_map(|damage| self.damage_remarks(damage)));
         let steady = study.contact.rolling.steady();
         let (hertz, carter) = (study.hertz, study.carter);
         remarks.extend(of_flatness(&keys.contact));
@@ -62,7 +71,8 @@ impl CheckedKeys {
             let creepages = opposite.creepages.unwrap_or(steady.creepages);
             let mean = MeanState::Creepages(creepages);
             let side = (rail, false);
-            let side = self.side(side, &opposite.contact, mean, opposite.profile, steel)?;
+            let profile = opposite.profile;
+            let side = self.side(side, &opposite.contact, mean, profile, steel, vertical)?;
             sides.push(side.contact);
             points.push((rail, opposite.contact.lateral_offset));
         }
@@ -155,6 +165,7 @@ impl CheckedKeys {
         mean: MeanState,
         profile: f64,
         steel: ElasticMaterial,
+        track: &Track,
     ) -> Result<Side, CaseError> {
         if let MeanState::Creepages(creepages) = mean
             && creepages.magnitude() == 0.0
@@ -193,6 +204,7 @@ impl CheckedKeys {
                 motion: self.motion(),
                 moving: moving.transpose()?,
                 wear: self.wear(hertz, &steady, studied)?,
+                damage: self.damage(hertz, &steady, track)?,
             },
             hertz,
             carter: built.carter,

@@ -2,6 +2,7 @@
 
 mod contact;
 mod creep_laws;
+mod damage;
 mod general;
 mod track;
 pub(crate) mod validity;
@@ -15,7 +16,7 @@ use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
-    Receptance, WearRegimes,
+    Receptance, WearCorners as Corners, WearRegimes,
 };
 use riffel_keys::{CaseError, Message};
 
@@ -111,7 +112,9 @@ impl CheckedKeys {
         let hertz = self.hertz(steel)?;
         let contact = self.contact(hertz)?;
         let steady = contact.rolling.steady();
-        let (wheel, remarks) = self.wheel()?;
+        let (wheel, mut remarks) = self.wheel()?;
+        let damage = self.damage(hertz, &steady, track)?;
+        remarks.extend(damage.iter().flat_map(|damage| self.damage_remarks(damage)));
         let feedback = OneWheel {
             track: track.receptance.clone(),
             wheel,
@@ -125,7 +128,9 @@ impl CheckedKeys {
         };
         let feedback = self.physics("contact", feedback.close())?;
         Ok(ClosedLoop {
-            feedback: self.with_direction_of_lone_wheels(feedback)?,
+            feedback: self
+                .with_direction_of_lone_wheels(feedback)?
+                .with_damage(|_| damage.clone()),
             hertz,
             steady,
             carter: contact.carter,
@@ -167,8 +172,23 @@ impl CheckedKeys {
         let density = wear.density.si();
         let map = &self.file.map.speed;
         let middle = 0.5 * (map.min.si() + map.max.si());
+        let spread = wear.spread.map_or(0.0, |spread| spread.si());
+        if wear.spread.is_some() && matches!(wear.law, WearLaw::Energy | WearLaw::ArchardMap) {
+            return Err(self.text.keys.invalid(
+                "wear.spread",
+                "is one of Tγ/A, of which the law of wear does not ask",
+                "it belongs to wear.law = \"usfd\" and \"usfd-smooth\"",
+            ));
+        }
         let regimes = match wear.law {
-            WearLaw::TgammaArea => Some(WearRegimes::TgammaArea),
+            WearLaw::TgammaArea | WearLaw::UsfdSmooth => Some(WearRegimes::TgammaArea {
+                corners: Corners::Rounded,
+                spread,
+            }),
+            WearLaw::Usfd => Some(WearRegimes::TgammaArea {
+                corners: Corners::Sharp,
+                spread,
+            }),
             WearLaw::ArchardMap => Some(WearRegimes::ArchardMap {
                 speed: wear.speed.map_or(middle, |speed| speed.si()),
             }),

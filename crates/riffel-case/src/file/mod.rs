@@ -4,6 +4,7 @@ mod contact;
 mod creep_law_name;
 mod creepage;
 mod curving;
+mod damage;
 mod from_curve;
 mod map;
 mod measurement;
@@ -28,6 +29,9 @@ pub use curving::{
     Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
     ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
+};
+pub use damage::{
+    Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade,
 };
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
@@ -80,6 +84,9 @@ pub struct CaseFile {
     /// Law of wear.
     #[serde(default)]
     pub wear: Wear,
+    /// What damages the rail beside wear; left out, wear alone.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub damage: Option<Damage>,
     /// Window of a growth map.
     #[serde(default)]
     pub map: Map,
@@ -120,7 +127,7 @@ impl Default for Steel {
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Corrugation {
-    /// Amplitude Δ. Forces and dissipation are proportional to it; growth rates do not depend on it.
+    /// Amplitude Δ. Forces and dissipation are proportional to it; growth rates do not depend on it, but those of laws of damage with a limit.
     pub amplitude: Quantity<Length>,
 }
 
@@ -149,6 +156,10 @@ pub struct Wear {
     /// How many times less the rail wears than dry steel, by natural lubrication; left out, it is dry.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub natural_lubrication: Option<Quantity<Ratio>>,
+    /// Standard deviation of ln(Tγ/A) over the wheels of traffic, about the value of the case as their median, for laws by Tγ/A;
+    /// left out, all are alike.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub spread: Option<Quantity<Ratio>>,
     /// Width of the band over which the contacts of traffic are spread; left out, that of one contact.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub band_width: Option<Quantity<Length>>,
@@ -164,6 +175,10 @@ pub enum WearLaw {
     /// By Tγ/A, energy per metre over the area of the patch: mild, severe and catastrophic regimes of twin discs, dry, smooth between
     /// them.
     TgammaArea,
+    /// The USFD law: Tγ/A in the same regimes with its sharp corners, mild, a plateau, catastrophic.
+    Usfd,
+    /// The same smooth between the regimes: that of `tgamma-area`.
+    UsfdSmooth,
     /// Archard's law by a map of sliding speed and pressure, smooth between its regimes; its numbers are recalled, not looked up.
     ArchardMap,
 }
@@ -182,6 +197,7 @@ impl Default for Wear {
             law: WearLaw::default(),
             speed: None,
             natural_lubrication: None,
+            spread: None,
             band_width: None,
         }
     }

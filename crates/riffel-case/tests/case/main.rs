@@ -3,6 +3,8 @@
 mod case_file;
 mod closed_forms;
 mod contact;
+mod damage;
+mod damage_stress;
 mod general_loop;
 mod measured_resonances;
 mod measured_tables;

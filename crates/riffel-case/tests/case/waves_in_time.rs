@@ -40,11 +40,19 @@ fn off(case: &Case, wavelength: f64, speed: f64) -> [f64; 2] {
         let first = &settled.harmonics[1];
         let of = |state: &riffel::LoopState| {
             let contact = &state.contacts[index];
-            [contact.force.to_vec(), contact.creepage.to_vec()]
-                .map(|values| values.into_iter().map(|value| scale * value).collect::<Vec<_>>())
+            [contact.force.to_vec(), contact.creepage.to_vec()].map(|values| {
+                values
+                    .into_iter()
+                    .map(|value| scale * value)
+                    .collect::<Vec<_>>()
+            })
         };
         let got: [Vec<Complex64>; 2] = [
-            vec![first.tangential_force, first.lateral_force, first.normal_force],
+            vec![
+                first.tangential_force,
+                first.lateral_force,
+                first.normal_force,
+            ],
             vec![first.creepage, first.lateral_creepage],
         ];
         for (kind, (got, (linear, plain))) in got
@@ -88,12 +96,28 @@ fn shapes_of_waves_are_those_of_the_linear_loop() {
     for (case, wavelength, speed) in [
         (case(NOMINAL_CASE, &[waves, turned]), 0.0557, 30.0),
         (case(NOMINAL_CASE, &[turned]), 0.03, 10.0),
-        (case(NOMINAL_CASE, &[&late[..], &[waves, turned]].concat()), 0.04, 30.0),
-        (case(NOMINAL_CASE, &[&late[..], &[waves]].concat()), 0.08, 30.0),
+        (
+            case(NOMINAL_CASE, &[&late[..], &[waves, turned]].concat()),
+            0.04,
+            30.0,
+        ),
+        (
+            case(NOMINAL_CASE, &[&late[..], &[waves]].concat()),
+            0.08,
+            30.0,
+        ),
         (case(&slips, &[sliding, waves]), 0.04, 20.0),
         (trailer(&[antiphase, waves, climbing]), 0.05, 20.0),
-        (trailer(&[&two[..], &[waves, climbing]].concat()), 0.08, 15.0),
-        (case(NOMINAL_CASE, &[&slides_across[..], &[waves]].concat()), 0.05, 20.0),
+        (
+            trailer(&[&two[..], &[waves, climbing]].concat()),
+            0.08,
+            15.0,
+        ),
+        (
+            case(NOMINAL_CASE, &[&slides_across[..], &[waves]].concat()),
+            0.05,
+            20.0,
+        ),
     ] {
         let [off, by_shape] = off(&case, wavelength, speed);
         assert!(off < 1e-3, "{wavelength} {speed}: {off:.1e}");

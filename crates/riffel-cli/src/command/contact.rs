@@ -2,8 +2,9 @@
 
 use riffel::contact::KalkerCoefficients;
 use riffel_answers::contact::{ContactAnswer, ContactRequest, FrequencyResponse, RollingTheories};
-use riffel_case::SteadyContact;
+use riffel_answers::stress::StressAnswer;
 use riffel_case::file::CreepLawName;
+use riffel_case::{CaseContact, SteadyContact};
 use riffel_keys::CaseError;
 
 use crate::arguments::{Contact, positive};
@@ -14,6 +15,9 @@ use crate::results::Results;
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let contact = arguments.case.read_contact()?;
+    if arguments.stress {
+        return stress(arguments, &contact);
+    }
     let theories = RollingTheories::new(contact)?;
     let creepages = creepages(arguments, &theories)?;
     let ratios = ratios(arguments)?;
@@ -49,6 +53,20 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
         || readable(&answer),
     )?;
     print_remarks(&answer.remarks());
+    Ok(())
+}
+
+/// Stress in the rail.
+fn stress(arguments: &Contact, contact: &CaseContact) -> miette::Result<()> {
+    let points: Vec<[f64; 3]> = arguments.stress_at.iter().map(|point| point.0).collect();
+    let answer = StressAnswer::new(contact, &points)?;
+    Results {
+        command: "contact",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    }
+    .answer(&answer)?;
     Ok(())
 }
 

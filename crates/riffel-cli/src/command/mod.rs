@@ -23,6 +23,7 @@ pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;
 pub(crate) mod serve;
+pub(crate) mod shakedown;
 pub(crate) mod simulate;
 pub(crate) mod study;
 pub(crate) mod validate;

@@ -188,7 +188,10 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
     let coefficient = number(&fit["wear_fit"]["coefficient_kg_per_j"]);
     let given = report(&format!("--set wear.coefficient={coefficient:.3e}"));
     // The fit knows the coefficient better than a hand that types it.
-    assert_eq!(without_bands(&table(&counted)), without_bands(&table(&given)));
+    assert_eq!(
+        without_bands(&table(&counted)),
+        without_bands(&table(&given))
+    );
     assert_ne!(table(&counted), table(&given));
     let untouched = report("");
     assert_ne!(table(&untouched), table(&given));

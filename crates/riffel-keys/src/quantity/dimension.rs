@@ -76,6 +76,8 @@ dimensions! {
     RelativeSlope = "a relative slope", "1/m", "2 1/m";
     /// Warping constant of a cross-section.
     WarpingConstant = "a warping constant", "m6", "2.16e-8 m6";
+    /// Length per force.
+    LengthPerForce = "a length per force", "m/N", "1e-15 m/N";
     /// Decay over slip velocity.
     VelocityDecay = "a decay over slip velocity", "s/m", "0.6 s/m";
 }

@@ -110,9 +110,9 @@ impl Answer<Complex64> {
         let [along, across] = derivatives.by_creepage.map(|by| by.force);
         let phase = contact.phase(wavenumber);
         let growth = of.share_of_growth(index) / (phase * contact.profile_or_one());
-        let by_creepage = derivatives.by_creepage.map(|by| by.at_rail * growth);
-        let by_load = derivatives.by_load.at_rail * growth;
-        let by_spin = derivatives.by_spin.at_rail * growth;
+        let by_creepage = derivatives.by_creepage.map(|by| by.growth * growth);
+        let by_load = derivatives.by_load.growth * growth;
+        let by_spin = derivatives.by_spin.growth * growth;
         // With f the forces in the axes of the mean state, Q = f − (its part by the shift): Q − F_P P − F_ξ ξ = 0.
         let shift = contact.by_shift();
         let own = [0.0, shift.lateral_force];
@@ -137,7 +137,7 @@ impl Answer<Complex64> {
             growth_by_shift: by_creepage[0] * shift.creepage + by_spin * shift.spin
                 - by_load * shift.normal_force,
             force_by_profile: by_profile.force.map(|force| force * profile),
-            growth_by_profile: by_profile.at_rail * growth * profile,
+            growth_by_profile: by_profile.growth * growth * profile,
         }
     }
 

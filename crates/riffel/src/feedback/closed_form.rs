@@ -9,6 +9,7 @@ use super::contact::{Derivative, Derivatives};
 use super::{Contact, ContactState, Hubs, Loop, LoopState};
 use crate::Receptance;
 use crate::contact::MeanRolling;
+use crate::damage::Oscillation;
 use crate::wheelset::Motion;
 
 /// One wheel that is held across the rail, and whose own receptances and that of the track say all.
@@ -44,6 +45,11 @@ struct Creep {
     slip: Complex64,
     energy: Complex64,
     dissipation_at_rail: Complex64,
+    /// Of [`Derivative`], energies per metre.
+    worn: Complex64,
+    dissipated: Complex64,
+    growth: Complex64,
+    demand: Complex64,
 }
 
 impl ClosedForm {
@@ -101,10 +107,18 @@ impl ClosedForm {
             Motion::Compliant(structure) => structure.receptance(angular_frequency, speed),
             Motion::Held | Motion::Free => Complex64::ZERO,
         };
+        let oscillation = self.oscillation(&creep, normal_force, track_receptance, wavelength);
+        let force = [creep.tangential_force, Complex64::ZERO, normal_force];
+        let damage = self
+            .contact
+            .damage_state(&oscillation, force, self.amplitude.into());
         // The profile loses the depth k_w e₁/(ρ·2b) per passage, and |Δ| grows like exp(g · passages).
         let worn = self.contact.wear.depth_per_energy()
             * (self.steady.full_slip_energy_per_metre() * normalized.re);
-        let growth_rate = -worn / self.amplitude;
+        let growth_rate = match &damage {
+            Some(damage) => damage.growth().re,
+            None => -worn / self.amplitude,
+        };
         let diagonal = |along, normal| {
             let mut matrix = [[Complex64::ZERO; 3]; 3];
             (matrix[0][0], matrix[2][2]) = (along, normal);
@@ -124,7 +138,7 @@ impl ClosedForm {
             mean_dissipation: self.steady.energy_per_metre() * speed,
             growth_rate,
             contacts: vec![ContactState {
-                force: [creep.tangential_force, Complex64::ZERO, normal_force],
+                force,
                 creepage: [creepage, Complex64::ZERO],
                 spin: Complex64::ZERO,
                 shift: Complex64::ZERO,
@@ -134,6 +148,7 @@ impl ClosedForm {
                 wave,
                 slip_by_direction: (self.hub.as_ref())
                     .map(|_| self.slip_by_direction(wavelength, speed) * self.amplitude),
+                damage,
             }],
         }
     }
@@ -142,7 +157,32 @@ impl ClosedForm {
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         let derivatives = self.contact.derivatives(wavelength);
         let turn = self.turn(&derivatives, wavelength, speed);
-        turn.creep.dissipation_at_rail / self.full_slip(speed)
+        let Some(damage) = self.contact.clipped_damage() else {
+            return turn.creep.growth * speed / self.full_slip(speed);
+        };
+        let receptance = turn.track_receptance;
+        let at = self.oscillation(&turn.creep, turn.normal_force, receptance, wavelength);
+        let clipped = damage.clipped(self.contact.mean_of_damage(), &at);
+        let equivalent = turn.creep.growth + clipped / self.contact.wear.depth_per_energy();
+        equivalent / self.steady.full_slip_energy_per_metre()
+    }
+
+    /// What laws of damage take.
+    fn oscillation(
+        &self,
+        creep: &Creep,
+        load: Complex64,
+        receptance: Complex64,
+        wavelength: f64,
+    ) -> Oscillation {
+        Oscillation {
+            demand: creep.demand,
+            wear: creep.worn,
+            energy: creep.dissipated,
+            load,
+            receptance,
+            wavenumber: 2.0 * PI / wavelength,
+        }
     }
 
     /// The share of a profile of the wavenumber \[rad/m\] that presses.
@@ -231,6 +271,10 @@ impl ClosedForm {
             slip,
             energy: energy(|by| by.energy), // (14)
             dissipation_at_rail: energy(|by| by.at_rail) * speed,
+            worn: energy(|by| by.at_rail),
+            dissipated: energy(|by| by.dissipated),
+            growth: energy(|by| by.growth),
+            demand: energy(|by| by.demand),
         }
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::contact::{ContactDerivative, ContactResponse, MovingContact, WaveGeometry};
+use crate::damage::{Damage, DamageState, Mean, Oscillation};
 use crate::wheelset::Motion;
 use crate::{Direction, EnergyWear, Error, Place, PlaceOfWear, Rail, RollingContact};
 
@@ -36,6 +37,8 @@ pub struct Contact {
     pub wave: Option<WaveGeometry>,
     /// Law of wear.
     pub wear: EnergyWear,
+    /// Laws of damage, wear among them or not; none: wear alone.
+    pub damage: Option<Arc<Damage>>,
 }
 
 impl Contact {
@@ -180,6 +183,7 @@ impl Contact {
             force: by.force,
             energy: by.energy,
             at_rail: by.energy_at_rail.unwrap_or_else(|| by.energy * later),
+            ..Derivative::default()
         };
         let on = |by: Option<ContactDerivative>| by.map_or(Derivative::default(), of);
         let by_profile = match (&self.wave, response.by_curvature) {
@@ -193,6 +197,7 @@ impl Contact {
                     force: by.force.map(|force| force * curvature),
                     energy: by.energy * curvature,
                     at_rail: by.energy_at_rail.unwrap_or_else(|| by.energy * later) * curvature,
+                    ..Derivative::default()
                 }
             }
             _ => Derivative::default(),
@@ -204,21 +209,57 @@ impl Contact {
             by_profile,
             pressed,
         };
+        derivatives.each(|by| by.dissipated = by.at_rail);
         if let Some((by_energy, by_load)) = self.wear.regime() {
-            let Derivatives {
-                by_creepage: [along, across],
-                by_spin,
-                by_profile,
-                ..
-            } = &mut derivatives;
-            for by in [along, across, by_spin, by_profile] {
-                by.at_rail *= by_energy;
-            }
+            derivatives.each(|by| by.at_rail *= by_energy);
             // All of the wear comes to the rail point as the dissipation does.
-            let at_rail = &mut derivatives.by_load.at_rail;
-            *at_rail = by_energy * *at_rail + by_load * later;
+            derivatives.by_load.at_rail += by_load * later;
         }
+        self.damage_derivatives(&mut derivatives);
         derivatives
+    }
+
+    /// What damages, beside what wears.
+    fn damage_derivatives(&self, derivatives: &mut Derivatives) {
+        let Some(damage) = &self.damage else {
+            return derivatives.each(|by| by.growth = by.at_rail);
+        };
+        let wears = f64::from(damage.wears());
+        derivatives.each(|by| {
+            by.growth = wears * by.at_rail;
+            by.demand = damage
+                .demand
+                .oscillation([by.force[0], by.force[1], Complex64::ZERO]);
+        });
+        let by_load = &mut derivatives.by_load;
+        by_load.demand += damage.demand.by_load;
+        by_load.growth += damage.depth_per_force() / self.wear.depth_per_energy();
+    }
+
+    /// The mean of what its laws of damage take.
+    pub(crate) fn mean_of_damage(&self) -> Mean {
+        Mean {
+            energy: self.rolling.steady().energy_per_metre(),
+            wear: self.wear.depth_per_energy(),
+        }
+    }
+
+    /// What its laws of damage say of an oscillation.
+    pub(super) fn damage_state(
+        &self,
+        at: &Oscillation,
+        force: [Complex64; 3],
+        profile: Complex64,
+    ) -> Option<DamageState> {
+        let load = self.rolling.steady().normal_force;
+        let damage = self.damage.as_ref()?;
+        Some(damage.state(self.mean_of_damage(), load, at, force, profile))
+    }
+
+    /// Its laws of damage, where the rate of one of them depends on the amplitude.
+    pub(crate) fn clipped_damage(&self) -> Option<&Damage> {
+        let damage = self.damage.as_deref();
+        damage.filter(|damage| damage.depends_on_amplitude())
     }
 }
 
@@ -250,8 +291,14 @@ pub(crate) struct Derivative {
     pub(crate) force: [Complex64; 2],
     /// Energy left on a metre of rail at the wheel.
     pub(crate) energy: Complex64,
-    /// The same at a point of the rail.
+    /// The same at a point of the rail, as the law of wear takes it.
     pub(crate) at_rail: Complex64,
+    /// The same as it is dissipated.
+    pub(crate) dissipated: Complex64,
+    /// Energy at a point of the rail that wears as much as all damages whose rate does not depend on the amplitude.
+    pub(crate) growth: Complex64,
+    /// The demand u.
+    pub(crate) demand: Complex64,
 }
 
 /// What the forces and the energy of a contact answer to at one wavelength; nothing where it does not tell it.
@@ -264,6 +311,16 @@ pub(crate) struct Derivatives {
     pub(crate) by_profile: Derivative,
     /// The share of the profile that presses.
     pub(crate) pressed: f64,
+}
+
+impl Derivatives {
+    /// Change each.
+    fn each(&mut self, mut change: impl FnMut(&mut Derivative)) {
+        change(&mut self.by_load);
+        self.by_creepage.iter_mut().for_each(&mut change);
+        change(&mut self.by_spin);
+        change(&mut self.by_profile);
+    }
 }
 
 /// What a shift of the contact on the wheel does, per metre to the right.

@@ -30,6 +30,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use crate::contact::{ContactResponse, MeanRolling};
+use crate::damage::{Damage, DamageState};
 use crate::receptance::Structure;
 use crate::wheelset::Motion;
 use crate::{Error, Rail};
@@ -148,6 +149,8 @@ pub struct ContactState {
     pub wave: Option<WaveState>,
     /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`]; none where they stay.
     pub slip_by_direction: Option<Complex64>,
+    /// What laws of damage say; none where wear is alone.
+    pub damage: Option<DamageState>,
 }
 
 impl Loop {
@@ -228,6 +231,29 @@ impl Loop {
         self
     }
 
+    /// The loop with laws of damage for each contact; none: wear alone.
+    pub fn with_damage(mut self, of: impl Fn(&Contact) -> Option<Arc<Damage>>) -> Self {
+        for contact in &mut self.contacts {
+            contact.damage = of(contact);
+        }
+        self
+    }
+
+    /// Whether the growth of a wave depends on its amplitude.
+    pub fn depends_on_amplitude(&self) -> bool {
+        let mut contacts = self.contacts.iter();
+        contacts.any(|contact| contact.clipped_damage().is_some())
+    }
+
+    /// The loop at another amplitude Δ of the profile \[m\].
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless it is above zero.
+    pub fn with_amplitude(self, amplitude: f64) -> Result<Self, Error> {
+        Error::unless_positive("amplitude", amplitude, "m")?;
+        Ok(Self { amplitude, ..self })
+    }
+
     /// The loop on another track.
     pub fn with_track(self, track: Arc<dyn Structure>) -> Self {
         Self { track, ..self }
@@ -275,6 +301,7 @@ impl Loop {
         system.turn(self, &answers, speed);
         let states = (0..self.contacts.len()).map(|index| system.state(self, index, wavelength));
         let contacts: Vec<ContactState> = states.collect();
+        let equivalent = system.equivalent(self, wavelength, speed, 0);
         let first = contacts[0];
         let [track_receptance, wheel_receptance] = system.at_first();
         let steady = self.steady();
@@ -292,7 +319,7 @@ impl Loop {
             dissipation_at_rail,
             normalized_dissipation: first.energy_at_rail / steady.full_slip_energy_per_metre(),
             mean_dissipation: steady.energy_per_metre() * speed,
-            growth_rate: self.growth_rate_per_dissipation() * system.normalized_dissipation(0).re,
+            growth_rate: self.growth_rate_per_dissipation() * equivalent.re,
             contacts,
         }
     }
@@ -388,7 +415,9 @@ impl Loop {
     /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
     pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
         self.hubs.as_ref()?;
-        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
+        Some(free_of(|w| {
+            self.hub_receptances(w, 1.0).unwrap_or_default()
+        }))
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.
@@ -400,7 +429,7 @@ impl Loop {
 
     /// What Ŵ₁ of the mean growth takes of a contact's energy at the rail point \[m/J\]: the mean is over the wheels on the
     /// rail under study.
-    fn share_of_growth(&self, index: usize) -> f64 {
+    pub(crate) fn share_of_growth(&self, index: usize) -> f64 {
         let (first, contact) = (&self.contacts[0], &self.contacts[index]);
         if contact.rail != first.rail {
             return 0.0;
@@ -428,7 +457,7 @@ impl Loop {
             None => {
                 let mut system = System::new(self);
                 system.turn(self, &system.answers(self, &[wavelength]), speed);
-                system.normalized_dissipation(0)
+                system.equivalent(self, wavelength, speed, 0)
             }
         }
     }

@@ -40,7 +40,8 @@ impl Loop {
         let Some(closed) = self.closed_form() else {
             return Ok(self);
         };
-        OneWheel {
+        let damage = closed.contact.damage.clone();
+        let turned = OneWheel {
             track: closed.track,
             wheel: closed.wheel,
             rotation,
@@ -50,12 +51,12 @@ impl Loop {
             wave: closed.contact.wave,
             wear: closed.contact.wear,
             amplitude: closed.amplitude,
-        }
-        .close()
-        .map(|feedback| Self {
+        };
+        let turned = Self {
             hubs: self.hubs,
-            ..feedback
-        })
+            ..turned.close()?
+        };
+        Ok(turned.with_damage(|_| damage.clone()))
     }
 }
 
@@ -82,6 +83,7 @@ impl OneWheel {
             place_of_wear: self.place_of_wear,
             wave: self.wave,
             wear: self.wear,
+            damage: None,
         };
         let track = Uncoupled {
             vertical: Some(self.track),

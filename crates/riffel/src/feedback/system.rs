@@ -8,7 +8,8 @@ use pulp::Arch;
 use super::answers::Answers;
 use super::linear::{Equations, Solve};
 use super::turn::{NORMAL, SHIFT, Turn};
-use super::{Comb, Contact, ContactState, Loop};
+use super::{Comb, Contact, ContactState, Derivative, Derivatives, Loop};
+use crate::damage::Oscillation;
 use crate::vector::lanes_of;
 use crate::wheelset::Motion;
 use crate::{Place, Rail};
@@ -143,6 +144,35 @@ impl System {
     /// Ŵ₁ of the mean growth at the point solved in a lane.
     pub(crate) fn normalized_dissipation(&self, lane: usize) -> Complex64 {
         self.number(&self.dissipation, 0, lane)
+    }
+
+    /// The same with all damage whose rate depends on the amplitude, at the wavelength \[m\] of the lane.
+    pub(crate) fn equivalent(
+        &mut self,
+        of: &Loop,
+        wavelength: f64,
+        speed: f64,
+        lane: usize,
+    ) -> Complex64 {
+        let mut sum = self.normalized_dissipation(lane);
+        if !of.depends_on_amplitude() {
+            return sum;
+        }
+        self.receptances(of, 2.0 * PI * speed / wavelength, speed);
+        self.turn_axes(of);
+        for (index, contact) in of.contacts.iter().enumerate() {
+            let Some(damage) = contact.clipped_damage() else {
+                continue;
+            };
+            let moved = self.moved(of, index, wavelength, lane);
+            let receptance = self.track[(3 * index + NORMAL) * (self.size() + 1)];
+            let at = moved.oscillation(&contact.derivatives(wavelength), receptance, wavelength);
+            let depth = damage.clipped(contact.mean_of_damage(), &at);
+            let energy = depth / contact.wear.depth_per_energy();
+            let under = moved.phase * contact.profile_or_one();
+            sum += of.share_of_growth(index) * energy / under;
+        }
+        sum
     }
 
     /// The determinant of the equations at an angular frequency \[rad/s\] and a speed \[m/s\], over that of the
@@ -307,18 +337,18 @@ impl System {
         }
     }
 
-    /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
-    pub(super) fn state(&self, of: &Loop, index: usize, wavelength: f64) -> ContactState {
+    /// What moves a contact as the equations solved leave it at the wavelength \[m\] of a lane.
+    fn moved(&self, of: &Loop, index: usize, wavelength: f64, lane: usize) -> Moved {
         let contact = &of.contacts[index];
-        let derivatives = contact.derivatives(wavelength);
         let of_unknown = |axis: usize| {
             let column = self.excitation[index];
             let unknown = self.unknowns * index + axis;
-            self.equations.unknown_of_lane(unknown, column, 0)
+            self.equations.unknown_of_lane(unknown, column, lane)
         };
         let mut force: [Complex64; 3] =
             std::array::from_fn(|axis| contact.force_share(axis) * of_unknown(axis));
-        let [along, across] = [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, 0));
+        let [along, across] =
+            [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, lane));
         let wavenumber = 2.0 * PI / wavelength;
         let (mut creepage, mut spin) = ([along, across], Complex64::ZERO);
         let mut shift = Complex64::ZERO;
@@ -336,19 +366,35 @@ impl System {
             force[NORMAL] -= by_shift.normal_force * on_wheel;
         }
         let phase = contact.phase(wavenumber);
-        let profile = of.amplitude * contact.profile * phase;
-        let inputs = [
-            (&derivatives.by_load, force[NORMAL]),
-            (&derivatives.by_creepage[0], creepage[0]),
-            (&derivatives.by_creepage[1], creepage[1]),
-            (&derivatives.by_spin, spin),
-            (&derivatives.by_profile, profile),
-        ];
-        let (mut energy, mut at_rail) = (Complex64::ZERO, Complex64::ZERO);
-        for (by, input) in inputs {
-            energy += by.energy * input;
-            at_rail += by.at_rail * input;
+        Moved {
+            force,
+            creepage,
+            spin,
+            shift,
+            phase,
+            profile: of.amplitude * contact.profile * phase,
         }
+    }
+
+    /// A contact as the equations solved leave it at the wavelength \[m\] of the first lane.
+    pub(super) fn state(&self, of: &Loop, index: usize, wavelength: f64) -> ContactState {
+        let contact = &of.contacts[index];
+        let derivatives = contact.derivatives(wavelength);
+        let moved = self.moved(of, index, wavelength, 0);
+        let sum = |what: fn(&Derivative) -> Complex64| moved.sum(&derivatives, what);
+        let (energy, at_rail) = (sum(|by| by.energy), sum(|by| by.at_rail));
+        let under = moved.profile_or_one(contact, of.amplitude);
+        let receptance = self.track[(3 * index + NORMAL) * (self.size() + 1)];
+        let oscillation = moved.oscillation(&derivatives, receptance, wavelength);
+        let damage = contact.damage_state(&oscillation, moved.force, under);
+        let Moved {
+            force,
+            mut creepage,
+            mut spin,
+            shift,
+            phase,
+            profile,
+        } = moved;
         let wave = contact.wave_state(wavelength, profile);
         if let Some(wave) = wave {
             for (creepage, of_wave) in creepage.iter_mut().zip(wave.creepage) {
@@ -365,12 +411,16 @@ impl System {
             shift,
             energy,
             energy_at_rail,
-            growth_rate: (contact.profile != 0.0).then(|| -depth / of.amplitude),
+            growth_rate: (contact.profile != 0.0).then(|| match &damage {
+                Some(damage) => damage.growth().re,
+                None => -depth / of.amplitude,
+            }),
             wave,
             slip_by_direction: self.direction.as_ref().map(|direction| {
                 let columns = self.equations.width() - self.equations.size();
                 self.number(direction, index * columns + self.excitation[index], 0)
             }),
+            damage,
         }
     }
 
@@ -434,6 +484,50 @@ impl System {
 
     fn size(&self) -> usize {
         self.on_track.len()
+    }
+}
+
+/// What moves a contact.
+struct Moved {
+    force: [Complex64; 3],
+    creepage: [Complex64; 2],
+    spin: Complex64,
+    shift: Complex64,
+    /// Of its place.
+    phase: Complex64,
+    /// \[m\].
+    profile: Complex64,
+}
+
+impl Moved {
+    /// What derivatives make of it.
+    fn sum(&self, of: &Derivatives, what: fn(&Derivative) -> Complex64) -> Complex64 {
+        let inputs = [
+            (&of.by_load, self.force[NORMAL]),
+            (&of.by_creepage[0], self.creepage[0]),
+            (&of.by_creepage[1], self.creepage[1]),
+            (&of.by_spin, self.spin),
+            (&of.by_profile, self.profile),
+        ];
+        let parts = inputs.into_iter().map(|(by, input)| what(by) * input);
+        parts.fold(Complex64::ZERO, |sum, part| sum + part)
+    }
+
+    /// The wave under the contact, or that of the rail under study where its own rail is smooth \[m\].
+    fn profile_or_one(&self, contact: &Contact, amplitude: f64) -> Complex64 {
+        amplitude * contact.profile_or_one() * self.phase
+    }
+
+    /// What laws of damage take.
+    fn oscillation(&self, of: &Derivatives, receptance: Complex64, wavelength: f64) -> Oscillation {
+        Oscillation {
+            demand: self.sum(of, |by| by.demand),
+            wear: self.sum(of, |by| by.at_rail),
+            energy: self.sum(of, |by| by.dissipated),
+            load: self.force[NORMAL],
+            receptance,
+            wavenumber: 2.0 * PI / wavelength,
+        }
     }
 }
 

@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::closing::Closing;
+use crate::damage::Oscillation;
 use crate::feedback::{Answers, ClosedForm, Derivative, Derivatives, Loop, System};
 use crate::receptance::Tabulated;
 use crate::tile::{Frequencies, SplitComplex, TILE, Tile};
@@ -60,16 +61,34 @@ struct Columns {
     wavenumber: Tile,
     /// λ/2π \[m/rad\].
     per_wavenumber: Tile,
+    /// Q_ξ.
+    slip: SplitComplex,
+    /// Ŵ₁ of all damage whose rate does not depend on the amplitude.
+    growth: Output,
+    /// What the other laws take; none where there are none.
+    clipped: Option<Box<Clipped>>,
+}
+
+/// What one output, Ŵ₁ or another, takes of the inputs of a contact.
+struct Output {
     /// e_P Δ/(μP₀ξ₀), as a point of the rail receives it.
     by_force: SplitComplex,
     /// (e_P Q_ξ − e_ξ Q_P) Δ/(μP₀ξ₀), likewise.
     by_speed: SplitComplex,
-    /// Q_ξ.
-    slip: SplitComplex,
     /// e_ξ Δ/(μP₀ξ₀); none where normal forces do not turn with the wave. What slip that makes of itself cancels from the column by speed.
     by_creepage: Option<SplitComplex>,
     /// Of the wave's own geometry e_r Δ/(μP₀ξ₀) and (e_r Q_ξ − e_ξ Q_r) Δ/(μP₀ξ₀), r the profile; none where it has no part.
     wave: Option<[SplitComplex; 2]>,
+}
+
+/// What damage takes whose rate depends on the amplitude.
+struct Clipped {
+    /// u₁.
+    demand: Output,
+    /// e₁ at a point of the rail \[J/m\].
+    energy: Output,
+    /// Δ times the share of the profile that presses \[m\].
+    pressed: Tile,
 }
 
 /// What a tile and a speed give.
@@ -87,27 +106,48 @@ impl Columns {
     fn new(feedback: &ClosedForm, wavelengths: &[f64]) -> Self {
         let last = wavelengths.len() - 1;
         let wavelengths: Tile = std::array::from_fn(|j| wavelengths[j.min(last)]);
-        let scale = feedback.amplitude / feedback.steady.full_slip_energy_per_metre();
+        let amplitude = feedback.amplitude;
+        let scale = amplitude / feedback.steady.full_slip_energy_per_metre();
         let contact = &feedback.contact;
         let at = wavelengths.map(|wavelength| contact.derivatives(wavelength));
+        let parts = [contact.wave.is_some(), feedback.hub.is_some()];
+        Self {
+            wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
+            per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
+            slip: SplitComplex::from_fn(|j| at[j].by_creepage[0].force[0]),
+            growth: Output::new(&at, parts, scale, |by| by.growth),
+            clipped: contact.clipped_damage().map(|_| {
+                Box::new(Clipped {
+                    demand: Output::new(&at, parts, amplitude, |by| by.demand),
+                    energy: Output::new(&at, parts, amplitude, |by| by.dissipated),
+                    pressed: std::array::from_fn(|j| amplitude * at[j].pressed),
+                })
+            }),
+        }
+    }
+}
+
+impl Output {
+    fn new(
+        at: &[Derivatives; TILE],
+        [waves, turns]: [bool; 2],
+        scale: f64,
+        of: fn(&Derivative) -> Complex64,
+    ) -> Self {
         let column =
             |value: &dyn Fn(&Derivatives) -> Complex64| SplitComplex::from_fn(|j| value(&at[j]));
         // [..] of two inputs: what the second makes in the place of the first.
         let cross = |first: &Derivative, at: &Derivatives| {
             let by_creepage = at.by_creepage[0];
-            first.at_rail * by_creepage.force[0] - by_creepage.at_rail * first.force[0]
+            of(first) * by_creepage.force[0] - of(&by_creepage) * first.force[0]
         };
         Self {
-            wavenumber: wavelengths.map(|wavelength| 2.0 * PI / wavelength),
-            per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
-            by_force: column(&|at| at.by_load.at_rail * scale * at.pressed),
+            by_force: column(&|at| of(&at.by_load) * scale * at.pressed),
             by_speed: column(&|at| cross(&at.by_load, at) * scale * at.pressed),
-            slip: column(&|at| at.by_creepage[0].force[0]),
-            by_creepage: (feedback.hub.as_ref())
-                .map(|_| column(&|at| at.by_creepage[0].at_rail * scale)),
-            wave: contact.wave.is_some().then(|| {
+            by_creepage: turns.then(|| column(&|at| of(&at.by_creepage[0]) * scale)),
+            wave: waves.then(|| {
                 [
-                    column(&|at| at.by_profile.at_rail * scale),
+                    column(&|at| of(&at.by_profile) * scale),
                     column(&|at| cross(&at.by_profile, at) * scale),
                 ]
             }),
@@ -207,8 +247,7 @@ impl Tiles {
         joints
             .rotation
             .speeds(frequencies, speed, &mut scratch.speeds);
-        let direction = joints.hub.as_ref().zip(columns.by_creepage.as_ref());
-        let direction = direction.map(|(hub, by_creepage)| {
+        if let Some(hub) = &joints.hub {
             let slips = &mut scratch.direction;
             hub.receptances(frequencies, speed, slips);
             let parts = slips.re.iter_mut().zip(&mut slips.im);
@@ -216,23 +255,56 @@ impl Tiles {
                 let load = joints.steady.normal_force * k * k;
                 (*re, *im) = (*re * load, *im * load);
             }
-            [by_creepage, &*slips]
-        });
-        self.arch.dispatch(Closing {
-            track: &scratch.track,
-            wheel: &scratch.wheel,
-            speeds: &scratch.speeds,
-            by_force: &columns.by_force,
-            by_speed: &columns.by_speed,
-            slip: &columns.slip,
-            wave: columns.wave.as_ref(),
-            direction,
-            force: joints.rotation.force(),
-            contact: joints.contact.stiffness.recip(),
-            per_speed,
-            result: &mut scratch.result,
-        });
-        scratch.result.joined()
+        }
+        let arch = self.arch;
+        let mut close = |output: &Output| {
+            arch.dispatch(Closing {
+                track: &scratch.track,
+                wheel: &scratch.wheel,
+                speeds: &scratch.speeds,
+                by_force: &output.by_force,
+                by_speed: &output.by_speed,
+                slip: &columns.slip,
+                wave: output.wave.as_ref(),
+                direction: (output.by_creepage.as_ref())
+                    .map(|by_creepage| [by_creepage, &scratch.direction]),
+                force: joints.rotation.force(),
+                contact: joints.contact.stiffness.recip(),
+                per_speed,
+                result: &mut scratch.result,
+            });
+            scratch.result.joined()
+        };
+        let mut growth = close(&columns.growth);
+        if let Some(clipped) = &columns.clipped {
+            let (demand, energy) = (close(&clipped.demand), close(&clipped.energy));
+            let [track, wheel] = [&scratch.track, &scratch.wheel].map(SplitComplex::joined);
+            add_clipped(&mut growth, joints, |j| Oscillation {
+                demand: demand[j],
+                wear: Complex64::ZERO,
+                energy: energy[j],
+                load: clipped.pressed[j] / (track[j] + wheel[j] + joints.contact.stiffness.recip()),
+                receptance: track[j],
+                wavenumber: columns.wavenumber[j],
+            });
+        }
+        growth
+    }
+}
+
+/// Add the damage whose rate depends on the amplitude to Ŵ₁.
+fn add_clipped(
+    growth: &mut [Complex64; TILE],
+    joints: &ClosedForm,
+    at: impl Fn(usize) -> Oscillation,
+) {
+    let Some(damage) = joints.contact.clipped_damage() else {
+        return;
+    };
+    let mean = joints.contact.mean_of_damage();
+    let depth = mean.wear * joints.steady.full_slip_energy_per_metre();
+    for (j, growth) in growth.iter_mut().enumerate() {
+        *growth += damage.clipped(mean, &at(j)) / depth;
     }
 }
 
@@ -255,8 +327,13 @@ impl AllAxes {
         let groups = &self.groups[index * TILE / lanes..];
         for (values, answers) in tile.chunks_exact_mut(lanes).zip(groups) {
             self.system.turn(&self.feedback, answers, speed);
+            let wavelengths = answers.wavelengths();
+            let last = wavelengths.len() - 1;
             for (lane, value) in values.iter_mut().enumerate() {
-                *value = self.system.normalized_dissipation(lane);
+                let wavelength = wavelengths[lane.min(last)];
+                *value = self
+                    .system
+                    .equivalent(&self.feedback, wavelength, speed, lane);
             }
         }
         tile

@@ -3,6 +3,7 @@
 use num_complex::Complex64;
 
 use crate::Error;
+use crate::damage::DamageLaw;
 use crate::feedback::Loop;
 use crate::inverse::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;
@@ -64,6 +65,16 @@ impl GrowthWithNeighbours {
                 rule: "must be one, of a wheel along one axis",
             });
         };
+        if let Some(damage) = &feedback.contact.damage
+            && damage.laws != [DamageLaw::Wear]
+        {
+            return Err(Error::OutOfRange {
+                quantity: "number of laws of damage of a wave with neighbours",
+                value: damage.laws.len() as f64,
+                unit: "",
+                rule: "must be none: leave [damage] out",
+            });
+        }
         let spacing = track.spacing();
         if neighbours as f64 >= 0.999 * spacing / wavelength {
             return Err(Error::OutOfRange {

@@ -226,7 +226,7 @@ impl Support {
     }
 
     /// Stiffness at rest.
-    pub(super) fn static_stiffness(&self) -> f64 {
+    pub fn static_stiffness(&self) -> f64 {
         match self {
             Self::OneLayer { pad } => pad.stiffness,
             Self::TwoLayer { pad, ballast, .. } => {

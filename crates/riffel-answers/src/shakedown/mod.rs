@@ -1,0 +1,284 @@
+//! Limits of shakedown over the utilised friction, and where a contact stands between them along a wave.
+
+mod figure;
+mod tables;
+
+use riffel::LoopState;
+use riffel_case::Case;
+use riffel_case::file::LimitName;
+use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_plot::LineFigure;
+use serde::Serialize;
+
+use crate::{Answer, AnswerError, Table};
+
+/// What is asked.
+#[derive(Debug, Clone, Default)]
+pub struct ShakedownQuestion {
+    /// Values of f = |Q|/P; none: equally spaced to 0.6.
+    pub utilised_friction: Vec<f64>,
+    /// Wavelength \[m\] and speed \[m/s\] of a wave along which the operating point goes.
+    pub wave: Option<[f64; 2]>,
+    /// Its amplitude \[m\]; none: that of the case.
+    pub amplitude: Option<f64>,
+}
+
+/// Limits and the operating point.
+#[derive(Debug, Serialize)]
+pub struct ShakedownAnswer {
+    #[serde(skip)]
+    title: Option<String>,
+    /// Shear yield k of the rail.
+    pub shear_yield_pa: f64,
+    /// a/b of the contact.
+    pub a_over_b: f64,
+    /// The mean state.
+    pub mean: MeanPoint,
+    /// The limits, in the order of f.
+    pub map: Vec<LimitRow>,
+    /// Amplitude of the wave.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub amplitude_m: Option<f64>,
+    /// The operating point over one wave, every 10°.
+    #[serde(rename = "loop", skip_serializing_if = "Option::is_none")]
+    pub along_wave: Option<Vec<OperatingPoint>>,
+    /// What the reader should know.
+    pub remarks: Vec<Message>,
+}
+
+/// The mean state of the contact.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct MeanPoint {
+    /// p₀/k.
+    pub p0_over_k: f64,
+    /// f.
+    pub utilised_friction: f64,
+    /// f − k/p₀.
+    pub fi_surf: f64,
+    /// By the limit of the case.
+    pub demand: f64,
+}
+
+/// Limits of p₀/k at one utilised friction.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct LimitRow {
+    /// f.
+    pub utilised_friction: f64,
+    /// First yield by von Mises under the ellipse in full slip.
+    pub elastic: f64,
+    /// Shakedown of line contact.
+    pub line: f64,
+    /// 1/f; none without friction.
+    pub surface: Option<f64>,
+    /// Below the surface of the ellipse without friction.
+    pub subsurface: f64,
+}
+
+/// Where a contact stands at one phase of a wave.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct OperatingPoint {
+    /// Phase of the profile: 0 on the crest.
+    pub phase_deg: f64,
+    /// Amplitude times its cosine, upward.
+    pub profile_m: f64,
+    /// P; zero where wheel and rail part.
+    pub normal_force_n: f64,
+    /// Q along the rail, or |Q| with its sign where it has a part across.
+    pub tangential_force_n: f64,
+    /// p₀/k.
+    pub p0_over_k: f64,
+    /// |Q|/P.
+    pub utilised_friction: f64,
+    /// f − k/p₀.
+    pub fi_surf: f64,
+    /// By the limit of the case.
+    pub demand: f64,
+}
+
+impl ShakedownQuestion {
+    /// Utilised friction beyond which nothing has been compared.
+    const LARGEST: f64 = 0.6;
+
+    /// The answer on a case.
+    ///
+    /// # Errors
+    /// [`AnswerError`] for a friction below zero or above one, and for a point that the case does not know.
+    pub fn answer(&self, case: &Case) -> Result<ShakedownAnswer, AnswerError> {
+        for &friction in &self.utilised_friction {
+            if !(0.0..=1.0).contains(&friction) {
+                return Err(AnswerError::Argument {
+                    argument: "--utilised-friction",
+                    value: friction.to_string(),
+                    rule: "between 0 and 1".to_owned(),
+                });
+            }
+        }
+        let shear_yield = case.shear_yield();
+        let frictions = match self.utilised_friction.is_empty() {
+            true => (0..=30).map(|step| 0.02 * f64::from(step)).collect(),
+            false => self.utilised_friction.clone(),
+        };
+        let limit = |name: LimitName, friction: f64| case.shakedown_limit(name).at(friction)[0];
+        let map = limits(&frictions, &limit);
+        let mut remarks = case.remarks.clone();
+        if !case.has_shear_yield() {
+            remarks.push(say!(
+                shear_yield_assumed,
+                shear = fixed(1e-6 * shear_yield, 0)
+            ));
+        }
+        let mut contact = Standing::new(case);
+        let forces = case.steady.forces;
+        let mean = [
+            forces.longitudinal,
+            forces.lateral,
+            case.hertz.normal_force(),
+        ];
+        let mean = contact.at(0.0, 0.0, mean);
+        let along_wave = self.wave.map(|[wavelength, speed]| {
+            let state = case.point(wavelength, speed)?;
+            let amplitude = self.amplitude.unwrap_or(case.feedback.amplitude());
+            Ok::<_, CaseError>((amplitude, contact.along(&state, amplitude)))
+        });
+        let along_wave = along_wave.transpose()?;
+        let points = along_wave.iter().flat_map(|(_, points)| points);
+        let (mut parts, mut beyond) = (false, mean.utilised_friction > Self::LARGEST);
+        for point in points {
+            parts |= point.normal_force_n == 0.0;
+            beyond |= point.utilised_friction > Self::LARGEST;
+        }
+        beyond |= frictions.iter().any(|&friction| friction > Self::LARGEST);
+        if parts {
+            remarks.push(say!(parts_along_the_wave));
+        }
+        if beyond {
+            remarks.push(say!(shakedown_beyond_friction));
+        }
+        Ok(ShakedownAnswer {
+            title: case.file.title.clone(),
+            shear_yield_pa: shear_yield,
+            a_over_b: case.hertz.semi_axis_longitudinal() / case.hertz.semi_axis_lateral(),
+            mean: MeanPoint {
+                p0_over_k: mean.p0_over_k,
+                utilised_friction: mean.utilised_friction,
+                fi_surf: mean.fi_surf,
+                demand: mean.demand,
+            },
+            map,
+            amplitude_m: along_wave.as_ref().map(|(amplitude, _)| *amplitude),
+            along_wave: along_wave.map(|(_, points)| points),
+            remarks,
+        })
+    }
+}
+
+fn limits(frictions: &[f64], limit: &(impl Fn(LimitName, f64) -> f64 + Sync)) -> Vec<LimitRow> {
+    use rayon::prelude::*;
+    let row = |&friction: &f64| LimitRow {
+        utilised_friction: friction,
+        elastic: limit(LimitName::Elastic, friction),
+        line: limit(LimitName::Line, friction),
+        surface: (friction > 0.0).then(|| limit(LimitName::Surface, friction)),
+        subsurface: limit(LimitName::Subsurface, friction),
+    };
+    frictions.par_iter().map(row).collect()
+}
+
+/// A contact whose forces change.
+struct Standing<'a> {
+    case: &'a Case,
+    shear_yield: f64,
+}
+
+impl<'a> Standing<'a> {
+    fn new(case: &'a Case) -> Self {
+        Self {
+            case,
+            shear_yield: case.shear_yield(),
+        }
+    }
+
+    /// Over one wave.
+    fn along(&mut self, state: &LoopState, amplitude: f64) -> Vec<OperatingPoint> {
+        /// Degrees from one point to the next.
+        const STEP: u32 = 10;
+        let share = amplitude / self.case.feedback.amplitude();
+        let oscillation = state.contacts[0].force.map(|force| force * share);
+        let forces = self.case.steady.forces;
+        let mean = [
+            forces.longitudinal,
+            forces.lateral,
+            self.case.hertz.normal_force(),
+        ];
+        (0..360 / STEP)
+            .map(|index| {
+                let degrees = f64::from(index * STEP);
+                let (sine, cosine) = degrees.to_radians().sin_cos();
+                let forces = std::array::from_fn(|axis| {
+                    mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine
+                });
+                self.at(degrees, amplitude * cosine, forces)
+            })
+            .collect()
+    }
+
+    fn at(
+        &mut self,
+        degrees: f64,
+        profile: f64,
+        [along, across, load]: [f64; 3],
+    ) -> OperatingPoint {
+        let load = load.max(0.0);
+        let force = match (load > 0.0, self.case.feedback.is_along_one_axis()) {
+            (false, _) => 0.0,
+            (true, true) => along,
+            (true, false) => along.hypot(across).copysign(along),
+        };
+        let hertz = self.case.hertz;
+        let pressure = hertz.peak_pressure() * (load / hertz.normal_force()).cbrt();
+        let ratio = pressure / self.shear_yield;
+        let friction = match load > 0.0 {
+            true => force.abs() / load,
+            false => 0.0,
+        };
+        let limit = self.case.shakedown_limit(self.case.limit_name());
+        let demand = match (ratio > 0.0, self.case.limit_name(), friction) {
+            (false, ..) | (_, LimitName::Surface, 0.0) => 0.0,
+            _ => ratio / limit.at(friction)[0],
+        };
+        OperatingPoint {
+            phase_deg: degrees,
+            profile_m: profile,
+            normal_force_n: load,
+            tangential_force_n: force,
+            p0_over_k: ratio,
+            utilised_friction: friction,
+            fi_surf: friction - ratio.recip(),
+            demand,
+        }
+    }
+}
+
+impl Answer for ShakedownAnswer {
+    const NAME: &'static str = "shakedown";
+
+    fn introduction(&self) -> Vec<Message> {
+        tables::introduction(self)
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        tables::tables(self)
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        tables::sentences(self)
+    }
+
+    fn figure(&self) -> LineFigure {
+        figure::figure(self)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}

@@ -1,0 +1,153 @@
+//! Stress in the section and at the surface as a picture.
+
+use riffel::damage::stress::{StressMeasure, Traction};
+use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
+
+use super::StressAnswer;
+use super::contour::contour;
+
+/// Levels of von Mises stress over p₀.
+const LEVELS: [f64; 7] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
+
+pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
+    let [full, partial] = answer.tractions().map(|(_, traction)| traction);
+    LineFigure {
+        title: "Stress under the contact".to_owned(),
+        caption: format!(
+            "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
+             middle and the surface of the patch with lines of equal stress; partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.",
+            1e-6 * answer.peak_pressure_pa,
+            answer.friction,
+            answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,
+            answer.tractive_ratio,
+        ),
+        panels: vec![
+            section(answer, "section, full slip", &full),
+            section(answer, "section, partial slip", &partial),
+            surface(answer, "surface, full slip", &full),
+            along(answer, &[("full slip", full), ("partial slip", partial)]),
+            over_friction(answer),
+        ],
+        arrangement: Arrangement::SideBySide,
+    }
+}
+
+fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
+    (0..=count)
+        .map(|step| from + (to - from) * step as f64 / count as f64)
+        .collect()
+}
+
+fn mises(answer: &StressAnswer, traction: &Traction, place: [f64; 3]) -> f64 {
+    StressMeasure::VonMises.of(&traction.stress(&answer.ellipse, place))
+}
+
+fn contours(x: &[f64], y: &[f64], values: &[f64]) -> Vec<Series> {
+    let lines = LEVELS.iter().enumerate().map(|(index, &level)| {
+        let (x, y) = contour(x, y, values, level);
+        Series {
+            label: format!("{level:.1}"),
+            x,
+            y,
+            style: LineStyle::Solid,
+            color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
+        }
+    });
+    lines.filter(|line| !line.x.is_empty()).collect()
+}
+
+fn section(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePanel {
+    let (x, depth) = (steps(-2.0, 2.0, 80), steps(0.0, 2.0, 40));
+    let values: Vec<f64> = depth
+        .iter()
+        .flat_map(|&z| x.iter().map(move |&x| [x, 0.0, z]))
+        .map(|place| mises(answer, traction, place))
+        .collect();
+    let down: Vec<f64> = depth.iter().map(|z| -z).collect();
+    LinePanel {
+        subtitle: subtitle.to_owned(),
+        x_label: "x/a".to_owned(),
+        y_label: "−z/a".to_owned(),
+        x_range: Some((-2.0, 2.0)),
+        y_range: Some((-2.0, 0.0)),
+        series: contours(&x, &down, &values),
+        ..LinePanel::default()
+    }
+}
+
+fn surface(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePanel {
+    let (x, y) = (steps(-1.5, 1.5, 60), steps(-1.5, 1.5, 60));
+    let values: Vec<f64> = y
+        .iter()
+        .flat_map(|&y| x.iter().map(move |&x| [x, y, 0.0]))
+        .map(|place| mises(answer, traction, place))
+        .collect();
+    let mut series = contours(&x, &y, &values);
+    let turn: Vec<f64> = steps(0.0, std::f64::consts::TAU, 72);
+    series.push(Series {
+        label: "edge".to_owned(),
+        x: turn.iter().map(|angle| angle.cos()).collect(),
+        y: turn.iter().map(|angle| angle.sin()).collect(),
+        style: LineStyle::Dotted,
+        color: Some(Rgb::BLACK),
+    });
+    LinePanel {
+        subtitle: subtitle.to_owned(),
+        x_label: "x/a".to_owned(),
+        y_label: "y/b".to_owned(),
+        x_range: Some((-1.5, 1.5)),
+        y_range: Some((-1.5, 1.5)),
+        series,
+        ..LinePanel::default()
+    }
+}
+
+/// Along the middle of the surface.
+fn along(answer: &StressAnswer, tractions: &[(&str, Traction)]) -> LinePanel {
+    // Close to the edges, where the stress has a root.
+    let x: Vec<f64> = steps(-1.4, 1.4, 560);
+    let series = tractions
+        .iter()
+        .enumerate()
+        .map(|(index, (label, traction))| Series {
+            label: (*label).to_owned(),
+            y: x.iter()
+                .map(|&x| mises(answer, traction, [x, 0.0, 0.0]))
+                .collect(),
+            x: x.clone(),
+            style: LineStyle::Solid,
+            color: Some(OKABE_ITO[1 + index]),
+        });
+    LinePanel {
+        subtitle: "middle of the surface".to_owned(),
+        x_label: "x/a".to_owned(),
+        y_label: "von Mises stress/p₀".to_owned(),
+        series: series.collect(),
+        ..LinePanel::default()
+    }
+}
+
+fn over_friction(answer: &StressAnswer) -> LinePanel {
+    let rows = &answer.stress.over_friction;
+    let x: Vec<f64> = rows.iter().map(|row| row.friction).collect();
+    let surface = rows.iter().map(|row| row.surface_over_p0).collect();
+    let below = rows.iter().map(|row| row.subsurface_over_p0).collect();
+    let series = [("surface", surface), ("below", below)];
+    let series = series
+        .into_iter()
+        .enumerate()
+        .map(|(index, (label, y))| Series {
+            label: label.to_owned(),
+            x: x.clone(),
+            y,
+            style: LineStyle::Solid,
+            color: Some(OKABE_ITO[1 + index]),
+        });
+    LinePanel {
+        subtitle: "largest, full slip".to_owned(),
+        x_label: "friction".to_owned(),
+        y_label: "von Mises stress/p₀".to_owned(),
+        series: series.collect(),
+        ..LinePanel::default()
+    }
+}

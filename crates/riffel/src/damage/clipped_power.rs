@@ -1,0 +1,221 @@
+//! A power of what lies above a limit, over a wave and over the loads of traffic.
+
+use std::f64::consts::{FRAC_1_SQRT_2, PI};
+
+use crate::gauss::{equal_panels, panels};
+
+/// E⟨X + σz⟩^m, z normal, ⟨·⟩ zero below zero; for a cosine X = X₀ + U cos θ its mean and its first harmonic.
+///
+/// A wave of which only a part lies above the limit is answered by its first harmonic (describing function): nothing until
+/// U = |X₀|, then rising to half the rate of one that lies above it as a whole, for X₀ = 0 and m = 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ClippedPower {
+    exponent: f64,
+    spread: f64,
+}
+
+impl ClippedPower {
+    /// The power m \[-\], one or more, under a normal spread of the standard deviation σ of X \[-\]; zero: sharp.
+    pub fn new(exponent: f64, spread: f64) -> Self {
+        Self { exponent, spread }
+    }
+
+    /// E⟨X + σz⟩^m.
+    pub fn value(&self, x: f64) -> f64 {
+        power(x, self.exponent, self.spread)
+    }
+
+    /// Its slope over X, m E⟨X + σz⟩^(m−1).
+    pub fn slope(&self, x: f64) -> f64 {
+        self.exponent * power(x, self.exponent - 1.0, self.spread)
+    }
+
+    /// Mean over a wave.
+    pub fn mean(&self, excess: f64, amplitude: f64) -> f64 {
+        if self.spread > 0.0 {
+            let mut sum = 0.0;
+            self.over_wave(excess, amplitude, |x, _| sum += self.value(x));
+            return sum / self.steps(amplitude);
+        }
+        let Some(angle) = angle_above(excess, amplitude) else {
+            return 0.0;
+        };
+        let (sine, cosine) = angle.sin_cos();
+        if self.exponent == 1.0 {
+            return (excess * angle + amplitude * sine) / PI;
+        }
+        if self.exponent == 2.0 {
+            let square = excess * excess + 0.5 * amplitude * amplitude;
+            let cross = 2.0 * excess * amplitude + 0.5 * amplitude * amplitude * cosine;
+            return (square * angle + cross * sine) / PI;
+        }
+        let mut sum = 0.0;
+        above(excess, amplitude, angle, |x, _, weight| {
+            sum += weight * x.powf(self.exponent);
+        });
+        sum / PI
+    }
+
+    /// First harmonic over a wave: the amplitude of cos θ.
+    pub fn first(&self, excess: f64, amplitude: f64) -> f64 {
+        if self.spread > 0.0 {
+            // By parts: (2U/π) ∫ F′ sin² θ dθ.
+            let mut sum = 0.0;
+            self.over_wave(excess, amplitude, |x, cosine| {
+                sum += self.slope(x) * (1.0 - cosine * cosine);
+            });
+            return 2.0 * amplitude * sum / self.steps(amplitude);
+        }
+        let Some(angle) = angle_above(excess, amplitude) else {
+            return 0.0;
+        };
+        let (sine, cosine) = angle.sin_cos();
+        if self.exponent == 1.0 || self.exponent == 2.0 {
+            let whole = angle == PI;
+            return match self.exponent == 1.0 {
+                true if whole => amplitude,
+                true => amplitude / PI * (angle - sine * cosine),
+                false if whole => 2.0 * excess * amplitude,
+                false => {
+                    2.0 * amplitude * amplitude / PI * (sine - sine.powi(3) / 3.0 - angle * cosine)
+                }
+            };
+        }
+        let mut sum = 0.0;
+        above(excess, amplitude, angle, |x, cosine, weight| {
+            sum += weight * x.powf(self.exponent) * cosine;
+        });
+        2.0 * sum / PI
+    }
+
+    /// What a wave is multiplied by: the slope where its amplitude U stays below |X₀|, else the first harmonic over U.
+    pub fn rate(&self, excess: f64, amplitude: f64) -> f64 {
+        match amplitude <= excess.abs() {
+            true => self.slope(excess),
+            false => self.first(excess, amplitude) / amplitude,
+        }
+    }
+
+    /// Mean at an amplitude: with a spread, that of small waves as far as [`rate`](Self::rate) is theirs.
+    pub fn depth(&self, excess: f64, amplitude: f64) -> f64 {
+        match self.spread > 0.0 && amplitude <= excess.abs() {
+            true => self.value(excess),
+            false => self.mean(excess, amplitude),
+        }
+    }
+
+    /// Steps over half a wave that resolve the spread.
+    fn steps(&self, amplitude: f64) -> f64 {
+        (64.0 * (1.0 + amplitude / self.spread)).min(1e4).ceil()
+    }
+
+    /// Rectangles over half a wave, which converge faster than any power for what is smooth.
+    fn over_wave(&self, excess: f64, amplitude: f64, mut at: impl FnMut(f64, f64)) {
+        let steps = self.steps(amplitude);
+        for index in 0..steps as usize {
+            let cosine = ((index as f64 + 0.5) * PI / steps).cos();
+            at(excess + amplitude * cosine, cosine);
+        }
+    }
+}
+
+/// Half the part of a wave above the limit as an angle; none where all lies below.
+fn angle_above(excess: f64, amplitude: f64) -> Option<f64> {
+    if excess >= amplitude {
+        return (excess > 0.0).then_some(PI);
+    }
+    (excess > -amplitude).then(|| (-excess / amplitude).acos())
+}
+
+/// Sum over that part. θ = θ_c(1 − w²) takes the corner at its end, the panels the rest.
+fn above(excess: f64, amplitude: f64, angle: f64, mut at: impl FnMut(f64, f64, f64)) {
+    for (w, weight) in panels(&equal_panels([0.0, 1.0], 1.0 / 24.0)) {
+        let theta = angle * (1.0 - w * w);
+        // cos θ − cos θ_c without loss where they are close.
+        let rise = 2.0 * (0.5 * (angle + theta)).sin() * (0.5 * angle * w * w).sin();
+        let x = match angle == PI {
+            true => (excess - amplitude) + amplitude * rise,
+            false => amplitude * rise,
+        };
+        at(x, theta.cos(), 2.0 * angle * w * weight);
+    }
+}
+
+/// E⟨x + σz⟩^m.
+fn power(x: f64, exponent: f64, spread: f64) -> f64 {
+    /// Beyond these standard deviations nothing is left of the bell.
+    const TAIL: f64 = 9.0;
+    if spread == 0.0 {
+        return match exponent == 0.0 {
+            true => f64::from(x > 0.0),
+            false => x.max(0.0).powf(exponent),
+        };
+    }
+    let ratio = x / spread;
+    let share = 0.5 * libm::erfc(-ratio * FRAC_1_SQRT_2);
+    let bell = |z: f64| (-0.5 * z * z).exp() / (2.0 * PI).sqrt();
+    if exponent == 0.0 {
+        return share;
+    }
+    if exponent == 1.0 {
+        return spread * bell(ratio) + x * share;
+    }
+    if exponent == 2.0 {
+        return x * spread * bell(ratio) + (x * x + spread * spread) * share;
+    }
+    // t = z + x/σ = w², which takes the corner at t = 0.
+    let end = (ratio + TAIL).max(0.0).sqrt();
+    let sum: f64 = panels(&equal_panels([0.0, end], 0.1))
+        .map(|(w, weight)| 2.0 * w * weight * (w * w).powf(exponent) * bell(w * w - ratio))
+        .sum();
+    spread.powf(exponent) * sum
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A wave above the limit as a whole is answered by the slope; one about the limit by half of it; none below.
+    #[test]
+    fn limits_of_a_wave() {
+        for exponent in [1.0, 2.0] {
+            let law = ClippedPower::new(exponent, 0.0);
+            let slope = law.first(0.2, 0.1) / 0.1;
+            assert!((slope / law.slope(0.2) - 1.0).abs() < 1e-14);
+            assert_eq!(law.first(-0.2, 0.1), 0.0);
+            assert_eq!(law.mean(-0.2, 0.1), 0.0);
+        }
+        assert!((ClippedPower::new(1.0, 0.0).first(0.0, 0.3) - 0.15).abs() < 1e-15);
+    }
+
+    /// Closed forms of m = 1 and 2 are the quadrature of those between, and a narrow spread is sharp.
+    #[test]
+    fn powers_between_and_narrow_spreads() {
+        for (excess, amplitude) in [(-0.2, 0.25), (-0.05, 0.3), (0.0, 0.2), (0.1, 0.3)] {
+            for exponent in [1.0, 2.0] {
+                let [law, near] =
+                    [exponent, exponent + 1e-9].map(|exponent| ClippedPower::new(exponent, 0.0));
+                let mean = law.mean(excess, amplitude) - near.mean(excess, amplitude);
+                let first = law.first(excess, amplitude) - near.first(excess, amplitude);
+                assert!(mean.abs() < 1e-9 && first.abs() < 1e-9, "{mean} {first}");
+            }
+            let sharp = ClippedPower::new(1.0, 0.0);
+            let narrow = ClippedPower::new(1.0, 1e-4);
+            let difference = sharp.first(excess, amplitude) - narrow.first(excess, amplitude);
+            assert!(difference.abs() < 1e-7, "{difference}");
+        }
+    }
+
+    /// The slope of the spread law is that of its value, at whole exponents and others.
+    #[test]
+    fn slope_is_that_of_the_value() {
+        for exponent in [1.0, 1.5, 2.0, 2.7] {
+            let law = ClippedPower::new(exponent, 0.1);
+            for x in [-0.2, 0.0, 0.15] {
+                let step = 1e-4;
+                let difference = (law.value(x + step) - law.value(x - step)) / (2.0 * step);
+                assert!((difference - law.slope(x)).abs() < 1e-6, "{exponent} {x}");
+            }
+        }
+    }
+}
