@@ -177,6 +177,21 @@ fn combined(factor: f64, one: &Field<f64>, other_factor: f64, other: &Field<f64>
     })
 }
 
+/// The sum of the fields of all degrees by their amplitudes, which a closure tells by index.
+fn summed<'a>(
+    by_degree: impl Iterator<Item = (&'a Complex64, &'a OneDegree)>,
+    count: usize,
+    of: impl Fn(&OneDegree, usize) -> f64,
+) -> Vec<Complex64> {
+    let mut sum = vec![Complex64::ZERO; count];
+    for (amplitude, one) in by_degree {
+        for (index, sum) in sum.iter_mut().enumerate() {
+            *sum += amplitude * of(one, index);
+        }
+    }
+    sum
+}
+
 impl Oscillation<'_> {
     /// By a wave of the rail. In the coordinates x + w of a [`WavyPatch`] the displacement is that of tractions on elements
     /// that are displaced and grow; the material passes at V(1 + ikw_x − w_x′), carried across by ik w_y; the slip *speed* stays, but
@@ -187,35 +202,47 @@ impl Oscillation<'_> {
         let (wavenumber, [of_here, of_ahead]) = (self.wavenumber, self.difference());
         let amplitudes = on_waves.patch.amplitudes(wavenumber);
         let by_degree = || amplitudes.by_degree.iter().zip(&on_waves.degrees);
-        let sum = |of: &dyn Fn(&OneDegree) -> f64| -> Complex64 {
+        let sum = |of: fn(&OneDegree) -> f64| -> Complex64 {
             by_degree()
                 .map(|(amplitude, one)| amplitude * of(one))
                 .sum()
         };
         let turning = Complex64::new(0.0, wavenumber);
         // k times the shift of the patch and that of the centre of its pressure, the tilt's alone.
-        let shift = amplitudes.semi_axis * sum(&|one| one.degree.shift);
+        let shift = amplitudes.semi_axis * sum(|one| one.degree.shift);
         let centre = amplitudes.semi_axis * amplitudes.by_degree[0];
         let from_pivot = match wavenumber == 0.0 {
             true => Complex64::ZERO,
             false => (shift - amplitudes.pivot) / wavenumber,
         };
-        let across = sum(&|one| one.degree.stretch_across);
+        let across = sum(|one| one.degree.stretch_across);
         let spin = tangent.creepages.spin;
+        // The sums of fields, degree by degree.
+        let along = summed(by_degree(), patch.steps.len(), |one, index| {
+            one.along[index].0
+        });
+        let slopes = summed(by_degree(), patch.steps.len(), |one, index| {
+            one.along[index].1
+        });
+        let moved = [0, 1].map(|end: usize| {
+            [0, 1].map(|part: usize| {
+                summed(by_degree(), patch.steps.len(), |one, index| {
+                    one.moved[end][part][index]
+                })
+            })
+        });
         let mut slip = [0, 1].map(|_| Vec::with_capacity(patch.steps.len()));
         let mut steps = Vec::with_capacity(patch.steps.len());
         let mut displaced = Vec::with_capacity(patch.steps.len());
         for (index, step) in patch.steps.iter().enumerate() {
             let y = step.middle.1;
-            let along = sum(&|one| one.along[index].0);
-            let slope = sum(&|one| one.along[index].1);
+            let (along, slope) = (along[index], slopes[index]);
             let behind = -(Complex64::I * shift + turning * along);
             let spinning = [-spin * across * y, spin * (from_pivot + along)];
             for part in 0..2 {
                 let passed = tangent.ahead[part][index] - tangent.here[part][index];
                 let carried = turning * across * y * tangent.across[part][index];
-                let [here, ahead] =
-                    [0, 1].map(|end: usize| sum(&|one| one.moved[end][part][index]));
+                let [here, ahead] = [0, 1].map(|end: usize| moved[end][part][index]);
                 slip[part].push(
                     patch.dx * (spinning[part] + carried)
                         - (behind + slope) * passed
@@ -226,17 +253,11 @@ impl Oscillation<'_> {
             steps.push(slope + across);
             displaced.push(behind);
         }
-        let elements = 0..patch.len();
         Forcing {
             slip,
             deformation: Some(Deformation {
-                bound: elements
-                    .clone()
-                    .map(|index| sum(&|one| one.bound[index]))
-                    .collect(),
-                elements: elements
-                    .map(|index| sum(&|one| one.elements[index]))
-                    .collect(),
+                bound: summed(by_degree(), patch.len(), |one, index| one.bound[index]),
+                elements: summed(by_degree(), patch.len(), |one, index| one.elements[index]),
                 steps,
                 displaced,
                 slower: Complex64::new(0.0, -1.0) * centre,
