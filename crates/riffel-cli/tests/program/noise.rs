@@ -151,7 +151,7 @@ fn months_do_not_hang_on_the_time_looked_ahead() {
         ))["course"]
             .clone()
     };
-    let (short, long) = (course("200"), course("300"));
+    let (short, long) = (course("400"), course("500"));
     let limit = |course: &Value| number(&course["months_to_limit"]);
     assert!(
         (limit(&short) / limit(&long) - 1.0).abs() < 1e-4,
