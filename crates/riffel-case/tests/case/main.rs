@@ -3,6 +3,7 @@
 mod case_file;
 mod closed_forms;
 mod damage;
+mod damage_in_loop;
 mod damage_stress;
 mod contact;
 mod general_loop;
