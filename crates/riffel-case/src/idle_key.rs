@@ -17,6 +17,7 @@ impl Case {
             "curve" | "bogie" | "body" | "profiles" => {
                 "it belongs to `riffel curve` and `riffel profile`"
             }
+            "corrugation" if self.feedback.depends_on_amplitude() => return None,
             "corrugation" => "growth rates do not depend on the amplitude",
             "train"
                 if inner == "comb"

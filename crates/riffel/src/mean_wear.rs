@@ -15,6 +15,8 @@ pub struct MeanWear {
     pub depth: f64,
     /// Mass of an axle \[kg\].
     pub axle_mass: f64,
+    /// Whether it bounds a rate of growth; not where a law of damage moves the profile and takes nothing away.
+    pub bounds_growth: bool,
 }
 
 impl MeanWear {
@@ -27,7 +29,7 @@ impl MeanWear {
 
     /// Amplitude \[m\] beyond which a growth rate per passage cannot last; none where nothing grows.
     pub fn amplitude_limit(self, growth_rate: f64) -> Option<f64> {
-        (growth_rate > 0.0).then(|| self.depth / growth_rate)
+        (growth_rate > 0.0 && self.bounds_growth).then(|| self.depth / growth_rate)
     }
 }
 
@@ -35,14 +37,22 @@ impl Loop {
     /// Mean wear of the rail under study, in the mean over the wheels on it; both wheels of an axle carry the load of the first.
     pub fn mean_wear(&self) -> MeanWear {
         let on_rail = self.contacts().iter().filter(|it| it.rail == self.rail());
-        let (mut depth, mut wheels) = (0.0, 0.0);
+        let (mut depth, mut wheels, mut bounds_growth) = (0.0, 0.0, true);
         for contact in on_rail {
-            depth += contact.wear.depth_per_energy() * contact.rolling.steady().energy_per_metre();
+            let steady = contact.rolling.steady();
+            depth += match &contact.damage {
+                Some(damage) => {
+                    bounds_growth &= damage.is_bound_by_depth();
+                    damage.mean_depth(contact.mean_of_damage(), steady.normal_force)
+                }
+                None => contact.wear.depth_per_energy() * steady.energy_per_metre(),
+            };
             wheels += 1.0;
         }
         MeanWear {
             depth: depth / wheels,
             axle_mass: 2.0 * self.steady().normal_force / STANDARD_GRAVITY,
+            bounds_growth,
         }
     }
 }
@@ -58,6 +68,7 @@ mod tests {
         let wear = MeanWear {
             depth,
             axle_mass: 10_200.0,
+            bounds_growth: true,
         };
         assert!((1e3 * wear.depth_per_100_mgt() - 43.3).abs() < 0.1);
         assert_eq!(wear.amplitude_limit(0.0), None);

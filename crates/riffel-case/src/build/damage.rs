@@ -22,6 +22,12 @@ impl Case {
         keys.map_or(DamageKeys::SHEAR_YIELD, DamageKeys::yield_in_shear)
     }
 
+    /// Whether laws of damage beside wear have a part in growth.
+    pub fn has_other_damage(&self) -> bool {
+        let damage = self.feedback.contacts()[0].damage.as_ref();
+        damage.is_some_and(|damage| damage.laws != [DamageLaw::Wear])
+    }
+
     /// Whether the case says it.
     pub fn has_shear_yield(&self) -> bool {
         let keys = self.file.damage.as_ref();

@@ -137,6 +137,11 @@ impl CaseInTime<'_> {
     }
 
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
+        if self.case.has_other_damage() {
+            let message = "`damage.laws` names laws beside wear, which passages in time do not know yet: leave [damage] out, or ask \
+                 `riffel forecast`, which marches them";
+            return Err(self.case.refuse("damage.laws", message));
+        }
         self.check_stable(speed)?;
         let model = self.at(speed)?;
         let first = &self.case.feedback.contacts()[0];

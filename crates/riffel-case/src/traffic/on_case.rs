@@ -5,7 +5,7 @@ use std::collections::BTreeSet;
 use riffel::STANDARD_GRAVITY;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, fixed, say};
 use toml::Value;
 
 use super::spreads::Values3;
@@ -90,6 +90,16 @@ impl Traffic {
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
         let reported =
             passages_per_day.and_then(|per_day| reported_growth::remark(&growth, per_day));
+        if growth.depends_on_amplitude() {
+            let amplitude = 1e6 * case.feedback.amplitude();
+            remarks.push(say!(
+                rates_follow_amplitude,
+                amplitude = fixed(amplitude, 1)
+            ));
+        }
+        if case.has_other_damage() {
+            remarks.push(say!(fit_scales_all_damage));
+        }
         // It says most of all.
         remarks.splice(0..0, reported);
         Ok(TrafficOnCase {
@@ -156,7 +166,7 @@ impl Traffic {
             let message = format!("vehicle \"{}\": {error}", vehicle.name);
             self.source.refuse(&at(""), &message)
         })?;
-        let window = window(lines, &speeds);
+        let window = window(case, lines, &speeds);
         let settings: Vec<Setting> = own.iter().map(|(_, setting)| setting.clone()).collect();
         let held = KeptState::of(variant, case, &settings, &window)?;
         let held_setting = KeptState::settings(held.as_ref());
@@ -214,6 +224,13 @@ impl Traffic {
         let (growth, wheels) = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");
+        if traction_share < 1.0 && case.has_other_damage() {
+            let message = format!(
+                "`{at}.traction_share` is below one, but axles that roll free damage the rail by the laws of damage.laws, too; name the \
+                 axles with traction and those without as two vehicles"
+            );
+            return Err(self.source.refuse(&format!("{at}.traction_share"), &message));
+        }
         let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
             growth: growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?,
@@ -273,8 +290,8 @@ pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
 }
 
 /// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude
-/// at which no remark on the linear range applies, for the forecast has its own.
-pub(super) fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
+/// at which no remark on the linear range applies, for the forecast has its own, but where growth depends on it.
+pub(super) fn window(case: &Case, lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
     /// A single speed or line is a narrow window.
     const MARGIN: f64 = 1e-6;
     let axis = |key: &str, low: f64, high: f64| {
@@ -287,10 +304,12 @@ pub(super) fn window(lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> 
         (key.to_owned(), Value::Table(range.into_iter().collect()))
     };
     let (low, high) = speeds.range();
-    let amplitude = Value::Float(1e-6);
-    vec![
+    let mut window = vec![
         axis("map.wavelength", lines[0], lines[lines.len() - 1]),
         axis("map.speed", low, high),
-        ("corrugation.amplitude".to_owned(), amplitude),
-    ]
+    ];
+    if !case.feedback.depends_on_amplitude() {
+        window.push(("corrugation.amplitude".to_owned(), Value::Float(1e-6)));
+    }
+    window
 }

@@ -122,7 +122,7 @@ impl Asked<'_> {
                 self.refuse("", &format!("vehicle \"{}\": {error}", self.name()))
             })?,
         };
-        let window = window(self.lines, &speeds);
+        let window = window(self.case, self.lines, &speeds);
         // Load and radius go into the bogie.
         let values = Values3 {
             load: None,

@@ -4,6 +4,7 @@ mod case_file;
 mod closed_forms;
 mod contact;
 mod damage;
+mod damage_in_loop;
 mod damage_stress;
 mod general_loop;
 mod measured_resonances;

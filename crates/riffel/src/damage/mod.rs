@@ -123,6 +123,24 @@ impl Damage {
         depths.sum()
     }
 
+    /// Mean depth per passage \[m\] on a smooth rail under a load \[N\], of all laws that take some away.
+    pub(crate) fn mean_depth(&self, mean: Mean, load: f64) -> f64 {
+        let depths = self.laws.iter().map(|law| match law {
+            DamageLaw::Wear => mean.wear * mean.energy,
+            DamageLaw::Load(law) => law.depth_per_force * load,
+            DamageLaw::Flow(flow) => flow.mean_depth(&self.demand, Complex64::ZERO),
+            DamageLaw::Fatigue(fatigue) => fatigue.loss * fatigue.growing().value(mean.energy),
+            DamageLaw::FlowAlong(_) | DamageLaw::Bending(_) => 0.0,
+        });
+        depths.sum()
+    }
+
+    /// Whether a rate of growth cannot last beyond what its mean depth allows: flow along the rail and bending take none away.
+    pub(crate) fn is_bound_by_depth(&self) -> bool {
+        let mut laws = self.laws.iter();
+        !laws.any(|law| matches!(law, DamageLaw::FlowAlong(_) | DamageLaw::Bending(_)))
+    }
+
     /// h₁ \[m\] of a law.
     fn depth_1(&self, law: &DamageLaw, mean: Mean, at: &Oscillation) -> Complex64 {
         match law {

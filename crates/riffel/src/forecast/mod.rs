@@ -18,6 +18,7 @@ mod distribution;
 mod growing_sum;
 mod jackknife;
 mod lines;
+mod marched;
 mod mean_growth;
 mod passages_until;
 mod prediction;

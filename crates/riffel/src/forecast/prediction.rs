@@ -1,6 +1,7 @@
 //! The spectrum after some passages.
 
 use super::bend::Bend;
+use super::marched::Marched;
 use super::passages_until::passages_until;
 use super::traffic::lines_of;
 use super::{GrowingSum, LINES_PER_BAND, TrafficGrowth, VehicleGrowth};
@@ -66,6 +67,8 @@ pub struct ForecastBand {
     place: usize,
     /// Where its rate needs all the wear of the rail; none where it never does, and for a measured rate.
     bend: Option<Bend>,
+    /// Its course where its rates depend on its amplitude.
+    marched: Option<Marched>,
 }
 
 /// The amplitude up to which the loop is linear: |P₁| < P₀, wheel and rail in contact.
@@ -83,6 +86,10 @@ impl ForecastBand {
     /// Level after some axle passages \[dB re 1 µm\], within the linear range and beyond: by the exponentials, and from where
     /// they would need more than the mean wear of the rail along with that.
     pub fn level(&self, passages: f64) -> f64 {
+        if let Some(marched) = &self.marched {
+            let change = marched.ln_at(passages) - marched.ln_at(0.0);
+            return self.now.level + 10.0 / std::f64::consts::LN_10 * change;
+        }
         match self.bend.filter(|bend| passages > bend.passages) {
             Some(bend) => level(bend.mean_square(passages)),
             None => self.now.level + self.sum.level_change(passages),
@@ -91,6 +98,9 @@ impl ForecastBand {
 
     /// Axle passages until a level is reached \[dB re 1 µm\].
     pub fn passages_to(&self, level: f64) -> Option<f64> {
+        if let Some(marched) = &self.marched {
+            return marched.passages_to(mean_square(level).ln());
+        }
         let passages = self.sum.passages_to(mean_square(level))?;
         match self.bend.filter(|bend| passages > bend.passages) {
             Some(bend) => bend.passages_to(mean_square(level)),
@@ -125,13 +135,18 @@ impl Forecast {
                 let rates = traffic.forecast_lines(place);
                 let sum = GrowingSum::new(rates.map(|rate| (line, rate)));
                 let of_loop = traffic.is_of_loop(place);
-                let bend = of_loop.then(|| Bend::of(&sum, traffic.mean_wear().depth));
+                let marched = traffic
+                    .rates_by_amplitude(place)
+                    .map(|rates| Marched::new(&[line; LINES_PER_BAND], &rates));
+                // Mean depths of flow follow the amplitude, too: no bound is known there.
+                let bend = (of_loop && marched.is_none() && traffic.mean_wear().bounds_growth).then(|| Bend::of(&sum, traffic.mean_wear().depth));
                 let bend = bend.flatten();
                 Some(ForecastBand {
                     now,
                     sum,
                     place,
                     bend,
+                    marched,
                 })
             })
             .collect();
@@ -249,6 +264,14 @@ fn force_range<'a>(
             )
         };
         let all = force(&bands);
+        if bands.iter().any(|band| band.marched.is_some()) {
+            let each = bands.iter().map(|band| (*band, force(&[*band])));
+            return LinearRange {
+                force_ratio: all.mean_square(0.0).sqrt(),
+                passages: parts_after(&each.collect::<Vec<_>>(), 0.0),
+                vehicle,
+            };
+        }
         let passages = all.passages_to(1.0).and_then(|passages| {
             match bands
                 .iter()

@@ -1,5 +1,6 @@
 //! Growth under a mix of vehicles.
 
+use super::marched::RatesByAmplitude;
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
 use crate::feedback::Loop;
 use crate::growth::{Axis, GrowthCourse};
@@ -25,6 +26,10 @@ pub struct VehicleGrowth {
     pub course: Option<GrowthCourse>,
     /// Mean depth worn off the rail per passage \[m\].
     pub wear_depth: f64,
+    /// Rates by line at rising amplitudes of the wave \[m\]; none where they do not depend on it.
+    by_amplitude: Vec<(f64, Vec<f64>)>,
+    /// Whether that depth bounds its rates.
+    bounded_by_wear: bool,
 }
 
 impl VehicleGrowth {
@@ -65,12 +70,17 @@ impl VehicleGrowth {
         Error::unless_positive("wheel load", wheel_load, "N")?;
         let depths = places.iter();
         let depths = depths.map(|(feedback, weight)| weight * feedback.mean_wear().depth);
+        let lines = band_lines(bands);
         Ok(Self {
             name: name.to_owned(),
             share,
             wheel_load,
-            growth: MeanGrowth::between(states, &band_lines(bands), &speeds),
+            growth: MeanGrowth::between(states, &lines, &speeds),
             wear_depth: depths.sum(),
+            by_amplitude: rates_by_amplitude(states, &lines, &speeds)?,
+            bounded_by_wear: places
+                .iter()
+                .all(|(feedback, _)| feedback.mean_wear().bounds_growth),
             speeds,
             course: None,
         })
@@ -165,6 +175,15 @@ impl VehicleGrowth {
             speeds: parts.iter().map(|part| part.1.growth.speeds).sum(),
         };
         let wear_depth = mean_of(&|it| it.wear_depth);
+        let bounded_by_wear = parts.iter().all(|(_, it)| it.bounded_by_wear);
+        let amplitudes = parts.iter().map(|(_, it)| &it.by_amplitude);
+        let amplitudes = amplitudes.max_by_key(|rates| rates.len());
+        let amplitudes = amplitudes.into_iter().flatten().enumerate();
+        let by_amplitude = amplitudes.map(|(index, (amplitude, _))| {
+            let rates = (0..lines).map(|line| mean_of(&|it| it.rate_at(index, line)));
+            (*amplitude, rates.collect())
+        });
+        let by_amplitude = by_amplitude.collect();
         if let [(_, alone)] = &mut parts[..] {
             return Ok(Self {
                 name: name.to_owned(),
@@ -181,7 +200,20 @@ impl VehicleGrowth {
             growth,
             course: None,
             wear_depth,
+            by_amplitude,
+            bounded_by_wear,
         })
+    }
+
+    /// Rate of a line at one of the amplitudes at which rates are known.
+    fn rate_at(&self, index: usize, line: usize) -> f64 {
+        let known = self.by_amplitude.get(index);
+        known.map_or(self.growth.rates[line], |(_, rates)| rates[line])
+    }
+
+    /// Whether its rates depend on the amplitude of the wave.
+    pub fn depends_on_amplitude(&self) -> bool {
+        !self.by_amplitude.is_empty()
     }
 
     /// The vehicle where its contacts cover the line under study in a share of its passages \[-\], from 0 to 1, and run beside
@@ -189,7 +221,10 @@ impl VehicleGrowth {
     pub fn covering(mut self, share: f64) -> Self {
         let course = self.course.iter_mut();
         let course = course.flat_map(|course| &mut course.rates);
-        for rate in self.growth.rates.iter_mut().chain(course) {
+        let by_amplitude = self.by_amplitude.iter_mut();
+        let by_amplitude = by_amplitude.flat_map(|(_, rates)| rates);
+        let rates = self.growth.rates.iter_mut().chain(course);
+        for rate in rates.chain(by_amplitude) {
             *rate *= share;
         }
         self.growth.rate_error *= share;
@@ -367,6 +402,34 @@ impl TrafficGrowth {
         self.lines(band).iter().map(|rate| rate.max(0.0))
     }
 
+    /// Rates of the lines of a band over the amplitude of the wave; none where they do not depend on it, or were measured.
+    pub(super) fn rates_by_amplitude(&self, band: usize) -> Option<RatesByAmplitude> {
+        let mut vehicles = self.vehicles.iter();
+        let known = vehicles.find(|vehicle| vehicle.depends_on_amplitude())?;
+        if !self.is_of_loop(band) {
+            return None;
+        }
+        let rates = known.by_amplitude.iter().enumerate();
+        let rates = rates.map(|(index, (amplitude, _))| {
+            let mean = lines_of(band).map(|line| {
+                let rates = self.vehicles.iter();
+                rates
+                    .map(|vehicle| vehicle.share * vehicle.rate_at(index, line))
+                    .sum()
+            });
+            (*amplitude, mean.collect())
+        });
+        Some(RatesByAmplitude {
+            rates: rates.collect(),
+        })
+    }
+
+    /// Whether growth depends on the amplitude of the wave under any vehicle.
+    pub fn depends_on_amplitude(&self) -> bool {
+        let mut vehicles = self.vehicles.iter();
+        vehicles.any(VehicleGrowth::depends_on_amplitude)
+    }
+
     /// Whether the rates of a band, by its place, are those of the loop and not measured ones.
     pub(super) fn is_of_loop(&self, band: usize) -> bool {
         !self.measured.contains(&band)
@@ -384,6 +447,7 @@ impl TrafficGrowth {
         MeanWear {
             depth: depths.sum(),
             axle_mass: self.axle_mass(),
+            bounds_growth: self.vehicles.iter().all(|v| v.bounded_by_wear),
         }
     }
 
@@ -408,6 +472,34 @@ impl TrafficGrowth {
         let errors = self.vehicles.iter().map(|v| v.share * v.growth.rate_error);
         errors.sum()
     }
+}
+
+/// Rates of lines at amplitudes from that of a smooth rail to one that no rail bears; none where they do not depend on it.
+fn rates_by_amplitude(
+    states: &[(f64, &[(Loop, f64)])],
+    lines: &[f64],
+    speeds: &SpeedDistribution,
+) -> Result<Vec<(f64, Vec<f64>)>, Error> {
+    /// From 1 µm on, ten to each power of ten: a threshold is blurred over a quarter of its amplitude.
+    const FIRST: f64 = 1e-6;
+    const STEPS: u32 = 40;
+    let mut loops = states.iter().flat_map(|(_, places)| *places);
+    if !loops.any(|(feedback, _)| feedback.depends_on_amplitude()) {
+        return Ok(Vec::new());
+    }
+    let at = |step: u32| {
+        let amplitude = FIRST * 10f64.powf(f64::from(step) / 10.0);
+        let states = states.iter().map(|(speed, places)| {
+            let places = places.iter().map(|(feedback, weight)| {
+                Ok((feedback.clone().with_amplitude(amplitude)?, *weight))
+            });
+            Ok((*speed, places.collect::<Result<Vec<_>, Error>>()?))
+        });
+        let states = states.collect::<Result<Vec<_>, Error>>()?;
+        let states: Vec<_> = states.iter().map(|(at, places)| (*at, &places[..])).collect();
+        Ok((amplitude, MeanGrowth::between(&states, lines, speeds).rates))
+    };
+    (0..=STEPS).map(at).collect()
 }
 
 /// Places of the lines of a band.
