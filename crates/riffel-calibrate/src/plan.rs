@@ -289,7 +289,15 @@ impl Reading<'_> {
         };
         let acting: Vec<usize> =
             (0..self.parameters.len()).filter(|it| acts(&self.parameters[*it])).collect();
-        let case = self.case.with_settings(&settings(&data.set)).map_err(|error| match error {
+        let mut set = settings(&data.set);
+        // It is the same rail: with shear where the case has it, whatever these data have under it.
+        if set.iter().any(|(key, _)| key == "track.model")
+            && !set.iter().any(|(key, _)| key == "rail.beam")
+            && let Ok(beam) = Value::try_from(self.case.beam_model())
+        {
+            set.push(("rail.beam".to_owned(), beam));
+        }
+        let case = self.case.with_settings(&set).map_err(|error| match error {
             CaseError::Changed { key, message } => {
                 self.source.refuse(&format!("data[{index}].set.{key}"), &message)
             }
