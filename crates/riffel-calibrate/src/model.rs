@@ -5,7 +5,7 @@ use std::cell::OnceCell;
 use riffel::growth::RowEvaluator;
 use riffel::{Complex64, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, Setting};
+use riffel_case::{Case, LoopOnTrack, Setting};
 use toml::Value;
 
 use crate::prior::Prior;
@@ -157,6 +157,8 @@ impl Speeds {
 pub(crate) struct View {
     /// With what differs for these data.
     pub(crate) case: Case,
+    /// The same for each vehicle, with its own keys.
+    pub(crate) wheels: Vec<Case>,
     /// Which of the parameters act.
     pub(crate) acting: Vec<usize>,
 }
@@ -174,7 +176,7 @@ pub(crate) struct Trial<'a> {
     model: &'a Model,
     /// Of all parameters, in SI.
     values: &'a [f64],
-    cases: Vec<OnceCell<Result<Case, String>>>,
+    cases: Vec<OnceCell<Result<LoopOnTrack, String>>>,
 }
 
 impl Model {
@@ -187,52 +189,50 @@ impl Model {
     }
 }
 
-impl Trial<'_> {
+impl<'a> Trial<'a> {
     /// The case that a view has of it, or why there is none.
-    pub(crate) fn case(&self, view: usize) -> Result<&Case, String> {
+    pub(crate) fn case(&self, view: usize) -> Result<&LoopOnTrack, String> {
         let case = self.cases[view].get_or_init(|| {
-            let settings = self.settings(view);
-            let case = &self.model.views[view].case;
-            match settings.is_empty() {
-                true => Ok(case.clone()),
-                false => case.with_settings(&settings).map_err(|error| error.to_string()),
-            }
+            let case = self.model.views[view].case.with_numbers(&self.numbers(view));
+            case.map_err(|error| error.to_string())
         });
         case.as_ref().map_err(Clone::clone)
     }
 
     /// What the parameters give the keys of the case.
-    fn settings(&self, view: usize) -> Vec<Setting> {
-        let View { case, acting } = &self.model.views[view];
-        let mut settings: Vec<(String, f64)> = Vec::new();
+    fn numbers(&self, view: usize) -> Vec<(&'a str, f64)> {
+        let View { case, acting, .. } = &self.model.views[view];
+        let mut numbers: Vec<(&str, f64)> = Vec::new();
         for &index in acting {
             if let Role::Key(key) = &self.model.parameters[index].role {
-                settings.push((key.clone(), self.values[index]));
+                numbers.push((key, self.values[index]));
             }
         }
         for &index in acting {
             if let Role::Multiplies(key) = &self.model.parameters[index].role {
-                match settings.iter_mut().find(|setting| setting.0 == *key) {
-                    Some(setting) => setting.1 *= self.values[index],
+                match numbers.iter_mut().find(|number| number.0 == *key) {
+                    Some(number) => number.1 *= self.values[index],
                     None => {
                         let own = number_of(case, key).unwrap_or(f64::NAN);
-                        settings.push((key.clone(), own * self.values[index]));
+                        numbers.push((key, own * self.values[index]));
                     }
                 }
             }
         }
-        let settings = settings.into_iter();
-        settings.map(|(key, value)| (key, Value::Float(value))).collect()
+        numbers
     }
 
     /// Growth rates of the amplitude per axle at some wavelengths \[m\], in the mean over the traffic.
     pub(crate) fn growth_rates(&self, view: usize, lines: &[f64]) -> Result<Vec<f64>, String> {
         let mut rates = vec![0.0; lines.len()];
-        for (index, vehicle) in self.model.vehicles.iter().enumerate() {
-            let mut vehicle = vehicle.clone();
-            let mut settings = self.settings(view);
-            settings.append(&mut vehicle.settings);
-            for &acting in &self.model.views[view].acting {
+        let View { wheels, acting, .. } = &self.model.views[view];
+        for (index, (vehicle, wheel)) in self.model.vehicles.iter().zip(wheels).enumerate() {
+            let mut numbers = self.numbers(view);
+            // What the vehicle says itself, the case does not say.
+            numbers.retain(|(key, _)| !vehicle.settings.iter().any(|(own, _)| own == key));
+            let mut speeds = vehicle.speeds.clone();
+            let mut traction_share = vehicle.traction_share;
+            for &acting in acting {
                 let Role::Vehicle(of, key) = &self.model.parameters[acting].role else {
                     continue;
                 };
@@ -240,27 +240,21 @@ impl Trial<'_> {
                     continue;
                 }
                 let value = self.values[acting];
-                match (key, &mut vehicle.speeds) {
+                match (key, &mut speeds) {
                     (VehicleKey::MeanSpeed, Speeds::Normal { mean, .. }) => *mean = value,
                     (VehicleKey::SpeedDeviation, Speeds::Normal { deviation, .. }) => {
                         *deviation = value;
                     }
-                    (VehicleKey::TractionShare, _) => vehicle.traction_share = value,
-                    (VehicleKey::OfCase(key, factor), _) => {
-                        settings.push((key.clone(), Value::Float(factor * value)));
-                    }
+                    (VehicleKey::TractionShare, _) => traction_share = value,
+                    (VehicleKey::OfCase(key, factor), _) => numbers.push((key, factor * value)),
                     (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
                 }
             }
-            let nodes = vehicle.speeds.nodes();
-            let nodes = nodes.ok_or("the slowest of the vehicles would stand")?;
-            let case = self.model.views[view].case.with_settings(&settings);
-            let case = case.map_err(|error| error.to_string())?;
-            for (feedback, weight) in case.places() {
-                let factor = vehicle.share
-                    * vehicle.traction_share
-                    * weight
-                    * feedback.growth_rate_per_dissipation();
+            let nodes = speeds.nodes().ok_or("the slowest of the vehicles would stand")?;
+            let wheel = wheel.with_numbers(&numbers).map_err(|error| error.to_string())?;
+            for (feedback, weight) in wheel.places() {
+                let rate = feedback.growth_rate_per_dissipation();
+                let factor = vehicle.share * traction_share * weight * rate;
                 let mut row = vec![Complex64::ZERO; lines.len()];
                 let mut evaluator = RowEvaluator::new(feedback, lines);
                 for (speed, share) in &nodes {

@@ -42,6 +42,7 @@ struct Reading<'a> {
     file: &'a PlanFile,
     folder: &'a Path,
     case: &'a Case,
+    vehicles: &'a [Vehicle],
     parameters: Vec<Parameter>,
     views: Vec<View>,
     remarks: Vec<String>,
@@ -86,29 +87,35 @@ impl Plan {
             file: &file,
             folder,
             case: &case,
+            vehicles: &vehicles,
             parameters: Vec::new(),
             views: Vec::new(),
             remarks: Vec::new(),
         };
         for (index, parameter) in file.parameter.iter().enumerate() {
-            let parameter = reading.parameter(index, parameter, &vehicles)?;
+            let parameter = reading.parameter(index, parameter)?;
             if reading.parameters.iter().any(|other| other.name == parameter.name) {
                 let rule = format!("is \"{}\" a second time", parameter.name);
                 return Err(source.invalid(&format!("parameter[{index}]"), &rule, ""));
             }
             reading.parameters.push(parameter);
         }
-        let mut blocks = reading.blocks(&vehicles)?;
+        let mut blocks = reading.blocks()?;
         if reading.parameters.is_empty() {
             return Err(source.missing("parameter", "write one [[parameter]] or more"));
         }
+        let Reading {
+            parameters,
+            views,
+            remarks,
+            ..
+        } = reading;
         let model = Model {
-            parameters: reading.parameters,
-            views: reading.views,
+            parameters,
+            views,
             vehicles,
         };
         touch(&source, &model, &mut blocks)?;
-        let remarks = reading.remarks;
         let posterior = Posterior { model, blocks };
         Ok(Self {
             file,
@@ -144,8 +151,8 @@ impl Reading<'_> {
         &self,
         index: usize,
         written: &UncertainFile,
-        vehicles: &[Vehicle],
     ) -> Result<Parameter, CaseError> {
+        let vehicles = self.vehicles;
         let at = format!("parameter[{index}]");
         let place = |key: &str| format!("{at}.{key}");
         let wrong = |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
@@ -173,7 +180,7 @@ impl Reading<'_> {
             }
             (Some(key), None) => match key.strip_prefix("vehicle.") {
                 Some(rest) => {
-                    let vehicle = self.vehicle(&at, written, vehicles)?;
+                    let vehicle = self.vehicle(&at, written)?;
                     let of = VehicleKey::of(rest).ok_or_else(|| {
                         let rule = format!("is \"{key}\", which a vehicle does not have or which cannot be uncertain");
                         wrong("key", &rule, "take speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius or set.… after vehicle.")
@@ -258,8 +265,8 @@ impl Reading<'_> {
         &self,
         at: &str,
         written: &UncertainFile,
-        vehicles: &[Vehicle],
     ) -> Result<usize, CaseError> {
+        let vehicles = self.vehicles;
         let key = format!("{at}.key");
         if vehicles.is_empty() {
             let rule = "is a key of a vehicle, but the plan names no traffic";
@@ -304,14 +311,27 @@ impl Reading<'_> {
             error => error,
         })?;
         let same = |view: &View| view.acting == acting && view.case.file == case.file;
-        Ok(self.views.iter().position(same).unwrap_or_else(|| {
-            self.views.push(View { case, acting });
-            self.views.len() - 1
-        }))
+        if let Some(view) = self.views.iter().position(same) {
+            return Ok(view);
+        }
+        let wheels = self.vehicles.iter().map(|vehicle| {
+            let wheel = case.with_settings(&vehicle.settings);
+            wheel.map_err(|error| {
+                let message = format!("vehicle \"{}\": {error}", vehicle.name);
+                self.source.refuse("traffic", &message)
+            })
+        });
+        let wheels = wheels.collect::<Result<Vec<Case>, CaseError>>()?;
+        self.views.push(View {
+            case,
+            wheels,
+            acting,
+        });
+        Ok(self.views.len() - 1)
     }
 
     /// The data, those that share errors together.
-    fn blocks(&mut self, vehicles: &[Vehicle]) -> Result<Vec<Named>, CaseError> {
+    fn blocks(&mut self) -> Result<Vec<Named>, CaseError> {
         for (index, data) in self.file.data.iter().enumerate() {
             let same = |other: &DataFile| name_of(other) == name_of(data);
             if self.file.data[..index].iter().any(same) {
@@ -330,7 +350,7 @@ impl Reading<'_> {
             let help = "without levels of a trolley an axle box tells the shape of a spectrum only";
             return Err(self.source.invalid(&format!("data[{run}].kind"), rule, help));
         }
-        if let (Some(index), true) = (dated.first(), vehicles.is_empty()) {
+        if let (Some(index), true) = (dated.first(), self.vehicles.is_empty()) {
             let rule = "is \"dated-levels\", but the plan names no traffic that made them grow";
             return Err(self.source.invalid(&format!("data[{index}].kind"), rule, "give traffic = \"traffic.toml\""));
         }

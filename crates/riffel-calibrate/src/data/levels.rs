@@ -7,7 +7,7 @@ use std::path::Path;
 
 use riffel::forecast::{LINES_PER_BAND, band_lines};
 use riffel::roughness::ThirdOctave;
-use riffel_case::Case;
+use riffel_case::{Case, LoopOnTrack};
 use riffel_keys::CaseError;
 
 use super::{Block, table};
@@ -264,7 +264,7 @@ impl Levels {
 }
 
 /// |A/Δ|² of the axle box \[1/s⁴\] over wavelengths \[m\] at a speed \[m/s\]: the wheel as one mass.
-fn accelerations(case: &Case, lines: &[f64], speed: f64) -> Vec<f64> {
+fn accelerations(case: &LoopOnTrack, lines: &[f64], speed: f64) -> Vec<f64> {
     let lines = lines.iter();
     lines
         .map(|wavelength| {

@@ -93,3 +93,23 @@ fn predictions_are_those_of_the_second_implementation() {
         }
     }
 }
+
+#[test]
+#[ignore = "a measurement"]
+fn timing() {
+    for set in SETS {
+        let plan = plan(set);
+        let points = json(set, "likelihood_points.json");
+        let values = values(&plan, &points["points"][1]["values"]);
+        let place = plan.posterior.place(&values);
+        let time = |what: &str, work: &dyn Fn()| {
+            work();
+            let begun = Instant::now();
+            (0..20).for_each(|_| work());
+            eprintln!("{set}: {what} {:.3} ms", 50.0 * begun.elapsed().as_secs_f64());
+        };
+        time("gradient", &|| drop(plan.posterior.at(&place)));
+        time("density", &|| drop(plan.posterior.log_density(&place)));
+        
+    }
+}
