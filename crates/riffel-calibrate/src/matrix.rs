@@ -66,6 +66,16 @@ impl Matrix {
         vector
     }
 
+    /// x of Ux = b for an upper triangle.
+    pub(crate) fn backward(&self, vector: &[f64]) -> Vec<f64> {
+        let mut solved = vector.to_vec();
+        for row in (0..self.size).rev() {
+            let behind = dot(&self.row(row)[row + 1..], &solved[row + 1..]);
+            solved[row] = (solved[row] - behind) / self.at(row, row);
+        }
+        solved
+    }
+
     /// L⁻¹ of a lower triangle.
     pub(crate) fn inverse_of_triangle(&self) -> Self {
         let columns = (0..self.size).map(|column| {

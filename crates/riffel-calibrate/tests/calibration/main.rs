@@ -1,6 +1,7 @@
 //! Calibration against a second implementation and closed forms.
 
 mod likelihood;
+mod posterior;
 
 use std::path::PathBuf;
 
