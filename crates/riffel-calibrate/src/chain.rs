@@ -13,7 +13,7 @@ const STARTS: u64 = 4;
 /// Most draws of the prior until the case takes one.
 const MOST_TRIALS: u64 = 200;
 /// Probability of acceptance that steps are made for.
-const ACCEPTANCE: f64 = 0.9;
+const ACCEPTANCE: f64 = 0.8;
 /// Draws to which the covariance of the start counts as much.
 const PRIOR_DRAWS: f64 = 10.0;
 

@@ -165,7 +165,7 @@ mod tests {
                     let mut x = normal(&mut random);
                     (0..10_000)
                         .map(|_| {
-                            x = phi * x + (1.0 - phi * phi as f64).sqrt() * normal(&mut random);
+                            x = phi * x + f64::sqrt(1.0 - phi * phi) * normal(&mut random);
                             x
                         })
                         .collect()

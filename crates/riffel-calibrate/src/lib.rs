@@ -31,4 +31,4 @@ pub use plan::Plan;
 pub use posterior::{Point, Posterior};
 pub use prior::Prior;
 pub use run::{Chains, Folder};
-pub use summary::{Marginal, Summary};
+pub use summary::{Marginal, Summary, TOLD};

@@ -79,6 +79,18 @@ impl Posterior {
         self.blocks.iter().map(|named| named.block.predict(&trial)).collect()
     }
 
+    /// Names of the data that depend on a parameter.
+    pub fn data_of(&self, name: &str) -> Vec<String> {
+        let place = self.model.parameters.iter().position(|parameter| parameter.name == name);
+        let Some(place) = place else {
+            return Vec::new();
+        };
+        let touched = self.blocks.iter().filter(|named| {
+            named.touched_by.contains(&place) || named.sizes.contains(&Size::Unknown(place))
+        });
+        touched.map(|named| named.names.join(" + ")).collect()
+    }
+
     /// The data of [`predictions`](Self::predictions).
     pub fn observed(&self) -> Vec<Vec<f64>> {
         self.blocks.iter().map(|named| named.block.observed()).collect()
