@@ -682,6 +682,13 @@ fn excludes(prior: &Prior, value: f64) -> bool {
     value < low || value > high || far > EXCLUDES
 }
 
+/// Whether predictions differ by rounding alone.
+fn is_same(here: &[f64], there: &[f64]) -> bool {
+    const ROUNDING: f64 = 1e-10;
+    let mut pairs = here.iter().zip(there);
+    pairs.all(|(here, there)| (here - there).abs() <= ROUNDING * (1.0 + here.abs()))
+}
+
 /// Find which parameters each block depends on: those whose change by a tenth in z changes a prediction at one of some places.
 fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), CaseError> {
     const PLACES: [f64; 3] = [0.5, 0.35, 0.7];
@@ -711,7 +718,8 @@ fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), Ca
                 let prior = &model.parameters[index].prior;
                 let mut moved = values.clone();
                 moved[index] = prior.value(prior.place(values[index]) + CHANGE);
-                if named.block.predict(&model.trial(&moved)) != Ok(here.clone()) {
+                let there = named.block.predict(&model.trial(&moved));
+                if !there.is_ok_and(|there| is_same(&here, &there)) {
                     named.touched_by.push(index);
                 }
             }

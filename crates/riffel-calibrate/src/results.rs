@@ -131,12 +131,8 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
 /// What was measured, in the form in which it is compared.
 fn data(plan: &Plan) -> Vec<Written> {
     let blocks = plan.posterior.blocks.iter().zip(plan.posterior.observed());
-    let observed = blocks.map(|(named, values)| {
+    let observed = blocks.zip(DIMENSIONS.iter().cycle()).map(|((named, values), dimension)| {
         let name = named.names.join("+");
-        let dimension: &'static str = match named.names.first().map(String::len) {
-            _ if plan.posterior.blocks.len() == 1 => "datum",
-            _ => DIMENSIONS[plan.posterior.blocks.iter().position(|other| other.names == named.names).unwrap_or(0) % DIMENSIONS.len()],
-        };
         Written {
             group: "observed_data",
             array: Array {

@@ -113,3 +113,40 @@ fn timing() {
         
     }
 }
+
+/// Growth holds only k_w · share, and at given τ only k_w μ²: the likelihood stays the same to rounding.
+#[test]
+fn what_growth_cannot_tell_leaves_the_likelihood_alone() {
+    let plan = plan("b-three-dates");
+    let points = json("b-three-dates", "likelihood_points.json");
+    let values = values(&plan, &points["points"][0]["values"]);
+    let parameters = plan.posterior.parameters();
+    let place = |name: &str| parameters.iter().position(|it| it.name == name).unwrap();
+    let (wear, share) = (place("wear.coefficient"), place("vehicle.traction_share"));
+    let here = plan.posterior.log_likelihood(&values).unwrap();
+    for factor in [0.6, 1.7] {
+        let mut moved = values.clone();
+        moved[wear] *= factor;
+        moved[share] /= factor;
+        let there = plan.posterior.log_likelihood(&moved).unwrap();
+        assert!((there[0].1 - here[0].1).abs() < 1e-10, "{there:?} {here:?}");
+    }
+    // Friction is no parameter of the set: two cases.
+    let text = std::fs::read_to_string(crate::folder("b-three-dates").join("plan.toml")).unwrap();
+    let with_friction = |friction: f64| {
+        let copy = tempfile::tempdir().unwrap();
+        for file in ["case.toml", "traffic.toml", "roughness.csv"] {
+            std::fs::copy(crate::folder("b-three-dates").join(file), copy.path().join(file)).unwrap();
+        }
+        let set = format!("case = \"case.toml\"\nset = {{ \"contact.friction\" = {friction} }}");
+        let text = text.replacen("case = \"case.toml\"", &set, 1);
+        std::fs::write(copy.path().join("plan.toml"), text).unwrap();
+        riffel_calibrate::Plan::read(&copy.path().join("plan.toml")).unwrap()
+    };
+    let factor = 1.3;
+    let rough = with_friction(0.35 * factor);
+    let mut moved = values.clone();
+    moved[wear] /= factor * factor;
+    let there = rough.posterior.log_likelihood(&moved).unwrap();
+    assert!((there[0].1 - here[0].1).abs() < 1e-10, "{there:?} {here:?}");
+}

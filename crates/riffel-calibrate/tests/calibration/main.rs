@@ -2,6 +2,7 @@
 
 mod likelihood;
 mod posterior;
+mod refusals;
 
 use std::path::PathBuf;
 

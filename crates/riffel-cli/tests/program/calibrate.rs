@@ -1,0 +1,5 @@
+//! `riffel calibrate`
+
+use std::fs;
+
+use crate::*;
