@@ -76,7 +76,11 @@ fn prior_draw(posterior: &Posterior, random: &mut Xoshiro256PlusPlus) -> Option<
     (0..MOST_TRIALS).find_map(|_| {
         let parameters = posterior.parameters().iter();
         let at: Vec<f64> = parameters
-            .map(|parameter| parameter.prior.place(parameter.prior.quantile(uniform(random))))
+            .map(|parameter| {
+                parameter
+                    .prior
+                    .place(parameter.prior.quantile(uniform(random)))
+            })
             .collect();
         let point = posterior.at(&at)?;
         Some(Place {
@@ -91,8 +95,11 @@ impl Chain {
     /// A chain at the highest of the tops that it finds from its own draws of the prior, or a little beside; none where the
     /// case takes no draw of the prior.
     pub(crate) fn begin(posterior: &Posterior, seed: u64, index: u64, warmup: u64) -> Option<Self> {
-        let scale: Vec<f64> =
-            posterior.parameters().iter().map(|it| it.prior.variance().sqrt()).collect();
+        let scale: Vec<f64> = posterior
+            .parameters()
+            .iter()
+            .map(|it| it.prior.variance().sqrt())
+            .collect();
         let potential = |at: &[f64]| posterior.at(at).map(|it| (it.log_density, it.gradient));
         let tops = (0..STARTS).filter_map(|start| {
             let mut random = random(seed, index, u64::MAX - start);
@@ -102,9 +109,9 @@ impl Chain {
         let top = tops.max_by(|one, other| one.log_density.total_cmp(&other.log_density))?;
         let covariance = covariance(&potential, &top, &scale);
         let size = scale.len();
-        let spread = covariance.cholesky().unwrap_or_else(|| {
-            Matrix::of(size, |i, j| if i == j { scale[i] } else { 0.0 })
-        });
+        let spread = covariance
+            .cholesky()
+            .unwrap_or_else(|| Matrix::of(size, |i, j| if i == j { scale[i] } else { 0.0 }));
         let mut chain = Self {
             seed,
             index,
@@ -123,7 +130,9 @@ impl Chain {
         // Beside the top, where the density reaches: a chain shows where it came from.
         let mut random = random(seed, index, u64::MAX - STARTS);
         for _ in 0..MOST_TRIALS {
-            let at: Vec<f64> = (0..size).map(|_| 2.0 * uniform(&mut random) - 1.0).collect();
+            let at: Vec<f64> = (0..size)
+                .map(|_| 2.0 * uniform(&mut random) - 1.0)
+                .collect();
             let there = chain.potential(posterior)(&at);
             if let Some((log_density, gradient)) = there {
                 chain.place = Place {
@@ -288,7 +297,11 @@ fn ends_window(number: u64, first: u64, last: u64) -> bool {
         length *= 2;
         end += length;
     }
-    if end + 2 * length > last { number == last } else { number == end }
+    if end + 2 * length > last {
+        number == last
+    } else {
+        number == end
+    }
 }
 
 impl Step {
@@ -326,7 +339,11 @@ impl Window {
 
     fn add(&mut self, place: &[f64]) {
         self.count += 1.0;
-        let before: Vec<f64> = place.iter().zip(&self.mean).map(|(z, mean)| z - mean).collect();
+        let before: Vec<f64> = place
+            .iter()
+            .zip(&self.mean)
+            .map(|(z, mean)| z - mean)
+            .collect();
         for (mean, before) in self.mean.iter_mut().zip(&before) {
             *mean += before / self.count;
         }

@@ -55,9 +55,7 @@ pub enum CalibrationError {
     },
 
     /// The case takes no values of the priors.
-    #[error(
-        "the case takes none of 200 draws of the priors: {reason}"
-    )]
+    #[error("the case takes none of 200 draws of the priors: {reason}")]
     #[diagnostic(help("narrow the priors, or cut them off by min and max"))]
     NoStart {
         /// What it says of the last.

@@ -65,7 +65,11 @@ impl Gaussian {
         if let Some(diagonal) = &self.diagonal {
             let size = sizes[0];
             let turned = diagonal.turn.times(residuals);
-            let variances: Vec<f64> = diagonal.values.iter().map(|value| 1.0 + size * size * value).collect();
+            let variances: Vec<f64> = diagonal
+                .values
+                .iter()
+                .map(|value| 1.0 + size * size * value)
+                .collect();
             let weighted: Vec<f64> = turned.iter().zip(&variances).map(|(r, v)| r / v).collect();
             let logs: f64 = variances.iter().map(|v| v.ln()).sum();
             let terms = diagonal.values.iter().zip(&variances).zip(&weighted);
@@ -105,7 +109,9 @@ impl Gaussian {
 
 /// Half of ln |LLᵀ|.
 fn log_determinant(lower: &Matrix) -> f64 {
-    (0..lower.size).map(|index| lower.at(index, index).ln()).sum()
+    (0..lower.size)
+        .map(|index| lower.at(index, index).ln())
+        .sum()
 }
 
 #[cfg(test)]
@@ -123,7 +129,11 @@ mod tests {
         let part = Kernel::Matern32 { length: 0.5 }.matrix(&place);
         for (gain, expected) in [(0.0, 2.5701848216856784), (0.03f64, 2.509145346360277)] {
             let noise = Matrix::of(3, |row, column| {
-                let own = if row == column { error[row].powi(2) } else { 0.0 };
+                let own = if row == column {
+                    error[row].powi(2)
+                } else {
+                    0.0
+                };
                 own + gain * gain
             });
             let one = Gaussian::new(noise.clone(), vec![part.clone()]).unwrap();

@@ -59,6 +59,8 @@ impl Kernel {
     /// Between some places.
     #[cfg(test)]
     pub(crate) fn matrix(self, places: &[f64]) -> Matrix {
-        Matrix::of(places.len(), |row, column| self.at(places[row] - places[column]))
+        Matrix::of(places.len(), |row, column| {
+            self.at(places[row] - places[column])
+        })
     }
 }

@@ -88,7 +88,10 @@ pub(crate) struct Vehicle {
 /// How fast a kind of vehicle runs.
 #[derive(Debug, Clone)]
 pub(crate) enum Speeds {
-    Normal { mean: f64, deviation: f64 },
+    Normal {
+        mean: f64,
+        deviation: f64,
+    },
     /// Speeds with their shares.
     Listed(Vec<(f64, f64)>),
 }
@@ -193,7 +196,9 @@ impl<'a> Trial<'a> {
     /// The case that a view has of it, or why there is none.
     pub(crate) fn case(&self, view: usize) -> Result<&LoopOnTrack, String> {
         let case = self.cases[view].get_or_init(|| {
-            let case = self.model.views[view].case.with_numbers(&self.numbers(view));
+            let case = self.model.views[view]
+                .case
+                .with_numbers(&self.numbers(view));
             case.map_err(|error| error.to_string())
         });
         case.as_ref().map_err(Clone::clone)
@@ -250,8 +255,12 @@ impl<'a> Trial<'a> {
                     (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
                 }
             }
-            let nodes = speeds.nodes().ok_or("the slowest of the vehicles would stand")?;
-            let wheel = wheel.with_numbers(&numbers).map_err(|error| error.to_string())?;
+            let nodes = speeds
+                .nodes()
+                .ok_or("the slowest of the vehicles would stand")?;
+            let wheel = wheel
+                .with_numbers(&numbers)
+                .map_err(|error| error.to_string())?;
             for (feedback, weight) in wheel.places() {
                 let rate = feedback.growth_rate_per_dissipation();
                 let factor = vehicle.share * traction_share * weight * rate;

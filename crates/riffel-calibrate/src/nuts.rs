@@ -137,7 +137,10 @@ impl Tree {
         let proposal = self.proposal.clone();
         let [early, late] = if forward { [self, new] } else { [new, self] };
         let add = |one: &[f64], other: &[f64]| -> Vec<f64> {
-            one.iter().zip(other).map(|(one, other)| one + other).collect()
+            one.iter()
+                .zip(other)
+                .map(|(one, other)| one + other)
+                .collect()
         };
         let sum = add(&early.sum, &late.sum);
         let turns = |sum: &[f64], first: &Phase, last: &Phase| {
@@ -254,7 +257,9 @@ mod tests {
             (place, _) = transition(&potential, &place, 0.6, &mut random);
             let (x, y) = (place.at[0], place.at[1]);
             let terms = [x, x * x, y, y * y, f64::from(u8::from(y > 3.0))];
-            sums.iter_mut().zip(terms).for_each(|(sum, term)| *sum += term);
+            sums.iter_mut()
+                .zip(terms)
+                .for_each(|(sum, term)| *sum += term);
         }
         let means = sums.map(|sum| sum / f64::from(count));
         for (mean, (expected, tolerance)) in means.iter().zip([

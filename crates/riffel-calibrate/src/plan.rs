@@ -63,10 +63,13 @@ impl Plan {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         check_sampler(&source, &file)?;
         let case_path = folder.join(&file.case);
-        let case = Case::read_with(&case_path, &settings(&file.set)).map_err(|error| match error {
-            CaseError::Changed { key, message } => source.refuse(&format!("set.{key}"), &message),
-            error => error,
-        })?;
+        let case =
+            Case::read_with(&case_path, &settings(&file.set)).map_err(|error| match error {
+                CaseError::Changed { key, message } => {
+                    source.refuse(&format!("set.{key}"), &message)
+                }
+                error => error,
+            })?;
         let mut inputs = vec![path.to_owned(), case_path];
         let vehicles = match &file.traffic {
             None => Vec::new(),
@@ -94,7 +97,11 @@ impl Plan {
         };
         for (index, parameter) in file.parameter.iter().enumerate() {
             let parameter = reading.parameter(index, parameter)?;
-            if reading.parameters.iter().any(|other| other.name == parameter.name) {
+            if reading
+                .parameters
+                .iter()
+                .any(|other| other.name == parameter.name)
+            {
                 let rule = format!("is \"{}\" a second time", parameter.name);
                 return Err(source.invalid(&format!("parameter[{index}]"), &rule, ""));
             }
@@ -147,15 +154,12 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
 }
 
 impl Reading<'_> {
-    fn parameter(
-        &self,
-        index: usize,
-        written: &UncertainFile,
-    ) -> Result<Parameter, CaseError> {
+    fn parameter(&self, index: usize, written: &UncertainFile) -> Result<Parameter, CaseError> {
         let vehicles = self.vehicles;
         let at = format!("parameter[{index}]");
         let place = |key: &str| format!("{at}.{key}");
-        let wrong = |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
+        let wrong =
+            |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
         for (number, name) in written.in_data.iter().flatten().enumerate() {
             let known = |data: &DataFile| name_of(data) == name;
             if !self.file.data.iter().any(known) {
@@ -174,7 +178,10 @@ impl Reading<'_> {
             }
             (None, Some(key)) => {
                 let name = written.name.clone().ok_or_else(|| {
-                    self.source.missing(&place("name"), "name the factor, as in \"preload_stiffening\"")
+                    self.source.missing(
+                        &place("name"),
+                        "name the factor, as in \"preload_stiffening\"",
+                    )
                 })?;
                 (key, Role::Multiplies(key.clone()), name)
             }
@@ -192,7 +199,11 @@ impl Reading<'_> {
                     };
                     (key, Role::Vehicle(vehicle, of), name)
                 }
-                None => (key, Role::Key(key.clone()), written.name.clone().unwrap_or_else(|| key.clone())),
+                None => (
+                    key,
+                    Role::Key(key.clone()),
+                    written.name.clone().unwrap_or_else(|| key.clone()),
+                ),
             },
         };
         let of_key = match &role {
@@ -207,12 +218,20 @@ impl Reading<'_> {
                 None => {
                     let rule = format!("is \"{key}\", but the case file has no such key");
                     let help = format!("did you mean {}?", CaseKey::nearest(of_key));
-                    let which = if written.key.is_some() { "key" } else { "multiplies" };
+                    let which = if written.key.is_some() {
+                        "key"
+                    } else {
+                        "multiplies"
+                    };
                     return Err(wrong(which, &rule, &help));
                 }
             },
         };
-        let which = if written.key.is_some() { "key" } else { "multiplies" };
+        let which = if written.key.is_some() {
+            "key"
+        } else {
+            "multiplies"
+        };
         let quantity = quantity.ok_or_else(|| {
             let rule = format!("is \"{key}\", which takes a choice, a name or a whole number");
             wrong(which, &rule, "only quantities can be uncertain")
@@ -234,7 +253,10 @@ impl Reading<'_> {
             (_, None) => [f64::NEG_INFINITY, f64::INFINITY],
         };
         let prior = Prior::within(distribution, ends).ok_or_else(|| {
-            let rule = format!("leaves nothing of the range that can be computed, {} to {}", ends[0], ends[1]);
+            let rule = format!(
+                "leaves nothing of the range that can be computed, {} to {}",
+                ends[0], ends[1]
+            );
             self.source.invalid(&at, &rule, "")
         })?;
         let own = match &role {
@@ -249,7 +271,9 @@ impl Reading<'_> {
                 "excludes {}, the value of the case for `{key}`: it lies beyond the ends or four standard deviations of the prior",
                 Quantity::<Ratio>::new(own)
             );
-            return Err(self.source.invalid(&at, &rule, "widen the prior, or correct the case"));
+            return Err(self
+                .source
+                .invalid(&at, &rule, "widen the prior, or correct the case"));
         }
         Ok(Parameter {
             name,
@@ -261,16 +285,14 @@ impl Reading<'_> {
     }
 
     /// The vehicle that a parameter is of.
-    fn vehicle(
-        &self,
-        at: &str,
-        written: &UncertainFile,
-    ) -> Result<usize, CaseError> {
+    fn vehicle(&self, at: &str, written: &UncertainFile) -> Result<usize, CaseError> {
         let vehicles = self.vehicles;
         let key = format!("{at}.key");
         if vehicles.is_empty() {
             let rule = "is a key of a vehicle, but the plan names no traffic";
-            return Err(self.source.invalid(&key, rule, "give traffic = \"traffic.toml\""));
+            return Err(self
+                .source
+                .invalid(&key, rule, "give traffic = \"traffic.toml\""));
         }
         match &written.name {
             None if vehicles.len() == 1 => Ok(0),
@@ -279,10 +301,14 @@ impl Reading<'_> {
                 let help = format!("the traffic has several vehicles: {}", names.join(", "));
                 Err(self.source.missing(&format!("{at}.name"), &help))
             }
-            Some(name) => vehicles.iter().position(|vehicle| vehicle.name == *name).ok_or_else(|| {
-                let rule = format!("is \"{name}\", but no vehicle of the traffic has this name");
-                self.source.invalid(&format!("{at}.name"), &rule, "")
-            }),
+            Some(name) => vehicles
+                .iter()
+                .position(|vehicle| vehicle.name == *name)
+                .ok_or_else(|| {
+                    let rule =
+                        format!("is \"{name}\", but no vehicle of the traffic has this name");
+                    self.source.invalid(&format!("{at}.name"), &rule, "")
+                }),
         }
     }
 
@@ -294,8 +320,9 @@ impl Reading<'_> {
             None => true,
             Some(names) => names.iter().any(|name| name == name_of(data)),
         };
-        let acting: Vec<usize> =
-            (0..self.parameters.len()).filter(|it| acts(&self.parameters[*it])).collect();
+        let acting: Vec<usize> = (0..self.parameters.len())
+            .filter(|it| acts(&self.parameters[*it]))
+            .collect();
         let mut set = settings(&data.set);
         // It is the same rail: with shear where the case has it, whatever these data have under it.
         if set.iter().any(|(key, _)| key == "track.model")
@@ -305,9 +332,9 @@ impl Reading<'_> {
             set.push(("rail.beam".to_owned(), beam));
         }
         let case = self.case.with_settings(&set).map_err(|error| match error {
-            CaseError::Changed { key, message } => {
-                self.source.refuse(&format!("data[{index}].set.{key}"), &message)
-            }
+            CaseError::Changed { key, message } => self
+                .source
+                .refuse(&format!("data[{index}].set.{key}"), &message),
             error => error,
         })?;
         let same = |view: &View| view.acting == acting && view.case.file == case.file;
@@ -336,23 +363,35 @@ impl Reading<'_> {
             let same = |other: &DataFile| name_of(other) == name_of(data);
             if self.file.data[..index].iter().any(same) {
                 let rule = format!("is \"{}\" a second time", name_of(data));
-                return Err(self.source.invalid(&format!("data[{index}].name"), &rule, "give each its name"));
+                return Err(self.source.invalid(
+                    &format!("data[{index}].name"),
+                    &rule,
+                    "give each its name",
+                ));
             }
             self.check_keys(index, data)?;
         }
         let of_kind = |kind: Kind| {
             let data = self.file.data.iter().enumerate();
-            data.filter(|(_, data)| data.kind == kind).map(|(index, _)| index).collect::<Vec<usize>>()
+            data.filter(|(_, data)| data.kind == kind)
+                .map(|(index, _)| index)
+                .collect::<Vec<usize>>()
         };
         let (dated, runs) = (of_kind(Kind::DatedLevels), of_kind(Kind::AxleBox));
         if let (Some(run), true) = (runs.first(), dated.len() != 1) {
             let rule = "is \"axle-box\", which needs just one [[data]] of kind \"dated-levels\" of the same rail";
             let help = "without levels of a trolley an axle box tells the shape of a spectrum only";
-            return Err(self.source.invalid(&format!("data[{run}].kind"), rule, help));
+            return Err(self
+                .source
+                .invalid(&format!("data[{run}].kind"), rule, help));
         }
         if let (Some(index), true) = (dated.first(), self.vehicles.is_empty()) {
             let rule = "is \"dated-levels\", but the plan names no traffic that made them grow";
-            return Err(self.source.invalid(&format!("data[{index}].kind"), rule, "give traffic = \"traffic.toml\""));
+            return Err(self.source.invalid(
+                &format!("data[{index}].kind"),
+                rule,
+                "give traffic = \"traffic.toml\"",
+            ));
         }
         let mut blocks = Vec::new();
         for index in 0..self.file.data.len() {
@@ -368,13 +407,24 @@ impl Reading<'_> {
                 }
             };
             let block = block.ok_or_else(|| {
-                self.source.refuse(&format!("data[{index}].file"), "the errors of the data are zero within rounding")
+                self.source.refuse(
+                    &format!("data[{index}].file"),
+                    "the errors of the data are zero within rounding",
+                )
             })?;
-            let names: Vec<String> =
-                indices.iter().map(|index| name_of(&self.file.data[*index]).to_owned()).collect();
+            let names: Vec<String> = indices
+                .iter()
+                .map(|index| name_of(&self.file.data[*index]).to_owned())
+                .collect();
             let sized = |name: &String| {
                 let size = format!("{name}.discrepancy");
-                self.size_of(&size, indices.iter().map(|index| &self.file.data[*index]).find(|data| name_of(data) == name))
+                self.size_of(
+                    &size,
+                    indices
+                        .iter()
+                        .map(|index| &self.file.data[*index])
+                        .find(|data| name_of(data) == name),
+                )
             };
             let sizes: Vec<Size> = names.iter().filter_map(sized).collect();
             let sizes = match (sizes.is_empty(), data.kind) {
@@ -396,7 +446,10 @@ impl Reading<'_> {
         match data?.discrepancy.as_ref()?.standard_deviation {
             SizeFile::Known(size) => Some(Size::Known(size)),
             SizeFile::HalfNormal { .. } => {
-                let place = self.parameters.iter().position(|parameter| parameter.name == name);
+                let place = self
+                    .parameters
+                    .iter()
+                    .position(|parameter| parameter.name == name);
                 place.map(Size::Unknown)
             }
         }
@@ -407,9 +460,21 @@ impl Reading<'_> {
         use Kind::{AxleBox, DatedLevels, DecayRate, FrequencyResponse};
         let keys: [(&str, bool, &[Kind]); 7] = [
             ("averages", data.averages.is_some(), &[FrequencyResponse]),
-            ("gain_error", data.gain_error.is_some(), &[FrequencyResponse]),
-            ("student_degrees", data.student_degrees.is_some(), &[DecayRate]),
-            ("common_error", data.common_error.is_some(), &[DatedLevels, AxleBox]),
+            (
+                "gain_error",
+                data.gain_error.is_some(),
+                &[FrequencyResponse],
+            ),
+            (
+                "student_degrees",
+                data.student_degrees.is_some(),
+                &[DecayRate],
+            ),
+            (
+                "common_error",
+                data.common_error.is_some(),
+                &[DatedLevels, AxleBox],
+            ),
             ("first_level", data.first_level.is_some(), &[DatedLevels]),
             ("at_date", data.at_date.is_some(), &[AxleBox]),
             ("speed", data.speed.is_some(), &[AxleBox]),
@@ -417,8 +482,14 @@ impl Reading<'_> {
         for (key, given, kinds) in keys {
             if given && !kinds.contains(&data.kind) {
                 let kinds: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
-                let rule = format!("belongs to {}, not to {}", kinds.join(" and "), data.kind.name());
-                return Err(self.source.invalid(&format!("data[{index}].{key}"), &rule, ""));
+                let rule = format!(
+                    "belongs to {}, not to {}",
+                    kinds.join(" and "),
+                    data.kind.name()
+                );
+                return Err(self
+                    .source
+                    .invalid(&format!("data[{index}].{key}"), &rule, ""));
             }
         }
         Ok(())
@@ -429,7 +500,9 @@ impl Reading<'_> {
             return Ok(value);
         }
         let rule = format!("is {value}, but must be finite and greater than zero");
-        Err(self.source.invalid(&format!("data[{index}].{key}"), &rule, ""))
+        Err(self
+            .source
+            .invalid(&format!("data[{index}].{key}"), &rule, ""))
     }
 
     fn frequency_response(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
@@ -440,7 +513,9 @@ impl Reading<'_> {
         let gain_error = data.gain_error.unwrap_or(0.03);
         if !(gain_error.is_finite() && gain_error >= 0.0) {
             let rule = format!("is {gain_error}, but must be zero or more");
-            return Err(self.source.invalid(&format!("data[{index}].gain_error"), &rule, ""));
+            return Err(self
+                .source
+                .invalid(&format!("data[{index}].gain_error"), &rule, ""));
         }
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
@@ -458,16 +533,28 @@ impl Reading<'_> {
 
     fn decay_rate(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
         let data = &self.file.data[index];
-        let degrees = self.positive(index, "student_degrees", data.student_degrees.unwrap_or(5.0))?;
+        let degrees = self.positive(
+            index,
+            "student_degrees",
+            data.student_degrees.unwrap_or(5.0),
+        )?;
         let student = StudentsT::new(0.0, 1.0, degrees);
         let student = student.map_err(|error| {
-            self.source.refuse(&format!("data[{index}].student_degrees"), &error.to_string())
+            self.source.refuse(
+                &format!("data[{index}].student_degrees"),
+                &error.to_string(),
+            )
         })?;
         if let Some(discrepancy) = &data.discrepancy
             && discrepancy.kind != "band"
         {
-            let rule = format!("is \"{}\", but decay rates take \"band\": their bands are independent", discrepancy.kind);
-            return Err(self.source.invalid(&format!("data[{index}].discrepancy.kind"), &rule, ""));
+            let rule = format!(
+                "is \"{}\", but decay rates take \"band\": their bands are independent",
+                discrepancy.kind
+            );
+            return Err(self
+                .source
+                .invalid(&format!("data[{index}].discrepancy.kind"), &rule, ""));
         }
         self.discrepancy(index)?;
         let view = self.view(index)?;
@@ -486,7 +573,9 @@ impl Reading<'_> {
             && first != "flat"
         {
             let rule = format!("is \"{first}\", but must be \"flat\"");
-            return Err(self.source.invalid(&format!("data[{index}].first_level"), &rule, ""));
+            return Err(self
+                .source
+                .invalid(&format!("data[{index}].first_level"), &rule, ""));
         }
         let common_error = self.decibels(index, 0.3)?;
         let missed = self.discrepancy(index)?;
@@ -509,7 +598,10 @@ impl Reading<'_> {
     fn run(&mut self, index: usize, dated: &DatedLevels) -> Result<AxleBoxRun, CaseError> {
         let data = &self.file.data[index];
         let speed = data.speed.ok_or_else(|| {
-            self.source.missing(&format!("data[{index}].speed"), "give the speed of the run, as in speed = \"100 km/h\"")
+            self.source.missing(
+                &format!("data[{index}].speed"),
+                "give the speed of the run, as in speed = \"100 km/h\"",
+            )
         })?;
         let speed = self.positive(index, "speed", speed.si())?;
         let dates = dated.rows.iter().map(|row| row.passages);
@@ -521,8 +613,12 @@ impl Reading<'_> {
             Some(Value::Integer(passages)) if *passages >= 0 => *passages as f64,
             Some(Value::Float(passages)) if *passages >= 0.0 => *passages,
             Some(other) => {
-                let rule = format!("is {other}, but must be \"first\", \"last\" or the passages since the first date");
-                return Err(self.source.invalid(&format!("data[{index}].at_date"), &rule, ""));
+                let rule = format!(
+                    "is {other}, but must be \"first\", \"last\" or the passages since the first date"
+                );
+                return Err(self
+                    .source
+                    .invalid(&format!("data[{index}].at_date"), &rule, ""));
             }
         };
         let common_error = self.decibels(index, 0.5)?;
@@ -547,13 +643,19 @@ impl Reading<'_> {
         let number = match value {
             Value::Float(number) => Some(*number),
             Value::Integer(number) => Some(*number as f64),
-            Value::String(text) => text.strip_suffix("dB").and_then(|text| text.trim().parse().ok()),
+            Value::String(text) => text
+                .strip_suffix("dB")
+                .and_then(|text| text.trim().parse().ok()),
             _ => None,
         };
-        number.filter(|number: &f64| number.is_finite() && *number >= 0.0).ok_or_else(|| {
-            let rule = format!("is {value}, but must be a level of zero or more, as in \"0.3 dB\"");
-            self.source.invalid(&format!("data[{index}].common_error"), &rule, "")
-        })
+        number
+            .filter(|number: &f64| number.is_finite() && *number >= 0.0)
+            .ok_or_else(|| {
+                let rule =
+                    format!("is {value}, but must be a level of zero or more, as in \"0.3 dB\"");
+                self.source
+                    .invalid(&format!("data[{index}].common_error"), &rule, "")
+            })
     }
 
     /// What the model misses of some data; its size becomes a parameter where it is unknown.
@@ -581,13 +683,18 @@ impl Reading<'_> {
             if let Some(given) = given
                 && (given != only || key == "grows" && data.kind != Kind::DatedLevels)
             {
-                let rule = format!("is \"{given}\", but must be \"{only}\" for {}", data.kind.name());
+                let rule = format!(
+                    "is \"{given}\", but must be \"{only}\" for {}",
+                    data.kind.name()
+                );
                 return Err(self.source.invalid(&place(key), &rule, "or left out"));
             }
         }
         match written.standard_deviation {
             SizeFile::Known(size) if size.is_finite() && size >= 0.0 => {}
-            SizeFile::HalfNormal { half_normal } if half_normal.is_finite() && half_normal > 0.0 => {
+            SizeFile::HalfNormal { half_normal }
+                if half_normal.is_finite() && half_normal > 0.0 =>
+            {
                 self.parameters.push(Parameter {
                     name: format!("{}.discrepancy", name_of(data)),
                     unit: unit.to_owned(),
@@ -635,11 +742,17 @@ impl Reading<'_> {
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {
-            return Err(wrong("length", format!("is {length}, but must be greater than zero")));
+            return Err(wrong(
+                "length",
+                format!("is {length}, but must be greater than zero"),
+            ));
         }
         let name = written.kernel.as_deref().unwrap_or(usual.0);
         Kernel::of(name, length).ok_or_else(|| {
-            let rule = format!("is \"{name}\", but must be one of {}", Kernel::NAMES.join(", "));
+            let rule = format!(
+                "is \"{name}\", but must be one of {}",
+                Kernel::NAMES.join(", ")
+            );
             wrong("kernel", rule)
         })
     }
@@ -702,8 +815,11 @@ fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), Ca
             .collect();
         let mut reason = None;
         for share in PLACES {
-            let values: Vec<f64> =
-                model.parameters.iter().map(|it| it.prior.quantile(share)).collect();
+            let values: Vec<f64> = model
+                .parameters
+                .iter()
+                .map(|it| it.prior.quantile(share))
+                .collect();
             let here = match named.block.predict(&model.trial(&values)) {
                 Ok(here) => here,
                 Err(error) => {

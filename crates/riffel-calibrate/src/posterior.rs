@@ -43,13 +43,17 @@ impl Posterior {
     /// Values in SI of a place in z.
     pub fn values(&self, place: &[f64]) -> Vec<f64> {
         let parameters = self.model.parameters.iter().zip(place);
-        parameters.map(|(parameter, z)| parameter.prior.value(*z)).collect()
+        parameters
+            .map(|(parameter, z)| parameter.prior.value(*z))
+            .collect()
     }
 
     /// Place in z of values in SI.
     pub fn place(&self, values: &[f64]) -> Vec<f64> {
         let parameters = self.model.parameters.iter().zip(values);
-        parameters.map(|(parameter, x)| parameter.prior.place(*x)).collect()
+        parameters
+            .map(|(parameter, x)| parameter.prior.place(*x))
+            .collect()
     }
 
     /// ln likelihood of each block of data for values in SI, with the names of its data.
@@ -76,12 +80,19 @@ impl Posterior {
     /// Why the case refuses the values.
     pub fn predictions(&self, values: &[f64]) -> Result<Vec<Vec<f64>>, String> {
         let trial = self.model.trial(values);
-        self.blocks.iter().map(|named| named.block.predict(&trial)).collect()
+        self.blocks
+            .iter()
+            .map(|named| named.block.predict(&trial))
+            .collect()
     }
 
     /// Names of the data that depend on a parameter.
     pub fn data_of(&self, name: &str) -> Vec<String> {
-        let place = self.model.parameters.iter().position(|parameter| parameter.name == name);
+        let place = self
+            .model
+            .parameters
+            .iter()
+            .position(|parameter| parameter.name == name);
         let Some(place) = place else {
             return Vec::new();
         };
@@ -93,14 +104,18 @@ impl Posterior {
 
     /// The data of [`predictions`](Self::predictions).
     pub fn observed(&self) -> Vec<Vec<f64>> {
-        self.blocks.iter().map(|named| named.block.observed()).collect()
+        self.blocks
+            .iter()
+            .map(|named| named.block.observed())
+            .collect()
     }
 
     /// ln of the density of the prior in z, and its derivatives.
     fn prior(&self, place: &[f64]) -> (f64, Vec<f64>) {
         let parameters = self.model.parameters.iter().zip(place);
-        let (values, slopes): (Vec<f64>, Vec<f64>) =
-            parameters.map(|(parameter, z)| parameter.prior.log_density(*z)).unzip();
+        let (values, slopes): (Vec<f64>, Vec<f64>) = parameters
+            .map(|(parameter, z)| parameter.prior.log_density(*z))
+            .unzip();
         (values.iter().sum(), slopes)
     }
 
@@ -108,7 +123,9 @@ impl Posterior {
     pub fn log_density(&self, place: &[f64]) -> Option<f64> {
         let prior = self.prior(place).0;
         let values = self.values(place);
-        let likelihood = prior.is_finite().then(|| self.log_likelihood(&values).ok())??;
+        let likelihood = prior
+            .is_finite()
+            .then(|| self.log_likelihood(&values).ok())??;
         let sum = prior + likelihood.iter().map(|(_, value)| value).sum::<f64>();
         sum.is_finite().then_some(sum)
     }
@@ -142,7 +159,8 @@ impl Posterior {
                 continue;
             }
             let slope = self.slope(place, index, &touched, &known, STEP);
-            gradient[index] += slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
+            gradient[index] +=
+                slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
         }
         let whole = log_density.is_finite() && gradient.iter().all(|slope| slope.is_finite());
         whole.then_some(Point {
@@ -168,7 +186,10 @@ impl Posterior {
         for &block in touched {
             let (predicted, density) = &known[block];
             let there = self.blocks[block].block.predict(&trial).ok()?;
-            let differences = there.iter().zip(predicted).map(|(there, here)| there - here);
+            let differences = there
+                .iter()
+                .zip(predicted)
+                .map(|(there, here)| there - here);
             let terms = differences.zip(&density.by_prediction);
             slope += terms.map(|(difference, by)| by * difference).sum::<f64>() / step;
         }

@@ -149,7 +149,8 @@ impl Prior {
         const PARTS: u32 = 20_000;
         let parts = (0..PARTS).map(|k| (f64::from(k) + 0.5) / f64::from(PARTS));
         let places = parts.map(|u| self.place(self.quantile(u)));
-        let (sum, squares) = places.fold((0.0, 0.0), |(sum, squares), z| (sum + z, squares + z * z));
+        let (sum, squares) =
+            places.fold((0.0, 0.0), |(sum, squares), z| (sum + z, squares + z * z));
         let mean = sum / f64::from(PARTS);
         squares / f64::from(PARTS) - mean * mean
     }
@@ -175,8 +176,15 @@ mod tests {
                 min,
                 max,
             }),
-            Prior::Of(Distribution::Uniform { min: 0.05, max: 0.95 }),
-            Prior::Of(Distribution::Triangular { min: 1.0, mode: 2.0, max: 5.0 }),
+            Prior::Of(Distribution::Uniform {
+                min: 0.05,
+                max: 0.95,
+            }),
+            Prior::Of(Distribution::Triangular {
+                min: 1.0,
+                mode: 2.0,
+                max: 5.0,
+            }),
         ]
     }
 
@@ -207,7 +215,10 @@ mod tests {
             (normal, 1.0),
             (uniform, PI * PI / 3.0),
         ] {
-            assert!((prior.variance() / variance - 1.0).abs() < 2e-3, "{prior:?}");
+            assert!(
+                (prior.variance() / variance - 1.0).abs() < 2e-3,
+                "{prior:?}"
+            );
         }
     }
 }

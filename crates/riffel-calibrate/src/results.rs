@@ -52,7 +52,11 @@ fn over_draws(
     value: impl Fn(&Draw) -> f64,
 ) -> Written {
     let draws = chains.draws.first().map_or(0, Vec::len) as u64;
-    let attributes = if unit.is_empty() { json!({}) } else { json!({ "units": unit }) };
+    let attributes = if unit.is_empty() {
+        json!({})
+    } else {
+        json!({ "units": unit })
+    };
     Written {
         group,
         array: Array {
@@ -86,13 +90,21 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
     let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
     for (index, parameter) in parameters.iter().enumerate() {
         let value = |draw: &Draw| parameter.prior.value(draw.place[index]);
-        written.push(over_draws("posterior", &parameter.name, &parameter.unit, chains, value));
+        written.push(over_draws(
+            "posterior",
+            &parameter.name,
+            &parameter.unit,
+            chains,
+            value,
+        ));
     }
     written.extend(axes("posterior", count, draws));
     type Of = fn(&Draw) -> f64;
     let statistics: [(&str, Of); 7] = [
         ("lp", |draw| draw.log_density),
-        ("diverging", |draw| f64::from(u8::from(draw.statistics.diverging))),
+        ("diverging", |draw| {
+            f64::from(u8::from(draw.statistics.diverging))
+        }),
         ("energy", |draw| draw.statistics.energy),
         ("tree_depth", |draw| f64::from(draw.statistics.depth)),
         ("n_steps", |draw| f64::from(draw.statistics.steps)),
@@ -105,7 +117,9 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
     written.extend(axes("sample_stats", count, draws));
     for (index, parameter) in parameters.iter().enumerate() {
         // A grid of each prior in its own order: what quasi-random points have, one dimension at a time.
-        let root = (1..=60).fold(2.0f64, |root, _| (1.0 + root).powf(1.0 / (parameters.len() as f64 + 1.0)));
+        let root = (1..=60).fold(2.0f64, |root, _| {
+            (1.0 + root).powf(1.0 / (parameters.len() as f64 + 1.0))
+        });
         let share = |draw: u64| {
             let turn = (draw as f64 + 0.5) * root.powi(-(index as i32 + 1));
             turn.fract().clamp(1e-9, 1.0 - 1e-9)
@@ -120,7 +134,9 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
                 dimensions: vec!["chain", "draw"],
                 attributes: json!({ "units": parameter.unit }),
             },
-            values: (0..OF_PRIOR).map(|draw| parameter.prior.quantile(share(draw))).collect(),
+            values: (0..OF_PRIOR)
+                .map(|draw| parameter.prior.quantile(share(draw)))
+                .collect(),
         });
     }
     written.extend(axes("prior", 1, OF_PRIOR));
@@ -131,22 +147,26 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
 /// What was measured, in the form in which it is compared.
 fn data(plan: &Plan) -> Vec<Written> {
     let blocks = plan.posterior.blocks.iter().zip(plan.posterior.observed());
-    let observed = blocks.zip(DIMENSIONS.iter().cycle()).map(|((named, values), dimension)| {
-        let name = named.names.join("+");
-        Written {
-            group: "observed_data",
-            array: Array {
-                name: format!("observed_data/{name}"),
-                ..Array::axis("", dimension, values.len() as u64, "", "")
-            },
-            values,
-        }
-    });
+    let observed = blocks
+        .zip(DIMENSIONS.iter().cycle())
+        .map(|((named, values), dimension)| {
+            let name = named.names.join("+");
+            Written {
+                group: "observed_data",
+                array: Array {
+                    name: format!("observed_data/{name}"),
+                    ..Array::axis("", dimension, values.len() as u64, "", "")
+                },
+                values,
+            }
+        });
     observed.collect()
 }
 
 /// Names of the dimensions of the blocks of data.
-const DIMENSIONS: [&str; 6] = ["datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6"];
+const DIMENSIONS: [&str; 6] = [
+    "datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6",
+];
 
 fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), CalibrationError> {
     let written = all(plan, chains);
@@ -164,13 +184,24 @@ fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), Calibra
     let mut root = group(attributes.clone(), written.iter().map(|it| &it.array));
     let mut groups: Vec<&str> = written.iter().map(|it| it.group).collect();
     groups.dedup();
-    if let Some(metadata) = root.pointer_mut("/consolidated_metadata/metadata").and_then(Value::as_object_mut) {
-        groups.iter().for_each(|name| drop(metadata.insert((*name).to_owned(), empty())));
+    if let Some(metadata) = root
+        .pointer_mut("/consolidated_metadata/metadata")
+        .and_then(Value::as_object_mut)
+    {
+        groups
+            .iter()
+            .for_each(|name| drop(metadata.insert((*name).to_owned(), empty())));
     }
     for it in &written {
         let array = &it.array;
-        write(path.join(&array.name).join("zarr.json"), &json(&array.metadata()))?;
-        write(path.join(array.file(0)), &array.encode(&Values::Numbers(it.values.clone())))?;
+        write(
+            path.join(&array.name).join("zarr.json"),
+            &json(&array.metadata()),
+        )?;
+        write(
+            path.join(array.file(0)),
+            &array.encode(&Values::Numbers(it.values.clone())),
+        )?;
     }
     for name in groups {
         let own: Vec<Array> = written
@@ -181,7 +212,10 @@ fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), Calibra
                 ..it.array.clone()
             })
             .collect();
-        write(path.join(name).join("zarr.json"), &json(&group(attributes.clone(), &own)))?;
+        write(
+            path.join(name).join("zarr.json"),
+            &json(&group(attributes.clone(), &own)),
+        )?;
     }
     write(path.join("zarr.json"), &json(&root))
 }

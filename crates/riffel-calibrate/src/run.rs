@@ -96,10 +96,11 @@ impl<'a> Folder<'a> {
         progress: &(dyn Fn(u64) + Sync),
         stop: &Stop,
     ) -> Result<Option<Chains>, CalibrationError> {
-        let chains: Result<Vec<Option<Vec<Draw>>>, CalibrationError> = (0..self.plan.file.sampler.chains)
-            .into_par_iter()
-            .map(|chain| self.chain(chain, progress, stop))
-            .collect();
+        let chains: Result<Vec<Option<Vec<Draw>>>, CalibrationError> =
+            (0..self.plan.file.sampler.chains)
+                .into_par_iter()
+                .map(|chain| self.chain(chain, progress, stop))
+                .collect();
         let draws: Option<Vec<Vec<Draw>>> = chains?.into_iter().collect();
         Ok(draws.map(|draws| Chains { draws }))
     }
@@ -125,13 +126,16 @@ impl<'a> Folder<'a> {
             }
             let mut going = match chain.take() {
                 Some(chain) => chain,
-                None => Chain::begin(posterior, sampler.seed, index, sampler.warmup).ok_or_else(|| {
-                    let values = posterior.parameters().iter();
-                    let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
-                    let reason = posterior.log_likelihood(&values).err();
-                    let reason = reason.unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
-                    CalibrationError::NoStart { reason }
-                })?,
+                None => Chain::begin(posterior, sampler.seed, index, sampler.warmup).ok_or_else(
+                    || {
+                        let values = posterior.parameters().iter();
+                        let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
+                        let reason = posterior.log_likelihood(&values).err();
+                        let reason = reason
+                            .unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
+                        CalibrationError::NoStart { reason }
+                    },
+                )?,
             };
             let mut new = Vec::new();
             for _ in 0..length {
@@ -150,7 +154,13 @@ impl<'a> Folder<'a> {
 
     /// The array that the numbers of a part are written as.
     fn array(count: usize) -> Array {
-        Array::axis("part", "number", count as u64, "", "draws, then the state of the chain")
+        Array::axis(
+            "part",
+            "number",
+            count as u64,
+            "",
+            "draws, then the state of the chain",
+        )
     }
 
     fn keep(

@@ -58,7 +58,9 @@ impl Chains {
     /// The places in z of one parameter, chain by chain.
     pub(crate) fn places(&self, index: usize) -> Vec<Vec<f64>> {
         let chains = self.draws.iter();
-        chains.map(|draws| draws.iter().map(|draw| draw.place[index]).collect()).collect()
+        chains
+            .map(|draws| draws.iter().map(|draw| draw.place[index]).collect())
+            .collect()
     }
 
     /// What the chains say.
@@ -147,7 +149,12 @@ impl Summary {
         for marginal in &self.marginals {
             let mut cells = vec![marginal.name.clone(), marginal.unit.clone()];
             let numbers = [marginal.mean, marginal.standard_deviation];
-            cells.extend(numbers.iter().chain(&marginal.quantiles).map(|number| format!("{number:.8e}")));
+            cells.extend(
+                numbers
+                    .iter()
+                    .chain(&marginal.quantiles)
+                    .map(|number| format!("{number:.8e}")),
+            );
             cells.push(format!("{:.5}", marginal.rhat));
             cells.push(format!("{:.0}", marginal.ess_bulk));
             cells.push(format!("{:.0}", marginal.ess_tail));

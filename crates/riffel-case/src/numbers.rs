@@ -99,9 +99,12 @@ impl Case {
             return Ok(LoopOnTrack { feedback, track });
         }
         let numbers = numbers.iter();
-        let settings: Vec<_> =
-            numbers.map(|(key, value)| ((*key).to_owned(), Value::Float(*value))).collect();
-        let Self { feedback, track, .. } = self.with_settings(&settings)?;
+        let settings: Vec<_> = numbers
+            .map(|(key, value)| ((*key).to_owned(), Value::Float(*value)))
+            .collect();
+        let Self {
+            feedback, track, ..
+        } = self.with_settings(&settings)?;
         Ok(LoopOnTrack { feedback, track })
     }
 

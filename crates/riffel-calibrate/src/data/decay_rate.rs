@@ -2,8 +2,8 @@
 
 use std::path::Path;
 
-use riffel::receptance::DecayRate;
 use riffel::noise::FrequencyBand;
+use riffel::receptance::DecayRate;
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
@@ -48,7 +48,8 @@ impl DecayRates {
         let rule = "must be greater than zero";
         numbers.check(path, "decay_rate_db_per_m", rate, rule, |rate| rate > 0.0)?;
         if view.1.track.structure.is_none() {
-            let message = "the track of the case is no model with places along it, and has no decay rates";
+            let message =
+                "the track of the case is no model with places along it, and has no decay rates";
             return Err(numbers.refuse(path, 0, message));
         }
         let mut centre = Vec::new();
@@ -56,7 +57,8 @@ impl DecayRates {
             let band = FrequencyBand::containing(*f)
                 .filter(|band| (f / band.centre() - 1.0).abs() <= 0.05);
             let band = band.map(FrequencyBand::centre).ok_or_else(|| {
-                let message = format!("`frequency_hz` is {f}, but must be the centre of a one-third octave");
+                let message =
+                    format!("`frequency_hz` is {f}, but must be the centre of a one-third octave");
                 numbers.refuse(path, row, &message)
             })?;
             centre.push(band);
@@ -86,7 +88,9 @@ impl Block for DecayRates {
         let structure = case.track.structure.as_deref();
         let structure = structure.ok_or("the track has no places along it")?;
         let rates = self.centre.iter();
-        Ok(rates.map(|centre| DecayRate::of_band(structure, *centre, LINES).ln()).collect())
+        Ok(rates
+            .map(|centre| DecayRate::of_band(structure, *centre, LINES).ln())
+            .collect())
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {

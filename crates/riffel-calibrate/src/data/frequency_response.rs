@@ -48,10 +48,17 @@ impl FrequencyResponses {
         let [frequency, real, imaginary] = [0, 1, 2].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "frequency_hz", frequency, rule, |f| f > 0.0)?;
-        let response: Vec<Complex64> =
-            real.iter().zip(imaginary).map(|(re, im)| Complex64::new(*re, *im)).collect();
+        let response: Vec<Complex64> = real
+            .iter()
+            .zip(imaginary)
+            .map(|(re, im)| Complex64::new(*re, *im))
+            .collect();
         if let Some(row) = response.iter().position(|value| value.norm() == 0.0) {
-            return Err(numbers.refuse(path, row, "the receptance is zero, which has no logarithm"));
+            return Err(numbers.refuse(
+                path,
+                row,
+                "the receptance is zero, which has no logarithm",
+            ));
         }
         let position = numbers.others[0].clone();
         let coherence = numbers.others[1].as_ref();
@@ -65,7 +72,9 @@ impl FrequencyResponses {
         }
         let (low, high) = view.1.known_frequencies();
         let rule = format!("the track is known from {low:.4} to {high:.4} Hz only");
-        numbers.check(path, "frequency_hz", frequency, &rule, |f| f >= low && f <= high)?;
+        numbers.check(path, "frequency_hz", frequency, &rule, |f| {
+            f >= low && f <= high
+        })?;
         if view.1.track.structure.is_none() && position.is_some() {
             let message = "the track of the case is no model and has no places, but there is a column `position_m`";
             return Err(numbers.refuse(path, 0, message));
@@ -111,7 +120,11 @@ impl Block for FrequencyResponses {
     /// ln |H| of all lines, then arg H next to that of the datum.
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
         let case = trial.case(self.view)?;
-        let lines = self.angular_frequency.iter().zip(&self.response).enumerate();
+        let lines = self
+            .angular_frequency
+            .iter()
+            .zip(&self.response)
+            .enumerate();
         let ratios: Vec<(Complex64, Complex64)> = lines
             .map(|(row, (w, measured))| {
                 let place = self.position.as_ref().map(|position| position[row]);

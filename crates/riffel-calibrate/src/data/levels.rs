@@ -84,7 +84,13 @@ impl DatedLevels {
         let numbers = table::read(path, &columns, &[])?;
         let bands = bands(&numbers, path, case)?;
         let [level, error, passages] = [1, 2, 3].map(|column| &numbers.needed[column]);
-        numbers.check(path, "standard_error_db", error, "must be greater than zero", |e| e > 0.0)?;
+        numbers.check(
+            path,
+            "standard_error_db",
+            error,
+            "must be greater than zero",
+            |e| e > 0.0,
+        )?;
         let first = passages.iter().copied().fold(f64::INFINITY, f64::min);
         if passages.iter().all(|n| *n == first) {
             let message = "all levels are of one date, which says nothing of growth; measure again, or leave the file out";
@@ -118,7 +124,13 @@ impl AxleBoxRun {
         let numbers = table::read(path, &columns, &[])?;
         let bands = bands(&numbers, path, case)?;
         let [level, error] = [1, 2].map(|column| &numbers.needed[column]);
-        numbers.check(path, "standard_error_db", error, "must be greater than zero", |e| e > 0.0)?;
+        numbers.check(
+            path,
+            "standard_error_db",
+            error,
+            "must be greater than zero",
+            |e| e > 0.0,
+        )?;
         Ok((0..bands.len())
             .map(|row| Row {
                 band: bands[row],
@@ -157,7 +169,10 @@ impl Levels {
     /// None where errors are zero within rounding.
     pub(crate) fn new(dated: &DatedLevels, runs: &[AxleBoxRun]) -> Option<Self> {
         let mut bands: Vec<ThirdOctave> = dated.rows.iter().map(|row| row.band).collect();
-        bands.extend(runs.iter().flat_map(|run| run.rows.iter().map(|row| row.band)));
+        bands.extend(
+            runs.iter()
+                .flat_map(|run| run.rows.iter().map(|row| row.band)),
+        );
         bands.sort();
         bands.dedup();
         let level = |row: &Row, view: usize, run: Option<f64>| LevelRow {
@@ -166,8 +181,11 @@ impl Levels {
             band: bands.partition_point(|band| *band < row.band),
             run,
         };
-        let mut rows: Vec<LevelRow> =
-            dated.rows.iter().map(|row| level(row, dated.view, None)).collect();
+        let mut rows: Vec<LevelRow> = dated
+            .rows
+            .iter()
+            .map(|row| level(row, dated.view, None))
+            .collect();
         rows.sort_by(|a, b| a.row.passages.total_cmp(&b.row.passages));
         // Which common error each row has: that of its date, or of its run.
         let mut common: Vec<(usize, f64)> = Vec::new();
@@ -177,14 +195,27 @@ impl Levels {
         }
         for (number, run) in runs.iter().enumerate() {
             let begin = rows.len();
-            rows.extend(run.rows.iter().map(|row| level(row, run.view, Some(run.speed))));
+            rows.extend(
+                run.rows
+                    .iter()
+                    .map(|row| level(row, run.view, Some(run.speed))),
+            );
             common.resize(rows.len(), (number, run.common_error));
             parts.push((run.missed, begin..rows.len()));
         }
         let noise = Matrix::of(rows.len(), |i, j| {
-            let own = if i == j { rows[i].row.error.powi(2) } else { 0.0 };
-            let shared = common[i].0 == common[j].0 && rows[i].run.is_some() == rows[j].run.is_some();
-            own + if shared { common[i].1 * common[j].1 } else { 0.0 }
+            let own = if i == j {
+                rows[i].row.error.powi(2)
+            } else {
+                0.0
+            };
+            let shared =
+                common[i].0 == common[j].0 && rows[i].run.is_some() == rows[j].run.is_some();
+            own + if shared {
+                common[i].1 * common[j].1
+            } else {
+                0.0
+            }
         });
         let missed = |index: usize, kernel: Kernel, own: std::ops::Range<usize>| {
             Matrix::of(rows.len(), |i, j| {
@@ -203,8 +234,9 @@ impl Levels {
             })
         };
         let first = |row: usize| (0..row).find(|other| rows[*other].band == rows[row].band);
-        let contrasts: Vec<(usize, usize)> =
-            (0..rows.len()).filter_map(|row| Some((row, first(row)?))).collect();
+        let contrasts: Vec<(usize, usize)> = (0..rows.len())
+            .filter_map(|row| Some((row, first(row)?)))
+            .collect();
         let contrast = |matrix: Matrix| {
             Matrix::of(contrasts.len(), |i, j| {
                 let ((a, b), (c, d)) = (contrasts[i], contrasts[j]);
@@ -212,9 +244,8 @@ impl Levels {
             })
         };
         let of_size = parts.into_iter().enumerate();
-        let of_size = of_size.filter_map(|(index, (kernel, own))| {
-            Some(contrast(missed(index, kernel?, own)))
-        });
+        let of_size = of_size
+            .filter_map(|(index, (kernel, own))| Some(contrast(missed(index, kernel?, own))));
         Some(Self {
             gaussian: Gaussian::new(contrast(noise), of_size.collect())?,
             contrasts,
@@ -237,7 +268,9 @@ impl Levels {
                 }
             };
             let own = row.band * LINES_PER_BAND..(row.band + 1) * LINES_PER_BAND;
-            let grown = rates[own.clone()].iter().map(|g| (2.0 * g * row.row.passages).exp());
+            let grown = rates[own.clone()]
+                .iter()
+                .map(|g| (2.0 * g * row.row.passages).exp());
             let (mean, less) = match row.run {
                 None => (grown.sum::<f64>(), 0.0),
                 Some(speed) => {
@@ -259,7 +292,9 @@ impl Levels {
 
     fn contrast(&self, levels: &[f64]) -> Vec<f64> {
         let contrasts = self.contrasts.iter();
-        contrasts.map(|(row, first)| levels[*row] - levels[*first]).collect()
+        contrasts
+            .map(|(row, first)| levels[*row] - levels[*first])
+            .collect()
     }
 }
 

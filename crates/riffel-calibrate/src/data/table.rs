@@ -29,7 +29,11 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
     let text = decode(bytes).map_err(|byte| refuse(Some(byte.line), byte.to_string()))?;
     let find = |names: &[String]| {
         let place = |wanted: &&str| names.iter().position(|name| name == wanted);
-        needed.iter().map(place).collect::<Option<Vec<usize>>>().ok_or(())
+        needed
+            .iter()
+            .map(place)
+            .collect::<Option<Vec<usize>>>()
+            .ok_or(())
     };
     let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
     let table = table.map_err(|_| {
@@ -47,11 +51,15 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
     };
     let place = |wanted: &&str| table.names.iter().position(|name| name == wanted);
     let places: Vec<Option<usize>> = others.iter().map(place).collect();
-    numbers.others = places.iter().map(|place| place.map(|_| Vec::new())).collect();
+    numbers.others = places
+        .iter()
+        .map(|place| place.map(|_| Vec::new()))
+        .collect();
     for row in table.rows() {
         let number = |column: usize| {
             let number = row.number(column);
-            number.map_err(|rule| refuse(Some(row.line), format!("`{}` {rule}", table.names[column])))
+            number
+                .map_err(|rule| refuse(Some(row.line), format!("`{}` {rule}", table.names[column])))
         };
         numbers.lines.push(row.line);
         for (values, &column) in numbers.needed.iter_mut().zip(&table.columns) {
@@ -81,7 +89,11 @@ impl Numbers {
     ) -> Result<(), CaseError> {
         match values.iter().position(|value| !fits(*value)) {
             None => Ok(()),
-            Some(row) => Err(self.refuse(path, row, &format!("`{name}` is {}, but {rule}", values[row]))),
+            Some(row) => Err(self.refuse(
+                path,
+                row,
+                &format!("`{name}` is {}, but {rule}", values[row]),
+            )),
         }
     }
 

@@ -5,13 +5,11 @@ use std::path::PathBuf;
 use clap::Args;
 
 #[derive(Args)]
-#[command(
-    after_help = "Example: riffel calibrate plan.toml -o posterior\n\n\
+#[command(after_help = "Example: riffel calibrate plan.toml -o posterior\n\n\
         The plan names the case, the uncertain keys with their priors, and the data: frequency responses, decay rates, dated \
         levels, runs of axle boxes. The same seed gives the same draws on any number of threads.\n\n\
         Exit status: 0 done, 1 the chains allow no conclusion (results are written all the same), 2 bad input, 130 stopped by \
-        Ctrl-C (--restart goes on)."
-)]
+        Ctrl-C (--restart goes on).")]
 pub(crate) struct Calibrate {
     /// Plan of the calibration.
     #[arg(value_name = "PLAN")]

@@ -56,8 +56,16 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     let summary = chains.summary(&plan);
     let names = folder.write(&plan, &chains, &summary)?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
-    print(&format!("{title}\n{}{}: {}\n", table(&summary), path.display(), names.join(" ")))?;
-    say(format_args!("sampled in {}", duration(begun.elapsed().as_secs_f64())));
+    print(&format!(
+        "{title}\n{}{}: {}\n",
+        table(&summary),
+        path.display(),
+        names.join(" ")
+    ))?;
+    say(format_args!(
+        "sampled in {}",
+        duration(begun.elapsed().as_secs_f64())
+    ));
     print_remarks(&plan.remarks);
     print_remarks(&untold(&summary));
     let doubts = summary.doubts();
@@ -78,7 +86,11 @@ fn dry_run(plan: &Plan) -> String {
     }
     text + &format!(
         "{} data, {} chains of {} + {} draws\n",
-        plan.posterior.observed().iter().map(Vec::len).sum::<usize>(),
+        plan.posterior
+            .observed()
+            .iter()
+            .map(Vec::len)
+            .sum::<usize>(),
         plan.file.sampler.chains,
         plan.file.sampler.warmup,
         plan.file.sampler.draws
@@ -87,8 +99,16 @@ fn dry_run(plan: &Plan) -> String {
 
 /// What the data say of each parameter.
 fn table(summary: &Summary) -> String {
-    let width = summary.marginals.iter().map(|it| it.name.chars().count()).max().unwrap_or(0);
-    let mut text = format!("  {:width$}  {:>11}  {:>23}  {:>6}  told by data\n", "", "median", "90 %", "R̂");
+    let width = summary
+        .marginals
+        .iter()
+        .map(|it| it.name.chars().count())
+        .max()
+        .unwrap_or(0);
+    let mut text = format!(
+        "  {:width$}  {:>11}  {:>23}  {:>6}  told by data\n",
+        "", "median", "90 %", "R̂"
+    );
     for marginal in &summary.marginals {
         let [low, _, middle, _, high] = marginal.quantiles;
         text += &format!(

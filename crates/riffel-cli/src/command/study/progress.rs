@@ -28,7 +28,9 @@ pub(in crate::command) struct SampleProgress {
 impl SampleProgress {
     pub(in crate::command) fn new(what: &'static str, total: u64) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
-        let template = format!("{{wide_bar}} {{human_pos}} of {{human_len}} {what}  {{per_sec}}  {{eta}} left");
+        let template = format!(
+            "{{wide_bar}} {{human_pos}} of {{human_len}} {what}  {{per_sec}}  {{eta}} left"
+        );
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
