@@ -18,9 +18,20 @@ const LINTS: [&str; 7] = [
 ];
 const TESTS: [&str; 3] = ["test", "--workspace", "--quiet"];
 /// The test binaries that take seconds, besides those of the libraries.
-const QUICK: [&str; 11] = [
-    "--lib", "--test", "physics", "--test", "case", "--test", "study", "--test", "answers",
-    "--bin", "xtask",
+const QUICK: [&str; 13] = [
+    "--lib",
+    "--test",
+    "physics",
+    "--test",
+    "case",
+    "--test",
+    "study",
+    "--test",
+    "calibration",
+    "--test",
+    "answers",
+    "--bin",
+    "xtask",
 ];
 
 /// Formatting, lints, and the tests that take seconds.

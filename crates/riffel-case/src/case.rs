@@ -4,7 +4,6 @@ use std::path::Path;
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
-use riffel::growth::Bay;
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
@@ -250,10 +249,7 @@ impl Case {
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that
     /// sum to one: over a bay where supports are discrete, else one.
     pub fn places(&self) -> Vec<(Loop, f64)> {
-        let structure = self.track.structure.clone();
-        structure
-            .and_then(|track| Bay::new(&self.feedback, track))
-            .map_or_else(|| vec![(self.feedback.clone(), 1.0)], |bay| bay.places())
+        self.track.places(&self.feedback)
     }
 
     /// The creep law: as written, or the one that goes with the response.

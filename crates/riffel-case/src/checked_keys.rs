@@ -2,6 +2,7 @@
 
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use riffel::wheelset::RigidInertia;
 use riffel::{Axis, ElasticMaterial};
@@ -22,7 +23,7 @@ const MOST_MAP_POINTS: u64 = 100_000_000;
 /// written lies in its physical range.
 #[derive(Clone)]
 pub(crate) struct CheckedKeys {
-    pub(crate) text: CaseText,
+    pub(crate) text: Arc<CaseText>,
     /// Folder to which file names in the case are relative; without one the case may not name any.
     pub(crate) folder: Option<PathBuf>,
     pub(crate) file: CaseFile,
@@ -62,7 +63,7 @@ impl CheckedKeys {
             wheel.rotation.get_or_insert_default();
         }
         let keys = Self {
-            text,
+            text: Arc::new(text),
             folder: folder.map(Path::to_owned),
             file,
             given,

@@ -2,8 +2,9 @@
 
 use std::sync::Arc;
 
-use riffel::Receptance;
+use riffel::growth::Bay;
 use riffel::receptance::{CrossReceptance, MeasuredReceptance, Resonance, ResonanceKind, Support};
+use riffel::{Loop, Receptance};
 use riffel_keys::Message;
 
 /// Where the receptance of a track comes from.
@@ -42,6 +43,15 @@ impl Track {
     /// Distance of the supports \[m\], where they are discrete.
     pub fn support_spacing(&self) -> Option<f64> {
         self.structure.as_ref()?.support_spacing()
+    }
+
+    /// A loop on this track at every place of its wheel that counts for a long profile, with weights that sum to one: over a
+    /// bay where supports are discrete, else one.
+    pub fn places(&self, feedback: &Loop) -> Vec<(Loop, f64)> {
+        let structure = self.structure.clone();
+        structure
+            .and_then(|track| Bay::new(feedback, track))
+            .map_or_else(|| vec![(feedback.clone(), 1.0)], |bay| bay.places())
     }
 
     /// Receptance under a load at a distance from a support \[m\]; none without discrete supports.

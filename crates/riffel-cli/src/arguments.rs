@@ -2,6 +2,7 @@
 
 mod asked;
 mod axlebox;
+mod calibrate;
 mod forecast;
 mod listed_length;
 pub(crate) mod network;
@@ -30,6 +31,7 @@ use crate::staging::add_input;
 
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
+pub(crate) use calibrate::Calibrate;
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
@@ -153,6 +155,8 @@ pub(crate) enum Command {
     Shakedown(Shakedown),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
+    /// What measurements say of the uncertain values of a case.
+    Calibrate(Calibrate),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// The page: the whole model in a browser on this machine.

@@ -9,8 +9,9 @@ use riffel_words::{in_german, wordings};
 
 const FILE: &str = include_str!("../src/german.txt");
 
-/// Crates that do not speak German: the catalogue itself, and the Python package, whose errors are English as those of Python.
-const WITHOUT: [&str; 2] = ["riffel-words", "riffel-python"];
+/// Crates that do not speak German: the catalogue itself, the Python package, whose errors are English as those of Python, and
+/// calibration, whose plans are for those who read English manuals of statistics.
+const WITHOUT: [&str; 3] = ["riffel-words", "riffel-python", "riffel-calibrate"];
 
 /// What has no German, and why, file by file. Paths in `crates`.
 const LEFT: &[(&str, &[&str])] = &[

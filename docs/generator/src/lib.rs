@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 26] = [
+const COMMANDS: [&str; 27] = [
     "init",
     "point",
     "map",
@@ -33,6 +33,7 @@ const COMMANDS: [&str; 26] = [
     "compare",
     "noise",
     "study",
+    "calibrate",
     "figures",
     "serve",
     "page",

@@ -59,13 +59,8 @@ struct ClosedLoop {
 impl CheckedKeys {
     /// The loop of the case, and what goes with it.
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
-        let steel = self.steel()?;
         let (wavelength, speed) = self.window()?;
-        let track = self.track(Direction::Vertical)?;
-        let closed = match self.general()? {
-            Some(keys) => self.general_loop(&keys, steel, &track)?,
-            None => self.longitudinal_loop(steel, &track)?,
-        };
+        let (track, closed) = self.close()?;
         let ClosedLoop {
             feedback,
             hertz,
@@ -101,6 +96,22 @@ impl CheckedKeys {
             speed,
             remarks,
         })
+    }
+
+    /// The track and the loop on it, without a word on their validity.
+    pub(crate) fn loop_and_track(&self) -> Result<(Loop, Track), CaseError> {
+        let (track, closed) = self.close()?;
+        Ok((closed.feedback, track))
+    }
+
+    fn close(&self) -> Result<(Track, ClosedLoop), CaseError> {
+        let steel = self.steel()?;
+        let track = self.track(Direction::Vertical)?;
+        let closed = match self.general()? {
+            Some(keys) => self.general_loop(&keys, steel, &track)?,
+            None => self.longitudinal_loop(steel, &track)?,
+        };
+        Ok((track, closed))
     }
 
     /// The loop of one wheel and longitudinal creepage.

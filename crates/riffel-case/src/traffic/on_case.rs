@@ -110,6 +110,12 @@ impl Traffic {
         })
     }
 
+    /// What the vehicle of an index gives the keys of a case, in their order.
+    pub fn settings(&self, vehicle: usize) -> Vec<Setting> {
+        let own = settings_of(&self.file.vehicle[vehicle]).into_iter();
+        own.map(|(_, setting)| setting).collect()
+    }
+
     /// The remarks on the vehicles, the one with most passages first. Of several that say the same with other values the
     /// first is kept.
     fn merged(&self, remarks: Vec<Vec<Message>>) -> Vec<Message> {

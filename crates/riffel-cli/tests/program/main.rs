@@ -4,6 +4,7 @@ mod all_axes;
 mod ask;
 mod axlebox;
 mod book;
+mod calibrate;
 mod contact;
 mod contact_direction;
 mod curving;

@@ -6,6 +6,8 @@ mod design;
 pub mod file;
 mod spread;
 
+pub use spread::distribution;
+
 use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};

@@ -87,7 +87,30 @@ pub(super) fn of(
     if let Some(range) = &written.range {
         return place.range(range);
     }
-    let distribution = if let Some(uniform) = &written.uniform {
+    let written = distribution(source, &place.at, kind, written)?;
+    match written {
+        Some(distribution) => Ok(Spread::Distribution(distribution)),
+        None => unreachable!("one way is given"),
+    }
+}
+
+/// The distribution of a parameter of this kind, which stands at a place such as `parameter[2]`; none where it gives values or a
+/// range, or nothing.
+///
+/// # Errors
+/// [`CaseError`] with the key, the value and the rule.
+pub fn distribution(
+    source: &KeyFile,
+    at: &str,
+    kind: Kind,
+    written: &ParameterFile,
+) -> Result<Option<Distribution>, CaseError> {
+    let place = Place {
+        source,
+        at: at.to_owned(),
+        kind,
+    };
+    Ok(Some(if let Some(uniform) = &written.uniform {
         let (min, max) = place.ends("uniform", &uniform.min, &uniform.max)?;
         Distribution::Uniform { min, max }
     } else if let Some(normal) = &written.normal {
@@ -104,9 +127,8 @@ pub(super) fn of(
         }
         Distribution::Triangular { min, mode, max }
     } else {
-        unreachable!("one way is given")
-    };
-    Ok(Spread::Distribution(distribution))
+        return Ok(None);
+    }))
 }
 
 /// A list that is not empty and names nothing twice.

@@ -43,14 +43,14 @@ impl DecayRate {
     /// open how a band is formed: here |A|² is averaged over 64 frequencies in the exact base-ten
     /// band before the sum. Averaging mobilities instead changes a band by up to 6 %.
     ///
-    /// Cost: 33 000 receptances, some ten milliseconds for a periodic track.
+    /// Cost: 33 000 receptances at 1152 frequencies, some milliseconds for a periodic track.
     pub fn of_track(track: &dyn CrossReceptance) -> Vec<Self> {
         let bay = track.support_spacing().unwrap_or(NOMINAL_BAY);
         (20..)
             .zip(Self::NOMINAL_FREQUENCIES)
             .map(|(band, nominal_frequency)| {
                 let centre = 10f64.powf(f64::from(band) / 10.0);
-                let decay_rate = decay_rate(track, bay, centre);
+                let decay_rate = Self::of_band(track, centre, LINES);
                 let farthest = BAYS[BAYS.len() - 1] * bay;
                 Self {
                     nominal_frequency,
@@ -60,28 +60,31 @@ impl DecayRate {
             })
             .collect()
     }
-}
 
-fn decay_rate(track: &dyn CrossReceptance, bay: f64, centre: f64) -> f64 {
-    let half_band = 10f64.powf(0.05);
-    let (low, high) = (centre / half_band, centre * half_band);
-    // |A|² up to a factor that all places share.
-    let energy = |bays: f64| -> f64 {
-        (0..LINES)
-            .map(|line| {
-                let share = (f64::from(line) + 0.5) / f64::from(LINES);
-                let w = TAU * (low + (high - low) * share);
-                let from = 0.5 * bay;
-                let receptance = track.cross_receptance(w, from, from + bays * bay);
-                w.powi(4) * receptance.norm_sqr()
-            })
-            .sum()
-    };
-    let direct = energy(0.0);
-    let sum: f64 = one_sided_places(1.0)
-        .map(|(bays, length)| energy(bays) / direct * length * bay)
-        .sum();
-    10.0 / LN_10 / sum
+    /// Decay rate \[dB/m\] as [`of_track`](Self::of_track) in the one-third octave about a centre \[Hz\], |A|² averaged over a
+    /// number of frequencies: 16 in place of its 64 change a band by 0.2 %, next to the pinned-pinned frequency by 1 %.
+    pub fn of_band(track: &dyn CrossReceptance, centre: f64, lines: u32) -> f64 {
+        let bay = track.support_spacing().unwrap_or(NOMINAL_BAY);
+        let half_band = 10f64.powf(0.05);
+        let (low, high) = (centre / half_band, centre * half_band);
+        let from = 0.5 * bay;
+        let places = BAYS.map(|bays| from + bays * bay);
+        // |A|² up to a factor that all places share.
+        let mut energies = [0.0; BAYS.len()];
+        for line in 0..lines {
+            let share = (f64::from(line) + 0.5) / f64::from(lines);
+            let w = TAU * (low + (high - low) * share);
+            let receptances = track.cross_receptances(w, from, &places);
+            for (energy, receptance) in energies.iter_mut().zip(receptances) {
+                *energy += w.powi(4) * receptance.norm_sqr();
+            }
+        }
+        let sum: f64 = one_sided_places(1.0)
+            .zip(energies)
+            .map(|((_, length), energy)| energy / energies[0] * length * bay)
+            .sum();
+        10.0 / LN_10 / sum
+    }
 }
 
 /// Places of the response to one side of the force \[m\], with the length of rail \[m\] that each stands for, for bays of

@@ -96,6 +96,15 @@ pub trait CrossReceptance: Receptance {
     /// exchanged.
     fn cross_receptance(&self, angular_frequency: f64, from: f64, to: f64) -> Complex64;
 
+    /// The same from one place to several, in their order.
+    ///
+    /// Provided, so that a track whose waves serve all places finds them once.
+    fn cross_receptances(&self, angular_frequency: f64, from: f64, to: &[f64]) -> Vec<Complex64> {
+        let to = to.iter();
+        to.map(|to| self.cross_receptance(angular_frequency, from, *to))
+            .collect()
+    }
+
     /// Distance of the supports \[m\], where they are discrete.
     fn support_spacing(&self) -> Option<f64>;
 

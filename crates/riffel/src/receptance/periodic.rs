@@ -108,6 +108,11 @@ impl<R: Waveguide + Copy + 'static> CrossReceptance for PeriodicTrack<R> {
         self.floquet_waves(angular_frequency).receptance(from, to)
     }
 
+    fn cross_receptances(&self, angular_frequency: f64, from: f64, to: &[f64]) -> Vec<Complex64> {
+        let waves = self.floquet_waves(angular_frequency);
+        waves.receptances(from, to)
+    }
+
     fn support_spacing(&self) -> Option<f64> {
         Some(self.spacing)
     }
@@ -212,6 +217,45 @@ impl FloquetWaves {
             return self.between(&station, &station);
         }
         self.between(&station, &self.station(to))
+    }
+
+    /// [`receptance`](Self::receptance) from one place to several. Places that stand alike in their bays share the shapes of the
+    /// waves there, to 1e-12 of the spacing.
+    pub fn receptances(&self, from: f64, to: &[f64]) -> Vec<Complex64> {
+        const ALIKE: f64 = 1e-12;
+        let station = self.station(from);
+        let waves = &self.waves[..self.rail.count];
+        let mut known: Vec<(f64, [Complex64; 2])> = Vec::new();
+        let value = |&to: &f64| {
+            let place = InBay::new(to, self.rail.spacing);
+            if place < station.place {
+                return self.between(&station, &self.station(to));
+            }
+            let within = place.within;
+            let like = |shape: &&(f64, [Complex64; 2])| {
+                (shape.0 - within).abs() <= ALIKE * self.rail.spacing
+            };
+            let shapes = match known.iter().find(like) {
+                Some(shape) => shape.1,
+                None => {
+                    let sines = self.rail.sines(within);
+                    let mut shapes = [Complex64::ZERO; 2];
+                    for (shape, wave) in shapes.iter_mut().zip(waves) {
+                        let ahead = wave.shape(&sines, wave.multiplier);
+                        let back = wave.shape(&station.sines, wave.multiplier.inv());
+                        *shape = ahead * back * wave.norm;
+                    }
+                    known.push((within, shapes));
+                    shapes
+                }
+            };
+            let bays = (place.bay - station.place.bay) as i32;
+            let waves = waves.iter().zip(shapes);
+            waves
+                .map(|(wave, shape)| shape * wave.multiplier.powi(bays))
+                .sum()
+        };
+        to.iter().map(value).collect()
     }
 
     /// A place \[m\] from the support at x = 0, for as many receptances as start or end there.

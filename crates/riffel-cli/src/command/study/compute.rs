@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let samples: u64 = pending.iter().map(size).sum();
 
     let begun = Instant::now();
-    let progress = SampleProgress::new(samples);
+    let progress = SampleProgress::new("samples", samples);
     let work = || study.run(&folder, &pending, &|| progress.advance(), &stop);
     let outcome = match arguments.threads {
         None => work(),

@@ -2,7 +2,7 @@
 
 mod compute;
 mod merge;
-mod progress;
+pub(super) mod progress;
 mod sensitivity;
 mod statistics;
 

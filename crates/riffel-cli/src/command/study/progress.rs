@@ -13,7 +13,9 @@ use crate::messages::{is_quiet, say};
 const LINE_EVERY: Duration = Duration::from_secs(60);
 
 /// A bar with rate and time left on a terminal; elsewhere a line a minute, but none where results go to the same place.
-pub(super) struct SampleProgress {
+pub(in crate::command) struct SampleProgress {
+    /// What is counted, as in "samples".
+    what: &'static str,
     bar: ProgressBar,
     terminal: bool,
     lines: bool,
@@ -24,13 +26,16 @@ pub(super) struct SampleProgress {
 }
 
 impl SampleProgress {
-    pub(super) fn new(total: u64) -> Self {
+    pub(in crate::command) fn new(what: &'static str, total: u64) -> Self {
         let bar = ProgressBar::with_draw_target(Some(total), ProgressDrawTarget::hidden());
-        let template = "{wide_bar} {human_pos} of {human_len} samples  {per_sec}  {eta} left";
-        if let Ok(style) = ProgressStyle::with_template(template) {
+        let template = format!(
+            "{{wide_bar}} {{human_pos}} of {{human_len}} {what}  {{per_sec}}  {{eta}} left"
+        );
+        if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
         Self {
+            what,
             bar,
             terminal: stderr().is_terminal(),
             lines: !is_among_results(),
@@ -41,11 +46,16 @@ impl SampleProgress {
         }
     }
 
-    /// One more sample.
+    /// One more.
     pub(super) fn advance(&self) {
-        let done = self.done.fetch_add(1, Ordering::Relaxed) + 1;
+        self.advance_by(1);
+    }
+
+    /// Some more.
+    pub(in crate::command) fn advance_by(&self, more: u64) {
+        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
         if self.terminal {
-            self.bar.inc(1);
+            self.bar.inc(more);
             if self.bar.is_hidden() && !is_quiet() && self.begun.elapsed() > Duration::from_secs(1)
             {
                 self.bar.set_draw_target(ProgressDrawTarget::stderr());
@@ -61,8 +71,8 @@ impl SampleProgress {
             let rate = done as f64 / self.begun.elapsed().as_secs_f64();
             let left = duration((self.total - done) as f64 / rate);
             say(format_args!(
-                "{done} of {} samples, {rate:.1} a second, {left} left",
-                self.total
+                "{done} of {} {}, {rate:.1} a second, {left} left",
+                self.total, self.what
             ));
         }
     }
@@ -94,7 +104,7 @@ fn is_among_results() -> bool {
 }
 
 /// A time in the units that suit it.
-pub(super) fn duration(seconds: f64) -> String {
+pub(in crate::command) fn duration(seconds: f64) -> String {
     match seconds {
         s if s < 10.0 => format!("{s:.1} s"),
         s if s < 120.0 => format!("{s:.0} s"),

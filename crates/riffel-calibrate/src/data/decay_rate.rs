@@ -1,0 +1,130 @@
+//! Measured track decay rates.
+
+use std::path::Path;
+
+use riffel::noise::FrequencyBand;
+use riffel::receptance::DecayRate;
+use riffel_case::Case;
+use riffel_keys::CaseError;
+use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
+
+use super::{Block, table};
+use crate::gaussian::Density;
+use crate::model::Trial;
+
+/// Frequencies of a band.
+const LINES: u32 = 16;
+
+/// Decay rates of one-third octaves: ln DR_b ~ t_ν(ln DR_b of the model, √(s_b² + σ²)), bands independent. Where the grid of
+/// the measurement is too short for the rate, it is an upper bound, and its probability stands in the place of the density.
+pub(crate) struct DecayRates {
+    view: usize,
+    centre: Vec<f64>,
+    /// ln of the rates \[ln dB/m\].
+    rate: Vec<f64>,
+    error: Vec<f64>,
+    upper_bound: Vec<bool>,
+    student: StudentsT,
+}
+
+/// Standard error of ln DR of one curve where nothing is said of it.
+fn usual_error(frequency: f64) -> f64 {
+    match (190.0..=3200.0).contains(&frequency) {
+        true => 0.12,
+        false => 0.2,
+    }
+}
+
+impl DecayRates {
+    pub(crate) fn read(
+        path: &Path,
+        view: (usize, &Case),
+        student: StudentsT,
+    ) -> Result<Self, CaseError> {
+        let columns = ["frequency_hz", "decay_rate_db_per_m"];
+        let others = ["standard_error_ln", "upper_bound"];
+        let numbers = table::read(path, &columns, &others)?;
+        let [frequency, rate] = [0, 1].map(|column| &numbers.needed[column]);
+        let rule = "must be greater than zero";
+        numbers.check(path, "decay_rate_db_per_m", rate, rule, |rate| rate > 0.0)?;
+        if view.1.track.structure.is_none() {
+            let message =
+                "the track of the case is no model with places along it, and has no decay rates";
+            return Err(numbers.refuse(path, 0, message));
+        }
+        let mut centre = Vec::new();
+        for (row, f) in frequency.iter().enumerate() {
+            let band = FrequencyBand::containing(*f)
+                .filter(|band| (f / band.centre() - 1.0).abs() <= 0.05);
+            let band = band.map(FrequencyBand::centre).ok_or_else(|| {
+                let message =
+                    format!("`frequency_hz` is {f}, but must be the centre of a one-third octave");
+                numbers.refuse(path, row, &message)
+            })?;
+            centre.push(band);
+        }
+        let error = numbers.others[0].clone();
+        let error = error.unwrap_or_else(|| frequency.iter().map(|f| usual_error(*f)).collect());
+        let rule = "must be greater than zero";
+        numbers.check(path, "standard_error_ln", &error, rule, |error| error > 0.0)?;
+        let upper_bound = match &numbers.others[1] {
+            Some(values) => values.iter().map(|value| *value != 0.0).collect(),
+            None => vec![false; rate.len()],
+        };
+        Ok(Self {
+            view: view.0,
+            centre,
+            rate: rate.iter().map(|rate| rate.ln()).collect(),
+            error,
+            upper_bound,
+            student,
+        })
+    }
+}
+
+impl Block for DecayRates {
+    fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
+        let case = trial.case(self.view)?;
+        let structure = case.track.structure.as_deref();
+        let structure = structure.ok_or("the track has no places along it")?;
+        let rates = self.centre.iter();
+        Ok(rates
+            .map(|centre| DecayRate::of_band(structure, *centre, LINES).ln())
+            .collect())
+    }
+
+    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
+        let size = sizes[0];
+        let degrees = self.student.freedom();
+        let mut density = Density::default();
+        let mut by_size = 0.0;
+        for (band, predicted) in predicted.iter().enumerate() {
+            let scale = (self.error[band].powi(2) + size * size).sqrt();
+            let t = (self.rate[band] - predicted) / scale;
+            let scale_by_size = size / scale;
+            let (value, by_t, by_scale) = match self.upper_bound[band] {
+                true => {
+                    let below = self.student.cdf(t);
+                    (below.ln(), self.student.pdf(t) / below, 0.0)
+                }
+                false => {
+                    let by_t = -(degrees + 1.0) * t / (degrees + t * t);
+                    (self.student.ln_pdf(t) - scale.ln(), by_t, -1.0 / scale)
+                }
+            };
+            density.value += value;
+            density.by_prediction.push(-by_t / scale);
+            by_size += (by_scale - by_t * t / scale) * scale_by_size;
+        }
+        density.by_size.push(by_size);
+        density.value.is_finite().then_some(density)
+    }
+
+    fn views(&self) -> Vec<usize> {
+        vec![self.view]
+    }
+
+    fn observed(&self) -> Vec<f64> {
+        self.rate.clone()
+    }
+}

@@ -1,0 +1,166 @@
+//! Frequency responses of the rail under a hammer.
+
+use std::f64::consts::TAU;
+use std::path::Path;
+
+use riffel::Complex64;
+use riffel_case::Case;
+use riffel_keys::CaseError;
+
+use super::{Block, table};
+use crate::gaussian::{Density, Gaussian};
+use crate::kernel::Kernel;
+use crate::matrix::Matrix;
+use crate::model::Trial;
+
+/// Relative error of a line of which nothing is said.
+const USUAL_ERROR: f64 = 0.05;
+
+/// Receptances Ĥ at some places. ln Ĥ − ln H = gain + δ + ε on the real part, δ + ε on the imaginary part, modulo 2πi, with
+/// ε ~ N(0, (1 − γ²)/2nγ²) on each, one gain for all lines and places, δ independent between places and parts.
+///
+/// Source: Bendat & Piersol (2010), *Random Data*, section 9.2, for ε: first order, n averages of equal blows. Range: lines
+/// that are independent.
+pub(crate) struct FrequencyResponses {
+    view: usize,
+    angular_frequency: Vec<f64>,
+    position: Option<Vec<f64>>,
+    response: Vec<Complex64>,
+    parts: [Gaussian; 2],
+    /// Whether nothing is said of the errors of the lines.
+    pub(crate) usual_errors: bool,
+}
+
+impl FrequencyResponses {
+    pub(crate) fn read(
+        path: &Path,
+        view: (usize, &Case),
+        averages: Option<f64>,
+        gain_error: f64,
+        missed: Option<Kernel>,
+    ) -> Result<Self, CaseError> {
+        let columns = [
+            "frequency_hz",
+            "receptance_re_m_per_n",
+            "receptance_im_m_per_n",
+        ];
+        let numbers = table::read(path, &columns, &["position_m", "coherence"])?;
+        let [frequency, real, imaginary] = [0, 1, 2].map(|column| &numbers.needed[column]);
+        let rule = "must be greater than zero";
+        numbers.check(path, "frequency_hz", frequency, rule, |f| f > 0.0)?;
+        let response: Vec<Complex64> = real
+            .iter()
+            .zip(imaginary)
+            .map(|(re, im)| Complex64::new(*re, *im))
+            .collect();
+        if let Some(row) = response.iter().position(|value| value.norm() == 0.0) {
+            return Err(numbers.refuse(
+                path,
+                row,
+                "the receptance is zero, which has no logarithm",
+            ));
+        }
+        let position = numbers.others[0].clone();
+        let coherence = numbers.others[1].as_ref();
+        if let Some(coherence) = coherence {
+            let rule = "must be above 0 and below 1";
+            numbers.check(path, "coherence", coherence, rule, |c| c > 0.0 && c < 1.0)?;
+            if averages.is_none() {
+                let message = "has a column `coherence`, but `averages` of the plan is missing, the number of blows of each mean";
+                return Err(numbers.refuse(path, 0, message));
+            }
+        }
+        let (low, high) = view.1.known_frequencies();
+        let rule = format!("the track is known from {low:.4} to {high:.4} Hz only");
+        numbers.check(path, "frequency_hz", frequency, &rule, |f| {
+            f >= low && f <= high
+        })?;
+        if view.1.track.structure.is_none() && position.is_some() {
+            let message = "the track of the case is no model and has no places, but there is a column `position_m`";
+            return Err(numbers.refuse(path, 0, message));
+        }
+        let variance = |row: usize| match (coherence, averages) {
+            (Some(coherence), Some(averages)) => {
+                let square = coherence[row];
+                (1.0 - square) / (2.0 * averages * square)
+            }
+            _ => USUAL_ERROR * USUAL_ERROR,
+        };
+        let count = response.len();
+        let place = |row: usize| position.as_ref().map_or(0.0, |position| position[row]);
+        let kernel = missed.unwrap_or(Kernel::Band);
+        let covariance = Matrix::of(count, |row, column| {
+            let same = place(row) == place(column);
+            let distance = (frequency[row] / frequency[column]).ln();
+            if same { kernel.at(distance) } else { 0.0 }
+        });
+        let gaussian = |gain: f64| {
+            let noise = Matrix::of(count, |row, column| {
+                let own = if row == column { variance(row) } else { 0.0 };
+                own + gain * gain
+            });
+            Gaussian::new(noise, vec![covariance.clone()])
+        };
+        let parts = gaussian(gain_error).zip(gaussian(0.0));
+        let (real, imaginary) = parts.ok_or_else(|| {
+            numbers.refuse(path, 0, "the errors of the lines are zero within rounding")
+        })?;
+        Ok(Self {
+            view: view.0,
+            angular_frequency: frequency.iter().map(|f| TAU * f).collect(),
+            position,
+            response,
+            parts: [real, imaginary],
+            usual_errors: coherence.is_none(),
+        })
+    }
+}
+
+impl Block for FrequencyResponses {
+    /// ln |H| of all lines, then arg H next to that of the datum.
+    fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
+        let case = trial.case(self.view)?;
+        let lines = self
+            .angular_frequency
+            .iter()
+            .zip(&self.response)
+            .enumerate();
+        let ratios: Vec<(Complex64, Complex64)> = lines
+            .map(|(row, (w, measured))| {
+                let place = self.position.as_ref().map(|position| position[row]);
+                let receptance = match (&case.track.structure, place) {
+                    (Some(structure), Some(x)) => structure.cross_receptance(*w, x, x),
+                    _ => case.track.receptance.receptance(*w, 0.0),
+                };
+                (receptance, measured / receptance)
+            })
+            .collect();
+        let moduli = ratios.iter().map(|(receptance, _)| receptance.norm().ln());
+        let phases = ratios.iter().zip(&self.response);
+        let phases = phases.map(|((_, ratio), measured)| measured.arg() - ratio.arg());
+        Ok(moduli.chain(phases).collect())
+    }
+
+    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
+        let observed = self.observed();
+        let residuals: Vec<f64> = observed.iter().zip(predicted).map(|(y, m)| y - m).collect();
+        let (real, imaginary) = residuals.split_at(self.response.len());
+        let real = self.parts[0].density(real, sizes)?;
+        let imaginary = self.parts[1].density(imaginary, sizes)?;
+        Some(Density {
+            value: real.value + imaginary.value,
+            by_prediction: [real.by_prediction, imaginary.by_prediction].concat(),
+            by_size: vec![real.by_size[0] + imaginary.by_size[0]],
+        })
+    }
+
+    fn views(&self) -> Vec<usize> {
+        vec![self.view]
+    }
+
+    fn observed(&self) -> Vec<f64> {
+        let moduli = self.response.iter().map(|measured| measured.norm().ln());
+        let phases = self.response.iter().map(|measured| measured.arg());
+        moduli.chain(phases).collect()
+    }
+}

@@ -1,0 +1,36 @@
+//! Measurements and their likelihoods.
+
+mod decay_rate;
+mod frequency_response;
+mod levels;
+pub(crate) mod table;
+
+pub(crate) use decay_rate::DecayRates;
+pub(crate) use frequency_response::FrequencyResponses;
+pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels};
+
+use crate::gaussian::Density;
+use crate::model::Trial;
+
+/// Data that share errors: they are likely or not together.
+pub(crate) trait Block: Send + Sync {
+    /// What the model says of each datum, in the order of the data.
+    fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String>;
+
+    /// ln of the density of the data for predictions and sizes of what the model misses; none where these are beyond numbers.
+    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density>;
+
+    /// Where the model looks at its case.
+    fn views(&self) -> Vec<usize>;
+
+    /// The data, in the order of the predictions.
+    fn observed(&self) -> Vec<f64>;
+}
+
+/// How much a model misses.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Size {
+    Known(f64),
+    /// That of a parameter.
+    Unknown(usize),
+}

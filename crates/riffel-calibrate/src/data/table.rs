@@ -1,0 +1,109 @@
+//! Tables of measurements, by the names of their columns.
+
+use std::path::Path;
+
+use riffel_keys::CaseError;
+use riffel_keys::table::HeadedTable;
+use riffel_keys::text_file::{LARGEST_RESPONSES, decode, read_bounded};
+
+/// Numbers by row: columns that must be there, and others that may.
+pub(crate) struct Numbers {
+    /// Line of each row, from 1.
+    pub(crate) lines: Vec<usize>,
+    pub(crate) needed: Vec<Vec<f64>>,
+    pub(crate) others: Vec<Option<Vec<f64>>>,
+}
+
+/// Read the columns of a table.
+///
+/// # Errors
+/// [`CaseError::Read`], or [`CaseError::Data`] with the line, the column and the rule.
+pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numbers, CaseError> {
+    let bytes = read_bounded(path, "table of measurements", LARGEST_RESPONSES)?;
+    let refuse = |line: Option<usize>, message: String| CaseError::Data {
+        path: path.to_owned(),
+        line,
+        message,
+        help: None,
+    };
+    let text = decode(bytes).map_err(|byte| refuse(Some(byte.line), byte.to_string()))?;
+    let find = |names: &[String]| {
+        let place = |wanted: &&str| names.iter().position(|name| name == wanted);
+        needed
+            .iter()
+            .map(place)
+            .collect::<Option<Vec<usize>>>()
+            .ok_or(())
+    };
+    let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
+    let table = table.map_err(|_| {
+        let first = text.lines().next().unwrap_or_default();
+        let rule = format!(
+            "must have a head with the columns {}, units included, but begins with \"{first}\"",
+            needed.join(", ")
+        );
+        refuse(Some(1), rule)
+    })?;
+    let mut numbers = Numbers {
+        lines: Vec::new(),
+        needed: needed.iter().map(|_| Vec::new()).collect(),
+        others: Vec::new(),
+    };
+    let place = |wanted: &&str| table.names.iter().position(|name| name == wanted);
+    let places: Vec<Option<usize>> = others.iter().map(place).collect();
+    numbers.others = places
+        .iter()
+        .map(|place| place.map(|_| Vec::new()))
+        .collect();
+    for row in table.rows() {
+        let number = |column: usize| {
+            let number = row.number(column);
+            number
+                .map_err(|rule| refuse(Some(row.line), format!("`{}` {rule}", table.names[column])))
+        };
+        numbers.lines.push(row.line);
+        for (values, &column) in numbers.needed.iter_mut().zip(&table.columns) {
+            values.push(number(column)?);
+        }
+        for (values, column) in numbers.others.iter_mut().zip(&places) {
+            if let (Some(values), Some(column)) = (values, column) {
+                values.push(number(*column)?);
+            }
+        }
+    }
+    if numbers.lines.is_empty() {
+        return Err(refuse(None, "has no rows".to_owned()));
+    }
+    Ok(numbers)
+}
+
+impl Numbers {
+    /// That every number of a column fits a rule.
+    pub(crate) fn check(
+        &self,
+        path: &Path,
+        name: &str,
+        values: &[f64],
+        rule: &str,
+        fits: impl Fn(f64) -> bool,
+    ) -> Result<(), CaseError> {
+        match values.iter().position(|value| !fits(*value)) {
+            None => Ok(()),
+            Some(row) => Err(self.refuse(
+                path,
+                row,
+                &format!("`{name}` is {}, but {rule}", values[row]),
+            )),
+        }
+    }
+
+    /// A sentence on a row.
+    pub(crate) fn refuse(&self, path: &Path, row: usize, message: &str) -> CaseError {
+        CaseError::Data {
+            path: path.to_owned(),
+            line: Some(self.lines[row]),
+            message: message.to_owned(),
+            help: None,
+        }
+    }
+}

@@ -1,0 +1,209 @@
+//! The keys of a plan, as written.
+
+use riffel_keys::quantity::{Quantity, Speed};
+use riffel_study::file::{LognormalFile, NormalFile, ParameterFile, TriangularFile, UniformFile};
+use serde::Deserialize;
+use toml::{Table, Value};
+
+/// A plan: which values of a case are uncertain, and what was measured.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct PlanFile {
+    /// What it is, for titles.
+    #[serde(default)]
+    pub title: Option<String>,
+    /// The case file, relative to the plan.
+    pub case: String,
+    /// The traffic file, relative to the plan; only measurements of growth need one.
+    #[serde(default)]
+    pub traffic: Option<String>,
+    /// Keys of the case that are different throughout.
+    #[serde(default)]
+    pub set: Table,
+    /// How the posterior is sampled.
+    #[serde(default)]
+    pub sampler: SamplerFile,
+    /// What is uncertain.
+    #[serde(default)]
+    pub parameter: Vec<UncertainFile>,
+    /// What was measured.
+    #[serde(default)]
+    pub data: Vec<DataFile>,
+}
+
+/// How the posterior is sampled.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields, default)]
+pub struct SamplerFile {
+    /// `nuts`, the only one so far.
+    pub kind: String,
+    /// Chains that know nothing of each other.
+    pub chains: u64,
+    /// Draws of each chain that are left out: it finds its steps meanwhile.
+    pub warmup: u64,
+    /// Draws of each chain that are kept.
+    pub draws: u64,
+    /// Number that random choices follow from.
+    pub seed: u64,
+}
+
+impl Default for SamplerFile {
+    fn default() -> Self {
+        Self {
+            kind: "nuts".to_owned(),
+            chains: 4,
+            warmup: 1000,
+            draws: 1000,
+            seed: 0,
+        }
+    }
+}
+
+/// An uncertain value and its prior.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct UncertainFile {
+    /// A key of the case, or `vehicle.…` of the traffic.
+    #[serde(default)]
+    pub key: Option<String>,
+    /// The vehicle, where the traffic has several; the name of the value, where it has no key.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// The key of the case that it multiplies, in place of `key`.
+    #[serde(default)]
+    pub multiplies: Option<String>,
+    /// Names of the data in which it acts; left out, all.
+    #[serde(default)]
+    pub in_data: Option<Vec<String>>,
+    /// Uniform prior.
+    #[serde(default)]
+    pub uniform: Option<UniformFile>,
+    /// Normal prior.
+    #[serde(default)]
+    pub normal: Option<NormalFile>,
+    /// Lognormal prior.
+    #[serde(default)]
+    pub lognormal: Option<LognormalFile>,
+    /// Triangular prior.
+    #[serde(default)]
+    pub triangular: Option<TriangularFile>,
+}
+
+impl UncertainFile {
+    /// Its prior in the words of a study.
+    pub(crate) fn prior(&self) -> ParameterFile {
+        ParameterFile {
+            key: self.key.clone().unwrap_or_default(),
+            values: None,
+            range: None,
+            uniform: self.uniform.clone(),
+            normal: self.normal.clone(),
+            lognormal: self.lognormal.clone(),
+            triangular: self.triangular.clone(),
+        }
+    }
+}
+
+/// What was measured.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DataFile {
+    /// Its name in the results; left out, its kind.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// What it is.
+    pub kind: Kind,
+    /// The table, relative to the plan.
+    pub file: String,
+    /// Blows or records in the mean of each frequency response.
+    #[serde(default)]
+    pub averages: Option<f64>,
+    /// Standard deviation of ln gain, one for the whole file; left out, 0.03.
+    #[serde(default)]
+    pub gain_error: Option<f64>,
+    /// Degrees of freedom of Student's t; left out, 5.
+    #[serde(default)]
+    pub student_degrees: Option<f64>,
+    /// Standard deviation of a level that all bands of a date or a run share; left out, 0.3 dB and 0.5 dB.
+    #[serde(default)]
+    pub common_error: Option<Value>,
+    /// `flat`: nothing is known of the level of a band before it is measured.
+    #[serde(default)]
+    pub first_level: Option<String>,
+    /// The date of a run: `first`, `last`, or passages.
+    #[serde(default)]
+    pub at_date: Option<Value>,
+    /// Speed of a run.
+    #[serde(default)]
+    pub speed: Option<Quantity<Speed>>,
+    /// Keys of the case that are different for these data.
+    #[serde(default)]
+    pub set: Table,
+    /// What the model misses.
+    #[serde(default)]
+    pub discrepancy: Option<DiscrepancyFile>,
+}
+
+/// A kind of measurement.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Kind {
+    /// Receptance of the rail at some places.
+    FrequencyResponse,
+    /// Track decay rates of EN 15461.
+    DecayRate,
+    /// Roughness levels at several dates.
+    DatedLevels,
+    /// Levels of acceleration on an axle box.
+    AxleBox,
+}
+
+impl Kind {
+    /// The name in a plan.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::FrequencyResponse => "frequency-response",
+            Self::DecayRate => "decay-rate",
+            Self::DatedLevels => "dated-levels",
+            Self::AxleBox => "axle-box",
+        }
+    }
+}
+
+/// What the model misses, as a Gaussian process.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct DiscrepancyFile {
+    /// `band`, one number for each datum, or `gaussian-process`.
+    pub kind: String,
+    /// Over what it is smooth.
+    #[serde(default)]
+    pub over: Option<String>,
+    /// `matern-3/2`, `matern-5/2`, `exponential` or `squared-exponential`.
+    #[serde(default)]
+    pub kernel: Option<String>,
+    /// Its length, of what it is smooth over.
+    #[serde(default)]
+    pub length: Option<f64>,
+    /// Its size: a number, or the scale of a half-normal prior.
+    pub standard_deviation: SizeFile,
+    /// The unit of its size.
+    #[serde(default)]
+    pub unit: Option<String>,
+    /// `with passages`, for growth.
+    #[serde(default)]
+    pub grows: Option<String>,
+}
+
+/// The size of what the model misses.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(untagged)]
+pub enum SizeFile {
+    /// Known.
+    Known(f64),
+    /// Unknown.
+    HalfNormal {
+        /// Scale of its prior.
+        half_normal: f64,
+    },
+}

@@ -1,0 +1,164 @@
+//! Gaussian errors, some of whose sizes are unknown.
+
+use std::f64::consts::PI;
+
+use crate::matrix::{Matrix, dot};
+
+/// ln of the density of data, and its derivatives.
+#[derive(Debug, Clone, PartialEq, Default)]
+pub(crate) struct Density {
+    pub(crate) value: f64,
+    /// By what the model predicts of each datum.
+    pub(crate) by_prediction: Vec<f64>,
+    /// By the size of each discrepancy.
+    pub(crate) by_size: Vec<f64>,
+}
+
+/// Errors with the covariance noise + Σ σ_k² M_k.
+#[derive(Debug, Clone)]
+pub(crate) struct Gaussian {
+    noise: Matrix,
+    /// M_k.
+    parts: Vec<Matrix>,
+    /// Noise and the one part there is, both made diagonal.
+    diagonal: Option<Diagonal>,
+}
+
+/// With noise = LLᵀ and L⁻¹ML⁻ᵀ = UᵀΛU: T = U L⁻¹ makes the covariance 1 + σ²Λ.
+#[derive(Debug, Clone)]
+struct Diagonal {
+    turn: Matrix,
+    back: Matrix,
+    values: Vec<f64>,
+    log_of_noise: f64,
+}
+
+impl Gaussian {
+    /// None where the noise is not positive definite.
+    pub(crate) fn new(noise: Matrix, parts: Vec<Matrix>) -> Option<Self> {
+        let lower = noise.cholesky()?;
+        let diagonal = match &parts[..] {
+            [part] => {
+                let inverse = lower.inverse_of_triangle();
+                let inner = inverse.product(part).product(&inverse.transposed());
+                let (values, vectors) = inner.eigenvectors();
+                let turn = vectors.product(&inverse);
+                Some(Diagonal {
+                    back: turn.transposed(),
+                    turn,
+                    values,
+                    log_of_noise: log_determinant(&lower),
+                })
+            }
+            _ => None,
+        };
+        Some(Self {
+            noise,
+            parts,
+            diagonal,
+        })
+    }
+
+    /// Of residuals, data minus predictions, for sizes σ. None where the sizes are beyond numbers.
+    pub(crate) fn density(&self, residuals: &[f64], sizes: &[f64]) -> Option<Density> {
+        let norm = -0.5 * residuals.len() as f64 * (2.0 * PI).ln();
+        if let Some(diagonal) = &self.diagonal {
+            let size = sizes[0];
+            let turned = diagonal.turn.times(residuals);
+            let variances: Vec<f64> = diagonal
+                .values
+                .iter()
+                .map(|value| 1.0 + size * size * value)
+                .collect();
+            let weighted: Vec<f64> = turned.iter().zip(&variances).map(|(r, v)| r / v).collect();
+            let logs: f64 = variances.iter().map(|v| v.ln()).sum();
+            let terms = diagonal.values.iter().zip(&variances).zip(&weighted);
+            let by_size: f64 = terms.map(|((value, v), w)| value * (w * w - 1.0 / v)).sum();
+            let value = norm - diagonal.log_of_noise - 0.5 * logs - 0.5 * dot(&turned, &weighted);
+            return value.is_finite().then(|| Density {
+                value,
+                by_prediction: diagonal.back.times(&weighted),
+                by_size: vec![size * by_size],
+            });
+        }
+        let covariance = self.covariance(sizes);
+        let lower = covariance.cholesky()?;
+        let inverse = lower.inverse_of_square();
+        let weighted = inverse.times(residuals);
+        let by_size = self.parts.iter().zip(sizes).map(|(part, size)| {
+            let trace = dot(&inverse.values, &part.values);
+            size * (dot(&weighted, &part.times(&weighted)) - trace)
+        });
+        Some(Density {
+            value: norm - log_determinant(&lower) - 0.5 * dot(residuals, &weighted),
+            by_size: by_size.collect(),
+            by_prediction: weighted,
+        })
+    }
+
+    pub(crate) fn covariance(&self, sizes: &[f64]) -> Matrix {
+        let mut covariance = self.noise.clone();
+        for (part, size) in self.parts.iter().zip(sizes) {
+            for (value, part) in covariance.values.iter_mut().zip(&part.values) {
+                *value += size * size * part;
+            }
+        }
+        covariance
+    }
+}
+
+/// Half of ln |LLᵀ|.
+fn log_determinant(lower: &Matrix) -> f64 {
+    (0..lower.size)
+        .map(|index| lower.at(index, index).ln())
+        .sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::kernel::Kernel;
+
+    /// U5 of `validation/calibration/conjugate.json`: three lines with a Gaussian process over ln f, with and without an error
+    /// of gain.
+    #[test]
+    fn lines_under_a_process_have_their_closed_form() {
+        let frequency = [500f64, 600.0, 1000.0];
+        let (residual, error) = ([0.05, 0.12, -0.08], [0.02f64, 0.03, 0.02]);
+        let place: Vec<f64> = frequency.iter().map(|f| f.ln()).collect();
+        let part = Kernel::Matern32 { length: 0.5 }.matrix(&place);
+        for (gain, expected) in [(0.0, 2.5701848216856784), (0.03f64, 2.509145346360277)] {
+            let noise = Matrix::of(3, |row, column| {
+                let own = if row == column {
+                    error[row].powi(2)
+                } else {
+                    0.0
+                };
+                own + gain * gain
+            });
+            let one = Gaussian::new(noise.clone(), vec![part.clone()]).unwrap();
+            let value = one.density(&residual, &[0.1]).unwrap().value;
+            assert!((value - expected).abs() < 1e-10, "{value}");
+            // The same in two halves of equal size, which are not made diagonal.
+            let two = Gaussian::new(noise, vec![part.clone(), part.clone()]).unwrap();
+            let half = 0.1 / 2f64.sqrt();
+            let density = two.density(&residual, &[half, half]).unwrap();
+            assert!((density.value - expected).abs() < 1e-10);
+            for (at, derivative) in [(0, density.by_size[0]), (1, density.by_size[1])] {
+                let h = 1e-6;
+                let moved = |sign: f64| {
+                    let mut sizes = [half, half];
+                    sizes[at] += sign * h;
+                    two.density(&residual, &sizes).unwrap().value
+                };
+                assert!(((moved(1.0) - moved(-1.0)) / (2.0 * h) - derivative).abs() < 1e-6);
+            }
+            let of_one = one.density(&residual, &[0.1]).unwrap();
+            let both = density.by_size[0] * half + density.by_size[1] * half;
+            assert!((of_one.by_size[0] * 0.1 - both).abs() < 1e-10);
+            for (one, other) in of_one.by_prediction.iter().zip(&density.by_prediction) {
+                assert!((one - other).abs() < 1e-9);
+            }
+        }
+    }
+}

@@ -1,0 +1,34 @@
+//! # Calibration: what measurements say of a case
+//!
+//! A [`Plan`] names the uncertain keys of a case with their priors, and what was measured: frequency responses, decay rates,
+//! dated levels of roughness, runs of axle boxes. Its [`Posterior`] is how likely values are after all of it, with the errors of
+//! the instruments and with what the model misses.
+//!
+//! Statistics: Kennedy & O'Hagan (2001), *Bayesian calibration of computer models*, J. R. Stat. Soc. B 63, for
+//! y = model(θ) + δ + ε with δ Gaussian and small by prior.
+
+mod chain;
+mod data;
+pub mod diagnostics;
+mod error;
+pub mod file;
+mod gaussian;
+mod kernel;
+mod matrix;
+mod model;
+mod nuts;
+mod optimum;
+mod plan;
+mod posterior;
+mod prior;
+mod results;
+mod run;
+mod summary;
+
+pub use error::CalibrationError;
+pub use model::Parameter;
+pub use plan::Plan;
+pub use posterior::{Point, Posterior};
+pub use prior::Prior;
+pub use run::{Chains, Folder};
+pub use summary::{Marginal, Summary, TOLD};

@@ -1,0 +1,184 @@
+//! Small dense symmetric matrices, by rows.
+
+/// A square matrix.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Matrix {
+    pub(crate) size: usize,
+    pub(crate) values: Vec<f64>,
+}
+
+impl Matrix {
+    pub(crate) fn of(size: usize, value: impl Fn(usize, usize) -> f64) -> Self {
+        let places = (0..size).flat_map(|row| (0..size).map(move |column| (row, column)));
+        let values = places.map(|(row, column)| value(row, column)).collect();
+        Self { size, values }
+    }
+
+    pub(crate) fn identity(size: usize) -> Self {
+        Self::of(size, |row, column| f64::from(u8::from(row == column)))
+    }
+
+    pub(crate) fn at(&self, row: usize, column: usize) -> f64 {
+        self.values[row * self.size + column]
+    }
+
+    pub(crate) fn row(&self, row: usize) -> &[f64] {
+        &self.values[row * self.size..(row + 1) * self.size]
+    }
+
+    pub(crate) fn times(&self, vector: &[f64]) -> Vec<f64> {
+        (0..self.size)
+            .map(|row| dot(self.row(row), vector))
+            .collect()
+    }
+
+    pub(crate) fn transposed(&self) -> Self {
+        Self::of(self.size, |row, column| self.at(column, row))
+    }
+
+    pub(crate) fn product(&self, other: &Self) -> Self {
+        let other = other.transposed();
+        Self::of(self.size, |row, column| {
+            dot(self.row(row), other.row(column))
+        })
+    }
+
+    /// L of LLᵀ; none where it is not positive definite.
+    pub(crate) fn cholesky(&self) -> Option<Self> {
+        let mut lower = Self::of(self.size, |_, _| 0.0);
+        for row in 0..self.size {
+            for column in 0..=row {
+                let (before, own) = (&lower.row(row)[..column], &lower.row(column)[..column]);
+                let rest = self.at(row, column) - dot(before, own);
+                let value = match row == column {
+                    true if rest > 0.0 => rest.sqrt(),
+                    true => return None,
+                    false => rest / lower.at(column, column),
+                };
+                lower.values[row * self.size + column] = value;
+            }
+        }
+        Some(lower)
+    }
+
+    /// x of Lx = b for a lower triangle.
+    pub(crate) fn forward(&self, mut vector: Vec<f64>) -> Vec<f64> {
+        for row in 0..self.size {
+            let before = dot(&self.row(row)[..row], &vector[..row]);
+            vector[row] = (vector[row] - before) / self.at(row, row);
+        }
+        vector
+    }
+
+    /// x of Ux = b for an upper triangle.
+    pub(crate) fn backward(&self, vector: &[f64]) -> Vec<f64> {
+        let mut solved = vector.to_vec();
+        for row in (0..self.size).rev() {
+            let behind = dot(&self.row(row)[row + 1..], &solved[row + 1..]);
+            solved[row] = (solved[row] - behind) / self.at(row, row);
+        }
+        solved
+    }
+
+    /// L⁻¹ of a lower triangle.
+    pub(crate) fn inverse_of_triangle(&self) -> Self {
+        let columns = (0..self.size).map(|column| {
+            let mut unit = vec![0.0; self.size];
+            unit[column] = 1.0;
+            self.forward(unit)
+        });
+        let values = columns.flatten().collect();
+        let size = self.size;
+        Self { size, values }.transposed()
+    }
+
+    /// (LLᵀ)⁻¹ of a lower triangle.
+    pub(crate) fn inverse_of_square(&self) -> Self {
+        let inverse = self.inverse_of_triangle();
+        inverse.transposed().product(&inverse)
+    }
+
+    /// Eigenvalues and, by rows, eigenvectors of a symmetric matrix, by Jacobi's rotations.
+    pub(crate) fn eigenvectors(&self) -> (Vec<f64>, Self) {
+        const MOST_SWEEPS: usize = 50;
+        let size = self.size;
+        let mut own = self.clone();
+        let mut vectors = Self::identity(size);
+        for _ in 0..MOST_SWEEPS {
+            let off = |row: usize| (0..row).map(move |column| (row, column));
+            let off: f64 = (0..size)
+                .flat_map(off)
+                .map(|(r, c)| own.at(r, c).powi(2))
+                .sum();
+            let all: f64 = own.values.iter().map(|value| value * value).sum();
+            if off <= 1e-30 * all {
+                break;
+            }
+            for row in 1..size {
+                for column in 0..row {
+                    own.rotate(row, column, &mut vectors);
+                }
+            }
+        }
+        let values = (0..size).map(|index| own.at(index, index)).collect();
+        (values, vectors)
+    }
+
+    /// Make the entry of two axes zero.
+    fn rotate(&mut self, p: usize, q: usize, vectors: &mut Self) {
+        let entry = self.at(p, q);
+        if entry == 0.0 {
+            return;
+        }
+        let theta = 0.5 * (self.at(q, q) - self.at(p, p)) / entry;
+        let tangent = theta.signum() / (theta.abs() + (1.0 + theta * theta).sqrt());
+        let cosine = 1.0 / (1.0 + tangent * tangent).sqrt();
+        let sine = tangent * cosine;
+        let size = self.size;
+        let turn = |values: &mut Vec<f64>, one: usize, other: usize| {
+            let (a, b) = (values[one], values[other]);
+            values[one] = cosine * a - sine * b;
+            values[other] = sine * a + cosine * b;
+        };
+        for k in 0..size {
+            turn(&mut self.values, k * size + p, k * size + q);
+        }
+        for k in 0..size {
+            turn(&mut self.values, p * size + k, q * size + k);
+            turn(&mut vectors.values, p * size + k, q * size + k);
+        }
+    }
+}
+
+pub(crate) fn dot(one: &[f64], other: &[f64]) -> f64 {
+    one.iter().zip(other).map(|(one, other)| one * other).sum()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_matrix_is_put_together_again() {
+        let places = [0.0f64, 0.3, 0.35, 1.0, 2.5];
+        let matrix = Matrix::of(5, |row, column| {
+            (-(places[row] - places[column]).abs()).exp()
+        });
+        let lower = matrix.cholesky().unwrap();
+        let again = lower.product(&lower.transposed());
+        let (values, vectors) = matrix.eigenvectors();
+        let scaled = Matrix::of(5, |row, column| values[row] * vectors.at(row, column));
+        let of_vectors = vectors.transposed().product(&scaled);
+        let unity = matrix.product(&lower.inverse_of_square());
+        for (index, value) in matrix.values.iter().enumerate() {
+            assert!((again.values[index] - value).abs() < 1e-14);
+            assert!((of_vectors.values[index] - value).abs() < 1e-13);
+            assert!((unity.values[index] - Matrix::identity(5).values[index]).abs() < 1e-13);
+        }
+        assert!(
+            Matrix::of(2, |_, _| 1.0 + f64::EPSILON)
+                .cholesky()
+                .is_none()
+        );
+    }
+}

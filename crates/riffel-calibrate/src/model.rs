@@ -1,0 +1,289 @@
+//! What a case predicts for values of its uncertain keys.
+
+use std::cell::OnceCell;
+
+use riffel::growth::RowEvaluator;
+use riffel::{Complex64, STANDARD_GRAVITY};
+use riffel_case::traffic::Traffic;
+use riffel_case::{Case, LoopOnTrack, Setting};
+use toml::Value;
+
+use crate::prior::Prior;
+
+/// Speeds at which a normal distribution is taken, from four standard deviations below its mean to four above: within 0.1 % of
+/// the largest rate of 65 speeds.
+const SPEEDS: u32 = 17;
+/// Standard deviations from the mean to the last of them.
+const TAIL: f64 = 4.0;
+
+/// An uncertain value.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Parameter {
+    /// Its name in the results.
+    pub name: String,
+    /// Its unit, SI.
+    pub unit: String,
+    /// What was known of it before.
+    pub prior: Prior,
+    pub(crate) role: Role,
+    /// Names of the data in which it acts; none for all.
+    pub(crate) in_data: Option<Vec<String>>,
+}
+
+/// What a value does.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum Role {
+    /// It is that of a key of the case.
+    Key(String),
+    /// It multiplies that of a key of the case.
+    Multiplies(String),
+    /// It is that of a key of a vehicle.
+    Vehicle(usize, VehicleKey),
+    /// It is the size of what the model misses in some data.
+    Size,
+}
+
+/// A key of a vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) enum VehicleKey {
+    MeanSpeed,
+    SpeedDeviation,
+    TractionShare,
+    /// A key of the case, and the factor between the two.
+    OfCase(String, f64),
+}
+
+impl VehicleKey {
+    /// That of a key after `vehicle.`.
+    pub(crate) fn of(key: &str) -> Option<Self> {
+        let of_case = |key: &str| Some(Self::OfCase(key.to_owned(), 1.0));
+        match key {
+            "speed.mean" => Some(Self::MeanSpeed),
+            "speed.standard_deviation" => Some(Self::SpeedDeviation),
+            "traction_share" => Some(Self::TractionShare),
+            "tractive_ratio" => of_case("contact.tractive_ratio"),
+            "creepage" => of_case("contact.creepage"),
+            "wheel_load" => of_case("contact.normal_load"),
+            "wheel_mass" => of_case("wheel.mass"),
+            "rolling_radius" => of_case("wheel.rolling_radius"),
+            "axle_load" => Some(Self::OfCase(
+                "contact.normal_load".to_owned(),
+                0.5 * STANDARD_GRAVITY,
+            )),
+            key => of_case(key.strip_prefix("set.")?),
+        }
+    }
+}
+
+/// A kind of vehicle.
+#[derive(Debug, Clone)]
+pub(crate) struct Vehicle {
+    pub(crate) name: String,
+    pub(crate) share: f64,
+    pub(crate) traction_share: f64,
+    pub(crate) speeds: Speeds,
+    pub(crate) settings: Vec<Setting>,
+}
+
+/// How fast a kind of vehicle runs.
+#[derive(Debug, Clone)]
+pub(crate) enum Speeds {
+    Normal {
+        mean: f64,
+        deviation: f64,
+    },
+    /// Speeds with their shares.
+    Listed(Vec<(f64, f64)>),
+}
+
+impl Vehicle {
+    /// The vehicles of a traffic; why not, with the index of the one that is at fault.
+    pub(crate) fn all(traffic: &Traffic) -> Result<Vec<Self>, (usize, &'static str)> {
+        let vehicles = traffic.file.vehicle.iter().enumerate();
+        let all: f64 = traffic.file.vehicle.iter().map(|it| it.share.si()).sum();
+        let vehicle = |(index, vehicle): (usize, &riffel_case::traffic::Vehicle)| {
+            let spread = [
+                ("curve", vehicle.curve.is_some()),
+                ("lateral_position", vehicle.lateral_position.is_some()),
+                ("wheel_radius", vehicle.wheel_radius.is_some()),
+                ("load", vehicle.load.is_some()),
+                ("friction", vehicle.friction.is_some()),
+            ];
+            if let Some((key, _)) = spread.into_iter().find(|(_, is)| *is) {
+                return Err((index, key));
+            }
+            let speeds = match (&vehicle.speed, &vehicle.speeds) {
+                (Some(normal), _) => Speeds::Normal {
+                    mean: normal.mean.si(),
+                    deviation: normal.standard_deviation.map_or(0.0, |it| it.si()),
+                },
+                (None, listed) => {
+                    let listed = listed.iter().flatten();
+                    Speeds::Listed(listed.map(|it| (it.speed.si(), it.share.si())).collect())
+                }
+            };
+            Ok(Self {
+                name: vehicle.name.clone(),
+                share: vehicle.share.si() / all,
+                traction_share: vehicle.traction_share.map_or(1.0, |share| share.si()),
+                speeds,
+                settings: traffic.settings(index),
+            })
+        };
+        vehicles.map(vehicle).collect()
+    }
+}
+
+impl Speeds {
+    /// Speeds with weights that sum to one; none where a wheel would stand.
+    fn nodes(&self) -> Option<Vec<(f64, f64)>> {
+        let mut nodes: Vec<(f64, f64)> = match self {
+            Self::Listed(listed) => listed.clone(),
+            Self::Normal { mean, deviation } if *deviation == 0.0 => vec![(*mean, 1.0)],
+            Self::Normal { mean, deviation } => (0..SPEEDS)
+                .map(|k| {
+                    let share = f64::from(k) / f64::from(SPEEDS - 1);
+                    let t = TAIL * (2.0 * share - 1.0);
+                    let half = if k == 0 || k == SPEEDS - 1 { 0.5 } else { 1.0 };
+                    (mean + deviation * t, half * (-0.5 * t * t).exp())
+                })
+                .collect(),
+        };
+        let sum: f64 = nodes.iter().map(|node| node.1).sum();
+        nodes.iter_mut().for_each(|node| node.1 /= sum);
+        nodes.iter().all(|node| node.0 > 0.0).then_some(nodes)
+    }
+}
+
+/// A case as some of the data see it.
+#[derive(Clone)]
+pub(crate) struct View {
+    /// With what differs for these data.
+    pub(crate) case: Case,
+    /// The same for each vehicle, with its own keys.
+    pub(crate) wheels: Vec<Case>,
+    /// Which of the parameters act.
+    pub(crate) acting: Vec<usize>,
+}
+
+/// A case, its traffic and what is uncertain of both.
+#[derive(Clone)]
+pub(crate) struct Model {
+    pub(crate) parameters: Vec<Parameter>,
+    pub(crate) views: Vec<View>,
+    pub(crate) vehicles: Vec<Vehicle>,
+}
+
+/// The model with one set of values.
+pub(crate) struct Trial<'a> {
+    model: &'a Model,
+    /// Of all parameters, in SI.
+    values: &'a [f64],
+    cases: Vec<OnceCell<Result<LoopOnTrack, String>>>,
+}
+
+impl Model {
+    pub(crate) fn trial<'a>(&'a self, values: &'a [f64]) -> Trial<'a> {
+        Trial {
+            model: self,
+            values,
+            cases: self.views.iter().map(|_| OnceCell::new()).collect(),
+        }
+    }
+}
+
+impl<'a> Trial<'a> {
+    /// The case that a view has of it, or why there is none.
+    pub(crate) fn case(&self, view: usize) -> Result<&LoopOnTrack, String> {
+        let case = self.cases[view].get_or_init(|| {
+            let case = self.model.views[view]
+                .case
+                .with_numbers(&self.numbers(view));
+            case.map_err(|error| error.to_string())
+        });
+        case.as_ref().map_err(Clone::clone)
+    }
+
+    /// What the parameters give the keys of the case.
+    fn numbers(&self, view: usize) -> Vec<(&'a str, f64)> {
+        let View { case, acting, .. } = &self.model.views[view];
+        let mut numbers: Vec<(&str, f64)> = Vec::new();
+        for &index in acting {
+            if let Role::Key(key) = &self.model.parameters[index].role {
+                numbers.push((key, self.values[index]));
+            }
+        }
+        for &index in acting {
+            if let Role::Multiplies(key) = &self.model.parameters[index].role {
+                match numbers.iter_mut().find(|number| number.0 == *key) {
+                    Some(number) => number.1 *= self.values[index],
+                    None => {
+                        let own = number_of(case, key).unwrap_or(f64::NAN);
+                        numbers.push((key, own * self.values[index]));
+                    }
+                }
+            }
+        }
+        numbers
+    }
+
+    /// Growth rates of the amplitude per axle at some wavelengths \[m\], in the mean over the traffic.
+    pub(crate) fn growth_rates(&self, view: usize, lines: &[f64]) -> Result<Vec<f64>, String> {
+        let mut rates = vec![0.0; lines.len()];
+        let View { wheels, acting, .. } = &self.model.views[view];
+        for (index, (vehicle, wheel)) in self.model.vehicles.iter().zip(wheels).enumerate() {
+            let mut numbers = self.numbers(view);
+            // What the vehicle says itself, the case does not say.
+            numbers.retain(|(key, _)| !vehicle.settings.iter().any(|(own, _)| own == key));
+            let mut speeds = vehicle.speeds.clone();
+            let mut traction_share = vehicle.traction_share;
+            for &acting in acting {
+                let Role::Vehicle(of, key) = &self.model.parameters[acting].role else {
+                    continue;
+                };
+                if *of != index {
+                    continue;
+                }
+                let value = self.values[acting];
+                match (key, &mut speeds) {
+                    (VehicleKey::MeanSpeed, Speeds::Normal { mean, .. }) => *mean = value,
+                    (VehicleKey::SpeedDeviation, Speeds::Normal { deviation, .. }) => {
+                        *deviation = value;
+                    }
+                    (VehicleKey::TractionShare, _) => traction_share = value,
+                    (VehicleKey::OfCase(key, factor), _) => numbers.push((key, factor * value)),
+                    (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
+                }
+            }
+            let nodes = speeds
+                .nodes()
+                .ok_or("the slowest of the vehicles would stand")?;
+            let wheel = wheel
+                .with_numbers(&numbers)
+                .map_err(|error| error.to_string())?;
+            for (feedback, weight) in wheel.places() {
+                let rate = feedback.growth_rate_per_dissipation();
+                let factor = vehicle.share * traction_share * weight * rate;
+                let mut row = vec![Complex64::ZERO; lines.len()];
+                let mut evaluator = RowEvaluator::new(feedback, lines);
+                for (speed, share) in &nodes {
+                    evaluator.evaluate(*speed, &mut row);
+                    for (rate, value) in rates.iter_mut().zip(&row) {
+                        *rate += factor * share * value.re;
+                    }
+                }
+            }
+        }
+        Ok(rates)
+    }
+}
+
+/// The number that a case has for a key, in SI.
+pub(crate) fn number_of(case: &Case, key: &str) -> Option<f64> {
+    let table = toml::Table::try_from(&case.file).ok()?;
+    let mut value = &Value::Table(table);
+    for part in key.split('.') {
+        value = value.get(part)?;
+    }
+    value.as_float()
+}

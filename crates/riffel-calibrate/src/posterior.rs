@@ -1,0 +1,214 @@
+//! How likely values are after all that was measured.
+
+use crate::data::{Block, Size};
+use crate::gaussian::Density;
+use crate::model::Model;
+
+/// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
+/// some six digits. A sampler's steps may use any force that follows from the place alone, for they stay volume-preserving
+/// and reversible; which states are kept follows from the density itself.
+const STEP: f64 = 1e-6;
+
+/// Data with the sizes of what the model misses of them.
+pub(crate) struct Named {
+    /// Of the data in the block.
+    pub(crate) names: Vec<String>,
+    pub(crate) block: Box<dyn Block>,
+    pub(crate) sizes: Vec<Size>,
+    /// Parameters that its predictions depend on.
+    pub(crate) touched_by: Vec<usize>,
+}
+
+/// The posterior of the parameters of a model, in z.
+pub struct Posterior {
+    pub(crate) model: Model,
+    pub(crate) blocks: Vec<Named>,
+}
+
+/// ln of the density at a place, and its gradient.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Point {
+    /// ln likelihood, normalised, and ln of the density of the prior in z.
+    pub log_density: f64,
+    /// Of the whole, by z.
+    pub gradient: Vec<f64>,
+}
+
+impl Posterior {
+    /// What is uncertain.
+    pub fn parameters(&self) -> &[crate::Parameter] {
+        &self.model.parameters
+    }
+
+    /// Values in SI of a place in z.
+    pub fn values(&self, place: &[f64]) -> Vec<f64> {
+        let parameters = self.model.parameters.iter().zip(place);
+        parameters
+            .map(|(parameter, z)| parameter.prior.value(*z))
+            .collect()
+    }
+
+    /// Place in z of values in SI.
+    pub fn place(&self, values: &[f64]) -> Vec<f64> {
+        let parameters = self.model.parameters.iter().zip(values);
+        parameters
+            .map(|(parameter, x)| parameter.prior.place(*x))
+            .collect()
+    }
+
+    /// ln likelihood of each block of data for values in SI, with the names of its data.
+    ///
+    /// # Errors
+    /// Why the case refuses the values.
+    pub fn log_likelihood(&self, values: &[f64]) -> Result<Vec<(String, f64)>, String> {
+        let trial = self.model.trial(values);
+        let blocks = self.blocks.iter();
+        blocks
+            .map(|named| {
+                let predicted = named.block.predict(&trial)?;
+                let density = named.density(&predicted, values);
+                let value = density.map_or(f64::NEG_INFINITY, |density| density.value);
+                Ok((named.names.join(" + "), value))
+            })
+            .collect()
+    }
+
+    /// What the model says of each datum for values in SI, block by block: ln |H| and arg H; ln of decay rates; levels over the
+    /// first of each band \[dB\].
+    ///
+    /// # Errors
+    /// Why the case refuses the values.
+    pub fn predictions(&self, values: &[f64]) -> Result<Vec<Vec<f64>>, String> {
+        let trial = self.model.trial(values);
+        self.blocks
+            .iter()
+            .map(|named| named.block.predict(&trial))
+            .collect()
+    }
+
+    /// Names of the data that depend on a parameter.
+    pub fn data_of(&self, name: &str) -> Vec<String> {
+        let place = self
+            .model
+            .parameters
+            .iter()
+            .position(|parameter| parameter.name == name);
+        let Some(place) = place else {
+            return Vec::new();
+        };
+        let touched = self.blocks.iter().filter(|named| {
+            named.touched_by.contains(&place) || named.sizes.contains(&Size::Unknown(place))
+        });
+        touched.map(|named| named.names.join(" + ")).collect()
+    }
+
+    /// The data of [`predictions`](Self::predictions).
+    pub fn observed(&self) -> Vec<Vec<f64>> {
+        self.blocks
+            .iter()
+            .map(|named| named.block.observed())
+            .collect()
+    }
+
+    /// ln of the density of the prior in z, and its derivatives.
+    fn prior(&self, place: &[f64]) -> (f64, Vec<f64>) {
+        let parameters = self.model.parameters.iter().zip(place);
+        let (values, slopes): (Vec<f64>, Vec<f64>) = parameters
+            .map(|(parameter, z)| parameter.prior.log_density(*z))
+            .unzip();
+        (values.iter().sum(), slopes)
+    }
+
+    /// ln of the density at a place in z, up to a constant; none outside the priors and where the case refuses its values.
+    pub fn log_density(&self, place: &[f64]) -> Option<f64> {
+        let prior = self.prior(place).0;
+        let values = self.values(place);
+        let likelihood = prior
+            .is_finite()
+            .then(|| self.log_likelihood(&values).ok())??;
+        let sum = prior + likelihood.iter().map(|(_, value)| value).sum::<f64>();
+        sum.is_finite().then_some(sum)
+    }
+
+    /// The same with its gradient.
+    pub fn at(&self, place: &[f64]) -> Option<Point> {
+        let (prior, mut gradient) = self.prior(place);
+        if !prior.is_finite() {
+            return None;
+        }
+        let values = self.values(place);
+        let trial = self.model.trial(&values);
+        let mut log_density = prior;
+        let mut known: Vec<(Vec<f64>, Density)> = Vec::new();
+        for named in &self.blocks {
+            let predicted = named.block.predict(&trial).ok()?;
+            let density = named.density(&predicted, &values)?;
+            log_density += density.value;
+            for (size, slope) in named.sizes.iter().zip(&density.by_size) {
+                if let Size::Unknown(index) = size {
+                    gradient[*index] += slope * values[*index];
+                }
+            }
+            known.push((predicted, density));
+        }
+        for index in 0..place.len() {
+            let touched: Vec<usize> = (0..self.blocks.len())
+                .filter(|block| self.blocks[*block].touched_by.contains(&index))
+                .collect();
+            if touched.is_empty() {
+                continue;
+            }
+            let slope = self.slope(place, index, &touched, &known, STEP);
+            gradient[index] +=
+                slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
+        }
+        let whole = log_density.is_finite() && gradient.iter().all(|slope| slope.is_finite());
+        whole.then_some(Point {
+            log_density,
+            gradient,
+        })
+    }
+
+    /// Derivative of the ln likelihood of some blocks by one z; none where a step leads out of the model.
+    fn slope(
+        &self,
+        place: &[f64],
+        index: usize,
+        touched: &[usize],
+        known: &[(Vec<f64>, Density)],
+        step: f64,
+    ) -> Option<f64> {
+        let mut moved = place.to_vec();
+        moved[index] += step;
+        let values = self.values(&moved);
+        let trial = self.model.trial(&values);
+        let mut slope = 0.0;
+        for &block in touched {
+            let (predicted, density) = &known[block];
+            let there = self.blocks[block].block.predict(&trial).ok()?;
+            let differences = there
+                .iter()
+                .zip(predicted)
+                .map(|(there, here)| there - here);
+            let terms = differences.zip(&density.by_prediction);
+            slope += terms.map(|(difference, by)| by * difference).sum::<f64>() / step;
+        }
+        Some(slope)
+    }
+}
+
+impl Named {
+    fn density(&self, predicted: &[f64], values: &[f64]) -> Option<Density> {
+        let sizes: Vec<f64> = self.sizes.iter().map(|size| size.of(values)).collect();
+        self.block.density(predicted, &sizes)
+    }
+}
+
+impl Size {
+    fn of(self, values: &[f64]) -> f64 {
+        match self {
+            Self::Known(size) => size,
+            Self::Unknown(index) => values[index],
+        }
+    }
+}

@@ -1,0 +1,221 @@
+//! The files of a calibration.
+
+use std::path::{Path, PathBuf};
+
+use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
+use serde_json::{Value, json};
+
+use crate::chain::Draw;
+use crate::error::CalibrationError;
+use crate::plan::Plan;
+use crate::run::{Chains, Folder};
+use crate::summary::Summary;
+
+/// Draws of the prior that are written.
+const OF_PRIOR: u64 = 1000;
+
+/// An array of a group with its numbers.
+struct Written {
+    group: &'static str,
+    array: Array,
+    values: Vec<f64>,
+}
+
+impl Folder<'_> {
+    /// Write `summary.csv`, `posterior.zarr` and `plan.toml`; their names.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Write`].
+    pub fn write(
+        &self,
+        plan: &Plan,
+        chains: &Chains,
+        summary: &Summary,
+    ) -> Result<Vec<&'static str>, CalibrationError> {
+        let write = |name: &str, bytes: &[u8]| {
+            let path = self.path().join(name);
+            whole_file::write(&path, bytes).map_err(CalibrationError::write(&path))
+        };
+        write_groups(&self.path().join("posterior.zarr"), plan, chains)?;
+        write("plan.toml", plan.text.as_bytes())?;
+        write("summary.csv", summary.csv().as_bytes())?;
+        Ok(vec!["summary.csv", "posterior.zarr", "plan.toml"])
+    }
+}
+
+/// A variable over chains and draws.
+fn over_draws(
+    group: &'static str,
+    name: &str,
+    unit: &str,
+    chains: &Chains,
+    value: impl Fn(&Draw) -> f64,
+) -> Written {
+    let draws = chains.draws.first().map_or(0, Vec::len) as u64;
+    let attributes = if unit.is_empty() {
+        json!({})
+    } else {
+        json!({ "units": unit })
+    };
+    Written {
+        group,
+        array: Array {
+            name: format!("{group}/{name}"),
+            data_type: DataType::Float64,
+            shape: vec![chains.draws.len() as u64, draws],
+            rows_per_chunk: chains.draws.len() as u64,
+            dimensions: vec!["chain", "draw"],
+            attributes,
+        },
+        values: chains.draws.iter().flatten().map(value).collect(),
+    }
+}
+
+fn axes(group: &'static str, chains: u64, draws: u64) -> [Written; 2] {
+    let axis = |name: &'static str, length: u64| Written {
+        group,
+        array: Array {
+            name: format!("{group}/{name}"),
+            attributes: json!({}),
+            ..Array::axis(name, name, length, "", "")
+        },
+        values: (0..length).map(|index| index as f64).collect(),
+    };
+    [axis("chain", chains), axis("draw", draws)]
+}
+
+fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
+    let parameters = plan.posterior.parameters();
+    let mut written = Vec::new();
+    let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
+    for (index, parameter) in parameters.iter().enumerate() {
+        let value = |draw: &Draw| parameter.prior.value(draw.place[index]);
+        written.push(over_draws(
+            "posterior",
+            &parameter.name,
+            &parameter.unit,
+            chains,
+            value,
+        ));
+    }
+    written.extend(axes("posterior", count, draws));
+    type Of = fn(&Draw) -> f64;
+    let statistics: [(&str, Of); 7] = [
+        ("lp", |draw| draw.log_density),
+        ("diverging", |draw| {
+            f64::from(u8::from(draw.statistics.diverging))
+        }),
+        ("energy", |draw| draw.statistics.energy),
+        ("tree_depth", |draw| f64::from(draw.statistics.depth)),
+        ("n_steps", |draw| f64::from(draw.statistics.steps)),
+        ("step_size", |draw| draw.step),
+        ("acceptance_rate", |draw| draw.statistics.acceptance),
+    ];
+    for (name, value) in statistics {
+        written.push(over_draws("sample_stats", name, "", chains, value));
+    }
+    written.extend(axes("sample_stats", count, draws));
+    for (index, parameter) in parameters.iter().enumerate() {
+        // A grid of each prior in its own order: what quasi-random points have, one dimension at a time.
+        let root = (1..=60).fold(2.0f64, |root, _| {
+            (1.0 + root).powf(1.0 / (parameters.len() as f64 + 1.0))
+        });
+        let share = |draw: u64| {
+            let turn = (draw as f64 + 0.5) * root.powi(-(index as i32 + 1));
+            turn.fract().clamp(1e-9, 1.0 - 1e-9)
+        };
+        written.push(Written {
+            group: "prior",
+            array: Array {
+                name: format!("prior/{}", parameter.name),
+                data_type: DataType::Float64,
+                shape: vec![1, OF_PRIOR],
+                rows_per_chunk: 1,
+                dimensions: vec!["chain", "draw"],
+                attributes: json!({ "units": parameter.unit }),
+            },
+            values: (0..OF_PRIOR)
+                .map(|draw| parameter.prior.quantile(share(draw)))
+                .collect(),
+        });
+    }
+    written.extend(axes("prior", 1, OF_PRIOR));
+    written.extend(data(plan));
+    written
+}
+
+/// What was measured, in the form in which it is compared.
+fn data(plan: &Plan) -> Vec<Written> {
+    let blocks = plan.posterior.blocks.iter().zip(plan.posterior.observed());
+    let observed = blocks
+        .zip(DIMENSIONS.iter().cycle())
+        .map(|((named, values), dimension)| {
+            let name = named.names.join("+");
+            Written {
+                group: "observed_data",
+                array: Array {
+                    name: format!("observed_data/{name}"),
+                    ..Array::axis("", dimension, values.len() as u64, "", "")
+                },
+                values,
+            }
+        });
+    observed.collect()
+}
+
+/// Names of the dimensions of the blocks of data.
+const DIMENSIONS: [&str; 6] = [
+    "datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6",
+];
+
+fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), CalibrationError> {
+    let written = all(plan, chains);
+    let write = |name: PathBuf, bytes: &[u8]| {
+        whole_file::write(&name, bytes).map_err(CalibrationError::write(&name))
+    };
+    if path.exists() {
+        std::fs::remove_dir_all(path).map_err(CalibrationError::write(path))?;
+    }
+    let attributes = json!({
+        "inference_library": "riffel",
+        "inference_library_version": env!("CARGO_PKG_VERSION"),
+    });
+    let empty = || json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
+    let mut root = group(attributes.clone(), written.iter().map(|it| &it.array));
+    let mut groups: Vec<&str> = written.iter().map(|it| it.group).collect();
+    groups.dedup();
+    if let Some(metadata) = root
+        .pointer_mut("/consolidated_metadata/metadata")
+        .and_then(Value::as_object_mut)
+    {
+        groups
+            .iter()
+            .for_each(|name| drop(metadata.insert((*name).to_owned(), empty())));
+    }
+    for it in &written {
+        let array = &it.array;
+        write(
+            path.join(&array.name).join("zarr.json"),
+            &json(&array.metadata()),
+        )?;
+        write(
+            path.join(array.file(0)),
+            &array.encode(&Values::Numbers(it.values.clone())),
+        )?;
+    }
+    for name in groups {
+        let own: Vec<Array> = written
+            .iter()
+            .filter(|it| it.group == name)
+            .map(|it| Array {
+                name: it.array.name[name.len() + 1..].to_owned(),
+                ..it.array.clone()
+            })
+            .collect();
+        write(
+            path.join(name).join("zarr.json"),
+            &json(&group(attributes.clone(), &own)),
+        )?;
+    }
+    write(path.join("zarr.json"), &json(&root))
+}

@@ -1,0 +1,236 @@
+//! All chains, kept in parts.
+
+use std::fs;
+use std::path::{Path, PathBuf};
+
+use rayon::prelude::*;
+use riffel_arrays::{Array, Values, json, whole_file};
+use riffel_study::Stop;
+use serde_json::json;
+use sha2::{Digest, Sha256};
+
+use crate::chain::{Chain, Draw};
+use crate::error::CalibrationError;
+use crate::nuts::Statistics;
+use crate::plan::Plan;
+
+/// Draws of a part of a chain, which is kept as a whole.
+const PART: u64 = 250;
+/// Numbers that a draw has beside its place.
+const OF_DRAW: usize = 7;
+/// The record of what a folder holds.
+const RECORD: &str = "calibration.json";
+
+/// The draws of all chains behind their warm-up.
+pub struct Chains {
+    pub(crate) draws: Vec<Vec<Draw>>,
+}
+
+/// A folder of results.
+pub struct Folder<'a> {
+    plan: &'a Plan,
+    path: PathBuf,
+}
+
+impl<'a> Folder<'a> {
+    /// The folder for the results of a plan, made if need be. Parts of chains that are there are kept for a restart, and
+    /// removed else.
+    ///
+    /// # Errors
+    /// [`CalibrationError`] for a folder of something else, or of another plan if it is to go on.
+    pub fn begin(plan: &'a Plan, path: &Path, restart: bool) -> Result<Self, CalibrationError> {
+        let record = path.join(RECORD);
+        let there = fs::read(&record).ok();
+        let is_empty = fs::read_dir(path).map_or(true, |mut entries| entries.next().is_none());
+        if there.is_none() && !is_empty {
+            let folder = path.to_owned();
+            return Err(CalibrationError::NoCalibration { folder });
+        }
+        let own = json(&json!({
+            "fingerprint": fingerprint(plan)?,
+            "version": env!("CARGO_PKG_VERSION"),
+        }));
+        if restart && there.as_ref().is_some_and(|there| *there != own) {
+            let folder = path.to_owned();
+            return Err(CalibrationError::OtherPlan { folder });
+        }
+        let folder = Self {
+            plan,
+            path: path.to_owned(),
+        };
+        let chains = folder.chains();
+        if !restart && chains.exists() {
+            fs::remove_dir_all(&chains).map_err(CalibrationError::write(&chains))?;
+        }
+        whole_file::write(&record, &own).map_err(CalibrationError::write(&record))?;
+        Ok(folder)
+    }
+
+    /// Where it is.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    fn chains(&self) -> PathBuf {
+        self.path.join("chains")
+    }
+
+    fn part(&self, chain: u64, part: u64) -> PathBuf {
+        self.chains().join(format!("{chain}-{part}"))
+    }
+
+    /// Draws of each chain, those of the warm-up among them.
+    pub fn draws_of_a_chain(&self) -> u64 {
+        self.plan.file.sampler.warmup + self.plan.file.sampler.draws
+    }
+
+    /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. `progress` is told
+    /// of draws, those that were kept among them.
+    ///
+    /// Draws do not depend on the number of threads, nor on whether a chain was stopped on its way.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Write`]; parts that are finished are kept. [`CalibrationError::NoStart`].
+    pub fn run(
+        &self,
+        progress: &(dyn Fn(u64) + Sync),
+        stop: &Stop,
+    ) -> Result<Option<Chains>, CalibrationError> {
+        let chains: Result<Vec<Option<Vec<Draw>>>, CalibrationError> =
+            (0..self.plan.file.sampler.chains)
+                .into_par_iter()
+                .map(|chain| self.chain(chain, progress, stop))
+                .collect();
+        let draws: Option<Vec<Vec<Draw>>> = chains?.into_iter().collect();
+        Ok(draws.map(|draws| Chains { draws }))
+    }
+
+    fn chain(
+        &self,
+        index: u64,
+        progress: &(dyn Fn(u64) + Sync),
+        stop: &Stop,
+    ) -> Result<Option<Vec<Draw>>, CalibrationError> {
+        let posterior = &self.plan.posterior;
+        let sampler = &self.plan.file.sampler;
+        let whole = self.draws_of_a_chain();
+        let mut draws: Vec<Draw> = Vec::new();
+        let mut chain: Option<Chain> = None;
+        for part in 0..whole.div_ceil(PART) {
+            let length = PART.min(whole - part * PART);
+            if let Some((kept, state)) = self.kept(index, part, length) {
+                progress(length);
+                draws.extend(kept);
+                chain = Some(state);
+                continue;
+            }
+            let mut going = match chain.take() {
+                Some(chain) => chain,
+                None => Chain::begin(posterior, sampler.seed, index, sampler.warmup).ok_or_else(
+                    || {
+                        let values = posterior.parameters().iter();
+                        let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
+                        let reason = posterior.log_likelihood(&values).err();
+                        let reason = reason
+                            .unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
+                        CalibrationError::NoStart { reason }
+                    },
+                )?,
+            };
+            let mut new = Vec::new();
+            for _ in 0..length {
+                if stop.is_asked() {
+                    return Ok(None);
+                }
+                new.push(going.draw(posterior));
+                progress(1);
+            }
+            self.keep(index, part, &new, &going)?;
+            draws.extend(new);
+            chain = Some(going);
+        }
+        Ok(Some(draws.split_off(sampler.warmup as usize)))
+    }
+
+    /// The array that the numbers of a part are written as.
+    fn array(count: usize) -> Array {
+        Array::axis(
+            "part",
+            "number",
+            count as u64,
+            "",
+            "draws, then the state of the chain",
+        )
+    }
+
+    fn keep(
+        &self,
+        chain: u64,
+        part: u64,
+        draws: &[Draw],
+        state: &Chain,
+    ) -> Result<(), CalibrationError> {
+        let mut numbers = Vec::new();
+        for draw in draws {
+            let statistics = draw.statistics;
+            numbers.extend(&draw.place);
+            numbers.extend([
+                draw.log_density,
+                draw.step,
+                statistics.acceptance,
+                f64::from(statistics.steps),
+                f64::from(statistics.depth),
+                f64::from(u8::from(statistics.diverging)),
+                statistics.energy,
+            ]);
+        }
+        numbers.extend(state.numbers());
+        let bytes = Self::array(numbers.len()).encode(&Values::Numbers(numbers));
+        let path = self.part(chain, part);
+        whole_file::write(&path, &bytes).map_err(CalibrationError::write(&path))
+    }
+
+    /// The draws of a part and the chain behind them, if it is there and what was written.
+    fn kept(&self, chain: u64, part: u64, length: u64) -> Option<(Vec<Draw>, Chain)> {
+        let sampler = &self.plan.file.sampler;
+        let size = self.plan.posterior.parameters().len();
+        let bytes = fs::read(self.part(chain, part)).ok()?;
+        let count = bytes.len().checked_sub(4)? / 8;
+        let Ok(Values::Numbers(numbers)) = Self::array(count).decode(&bytes, count as u64) else {
+            return None;
+        };
+        let (of_draws, state) = numbers.split_at_checked(length as usize * (size + OF_DRAW))?;
+        let draws = of_draws.chunks(size + OF_DRAW).map(|numbers| {
+            let (place, rest) = numbers.split_at(size);
+            Draw {
+                place: place.to_vec(),
+                log_density: rest[0],
+                step: rest[1],
+                statistics: Statistics {
+                    acceptance: rest[2],
+                    steps: rest[3] as u32,
+                    depth: rest[4] as u32,
+                    diverging: rest[5] != 0.0,
+                    energy: rest[6],
+                },
+            }
+        });
+        let state = Chain::of_numbers(state, size, (sampler.seed, chain, sampler.warmup))?;
+        Some((draws.collect(), state))
+    }
+}
+
+/// SHA-256 over all files that the numbers follow from.
+fn fingerprint(plan: &Plan) -> Result<String, CalibrationError> {
+    let mut hash = Sha256::new();
+    for path in &plan.inputs {
+        let bytes = fs::read(path).map_err(|reason| CalibrationError::Read {
+            path: path.clone(),
+            reason,
+        })?;
+        hash.update((bytes.len() as u64).to_le_bytes());
+        hash.update(bytes);
+    }
+    let digest = hash.finalize();
+    Ok(digest.iter().map(|byte| format!("{byte:02x}")).collect())
+}

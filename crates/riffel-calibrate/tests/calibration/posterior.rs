@@ -1,0 +1,63 @@
+//! The posteriors of the second implementation.
+
+use std::time::Instant;
+
+use riffel_calibrate::Folder;
+use riffel_study::Stop;
+
+use crate::{SHORT, json, plan};
+
+/// Sample a set and hold means to so many standard deviations, and standard deviations to such a share, of the second
+/// implementation.
+fn check(set: &str, (warmup, draws): (u64, u64), most: f64) {
+    let mut plan = plan(set);
+    (plan.file.sampler.warmup, plan.file.sampler.draws) = (warmup, draws);
+    let folder = tempfile::tempdir().unwrap();
+    let folder = Folder::begin(&plan, &folder.path().join("out"), false).unwrap();
+    let begun = Instant::now();
+    let chains = folder.run(&|_| {}, &Stop::default()).unwrap().unwrap();
+    let seconds = begun.elapsed().as_secs_f64();
+    let summary = chains.summary(&plan);
+    let expected = &json(set, "posterior.json")["parameters"];
+    let (runaway, bfmi) = (summary.divergences, summary.bfmi);
+    eprintln!("{set}: {seconds:.1} s, {runaway} divergences, E-BFMI {bfmi:.2}");
+    let mut wrong = Vec::new();
+    for marginal in &summary.marginals {
+        let name = &marginal.name;
+        let short = SHORT.iter().find(|(_, known)| known == name).unwrap().0;
+        let number = |key: &str| expected[short][key].as_f64().unwrap();
+        let (mean, sd) = (number("mean"), number("sd"));
+        let far = (marginal.mean - mean) / sd;
+        let wide = marginal.standard_deviation / sd - 1.0;
+        eprintln!(
+            "  {name:34} {far:+.3} sd  {wide:+.3}  R {:.4}  ESS {:.0} {:.0}",
+            marginal.rhat, marginal.ess_bulk, marginal.ess_tail
+        );
+        if far.abs() > most || wide.abs() > most {
+            wrong.push(format!("{name}: {far} {wide}"));
+        }
+    }
+    assert!(wrong.is_empty(), "{set}: {wrong:?}");
+    assert_eq!(runaway, 0);
+}
+
+/// Means within 0.1 standard deviations, standard deviations within 10 %.
+#[test]
+#[ignore = "minutes without optimisation"]
+fn posterior_of_hammer_and_decay() {
+    check("a-hammer-and-decay", (1000, 1000), 0.1);
+}
+
+/// The same; chains of a third of the length have errors of 0.03 of their own, as those of the reference.
+#[test]
+#[ignore = "minutes without optimisation"]
+fn posterior_of_three_dates() {
+    check("b-three-dates", (400, 500), 0.13);
+}
+
+/// The same.
+#[test]
+#[ignore = "minutes without optimisation"]
+fn posterior_of_all_together() {
+    check("c-all-together", (400, 400), 0.13);
+}

@@ -1,0 +1,187 @@
+//! Plans and data that cannot be used: a sentence with key, value and rule.
+
+use std::fs;
+
+use riffel_calibrate::Plan;
+use tempfile::TempDir;
+
+use crate::folder;
+
+/// A copy of set b or c with a text in a file in place of another.
+fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan, String>) {
+    let copy = TempDir::new().unwrap();
+    for entry in fs::read_dir(folder(set)).unwrap() {
+        let path = entry.unwrap().path();
+        fs::copy(&path, copy.path().join(path.file_name().unwrap())).unwrap();
+    }
+    let path = copy.path().join(file);
+    let text = fs::read_to_string(&path).unwrap();
+    assert!(text.contains(from), "{from}");
+    fs::write(&path, text.replacen(from, to, 1)).unwrap();
+    let plan = Plan::read(&copy.path().join("plan.toml"));
+    (copy, plan.map_err(|error| error.to_string()))
+}
+
+#[test]
+fn what_cannot_be_used_is_said() {
+    let (b, c) = ("b-three-dates", "c-all-together");
+    for (set, file, from, to, parts) in [
+        // Data outside the window of the case.
+        (
+            b,
+            "case.toml",
+            "min = \"36 mm\"",
+            "min = \"60 mm\"",
+            &["50.1", "outside the window", "60.0"][..],
+        ),
+        // The prior excludes what the case says.
+        (
+            b,
+            "plan.toml",
+            "mean = \"110 km/h\"",
+            "mean = \"200 km/h\"",
+            &["excludes", "vehicle.speed.mean"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "min = 0.05, max = 0.95",
+            "min = 0.6, max = 0.95",
+            &["excludes 0.5"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "median = \"300 MN/m\"",
+            "median = \"300 kg\"",
+            &["lognormal.median", "300 kg"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "vehicle.tractive_ratio",
+            "vehicle.tractiveratio",
+            &["vehicle.tractiveratio"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "wheel.mass",
+            "wheel.mas",
+            &["wheel.mas", "no such key"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "traffic = \"traffic.toml\"",
+            "",
+            &["names no traffic"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[sampler]\nkind = \"smc\"",
+            &["sampler.kind", "nuts"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "unit = \"dB per 1e6 passages\"",
+            "unit = \"dB\"",
+            &["unit", "dB per 1e6 passages"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "first_level = \"flat\"",
+            "first_level = \"normal\"",
+            &["first_level", "flat"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "kernel = \"exponential\"",
+            "kernel = \"linear\"",
+            &["kernel", "matern-3/2"],
+        ),
+        // Units that are not those of the column.
+        (
+            b,
+            "roughness.csv",
+            "level_db",
+            "level_um",
+            &["level_db", "level_um"],
+        ),
+        (
+            b,
+            "roughness.csv",
+            "199.52623,1.8841084",
+            "150,1.8841084",
+            &["wavelength_mm", "150", "centre"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "averages = 8 ",
+            "# averages = 8 ",
+            &["averages", "coherence"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "in_data = [\"growth\", \"axle-box\"]",
+            "in_data = [\"growth\", \"axlebox\"]",
+            &["axlebox", "no [[data]]"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "speed = \"100 km/h\"",
+            "",
+            &["speed", "missing"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "at_date = \"last\"",
+            "at_date = \"latest\"",
+            &["at_date", "latest"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "student_degrees = 5",
+            "averages = 5",
+            &["averages", "frequency-response"],
+        ),
+    ] {
+        let (_folder, plan) = changed(set, file, from, to);
+        let Err(error) = plan else {
+            panic!("{to} is taken");
+        };
+        for part in parts {
+            assert!(error.contains(part), "{to}: {error}");
+        }
+    }
+}
+
+/// One date alone says nothing of growth.
+#[test]
+fn one_date_is_refused() {
+    let text = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();
+    let later = text.lines().skip(9).collect::<Vec<_>>().join("\n");
+    let (_folder, plan) = changed("b-three-dates", "roughness.csv", &later, "");
+    let error = plan.err().unwrap();
+    assert!(error.contains("one date"), "{error}");
+}
+
+/// Growth is linear in the profile: its amplitude touches no data.
+#[test]
+fn a_key_that_no_data_touch_is_known() {
+    let key = "[[parameter]]\nkey = \"corrugation.amplitude\"\nlognormal = { median = \"30 um\", factor = 2 }\n\n[[data]]";
+    let (_folder, plan) = changed("b-three-dates", "plan.toml", "[[data]]", key);
+    let plan = plan.unwrap();
+    assert!(plan.posterior.data_of("corrugation.amplitude").is_empty());
+    assert_eq!(plan.posterior.data_of("wheel.mass"), ["growth"]);
+}
