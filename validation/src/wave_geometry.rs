@@ -151,8 +151,8 @@ pub(crate) fn waves_in_the_loop_of_the_paper() -> Row {
         let plain = plain.at(row.wavelength_m, row.speed_m_per_s);
         let wave = with.contacts[0].wave.expect("a geometry");
         let per_metre = case.steady.energy_per_metre() * case.feedback.amplitude();
-        let [whole, load] = [&with, &plain]
-            .map(|state| state.contacts[0].energy_at_rail / per_metre);
+        let [whole, load] =
+            [&with, &plain].map(|state| state.contacts[0].energy_at_rail / per_metre);
         // The loop is linear in the oscillation of the load, which a filter reduces.
         let filter = ContactFilter::of(&case.hertz);
         let wavenumber = std::f64::consts::TAU / row.wavelength_m;

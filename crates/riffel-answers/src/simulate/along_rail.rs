@@ -60,9 +60,7 @@ impl PassageAnswer {
             .then(|| ContactFilter::of(&case.hertz));
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
-            remarks: remarks::of_track(&model)
-                .into_iter()
-                .collect(),
+            remarks: remarks::of_track(&model).into_iter().collect(),
             contacts: case
                 .contact_names()
                 .into_iter()

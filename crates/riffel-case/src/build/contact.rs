@@ -4,7 +4,8 @@ use std::sync::Arc;
 
 use riffel::contact::{
     CreepLaw, CurvatureFilter, HalfSpace, HalfSpaceCurve, HalfSpaceRolling, MeanState, NonSteady,
-    Oscillating, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot, WaveGeometry,
+    Oscillating, OscillatingCreepages, QuasiStatic, QuasiStaticHalfSpace, SpringDashpot,
+    WaveGeometry,
 };
 use riffel::passage::{LateContact, WaveInTime};
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};

@@ -57,12 +57,11 @@ impl Hubs {
             }
             Self::OfWheelsets(wheelset) => {
                 let own = wheelset.hubs(angular_frequency).unwrap_or_default();
-                let entry = |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along
-                    == from
-                {
-                    true => own[rail as usize][of as usize],
-                    false => Complex64::ZERO,
-                };
+                let entry =
+                    |((along, rail), (from, of)): ((f64, Rail), (f64, Rail))| match along == from {
+                        true => own[rail as usize][of as usize],
+                        false => Complex64::ZERO,
+                    };
                 pairs.map(entry).collect()
             }
         }

@@ -388,7 +388,9 @@ impl Loop {
     /// A \[1/kg\] of the hubs, as of [`free_motion`](Self::free_motion).
     pub(crate) fn free_hubs(&self) -> Option<Vec<f64>> {
         self.hubs.as_ref()?;
-        Some(free_of(|w| self.hub_receptances(w, 1.0).unwrap_or_default()))
+        Some(free_of(|w| {
+            self.hub_receptances(w, 1.0).unwrap_or_default()
+        }))
     }
 
     /// Growth rate per passage for a value of Ŵ₁: g = this factor · Re Ŵ₁, negative factor.

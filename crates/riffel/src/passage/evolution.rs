@@ -6,9 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
+use super::PassageModel;
 use super::along_profile::{Roll, faded};
 use super::felt::Felt;
-use super::PassageModel;
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};

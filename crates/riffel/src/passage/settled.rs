@@ -159,8 +159,7 @@ impl PassageModel {
             for step in 1..=steps {
                 let share = step as f64 / steps as f64;
                 let grown = faded(((number - 1) as f64 + share) / onset);
-                let wave =
-                    |ahead: f64| Complex64::cis(TAU * share + TAU * ahead / wavelength);
+                let wave = |ahead: f64| Complex64::cis(TAU * share + TAU * ahead / wavelength);
                 march.advance_along(|index, ahead| felt[index].times(grown).at(wave(ahead)));
                 for (wave, instant) in waves.iter_mut().zip(march.now()) {
                     wave.push(*instant);

@@ -343,9 +343,8 @@ impl Transfer {
             let contacts = size / 3;
             let entry = |index: usize| {
                 let (row, column) = (index / contacts, index % contacts);
-                let own = |sample: &Sample, contact: usize| {
-                    sample.whole[3 * contact * (size + 1)].norm()
-                };
+                let own =
+                    |sample: &Sample, contact: usize| sample.whole[3 * contact * (size + 1)].norm();
                 let sizes = samples.iter().map(|sample| {
                     let size = (own(sample, row) * own(sample, column)).sqrt();
                     match sample.w < TAU * StructuresInTime::KNOWN {
@@ -424,8 +423,8 @@ impl Transfer {
                 sizes,
             } in entries
             {
-                let fit =
-                    residues(frequencies, std::slice::from_ref(values), sizes, &poles).swap_remove(0);
+                let fit = residues(frequencies, std::slice::from_ref(values), sizes, &poles)
+                    .swap_remove(0);
                 for (matrix, fraction) in matrices.iter_mut().zip(&fit) {
                     matrix[row * contacts + column] = fraction.of_term();
                 }

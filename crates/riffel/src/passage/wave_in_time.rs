@@ -95,7 +95,10 @@ impl WaveInTime {
         let told = late.rolling.response(wavelength.min(late.range[1]));
         told.by_curvature.map_or([Complex64::ZERO; 2], |by| {
             let behind = Complex64::cis(-TAU * late.behind / wavelength);
-            [by.force[0] * curvature, by.at_rail(0.0) * curvature * behind]
+            [
+                by.force[0] * curvature,
+                by.at_rail(0.0) * curvature * behind,
+            ]
         })
     }
 

@@ -3,9 +3,7 @@
 use std::sync::Arc;
 
 use proptest::prelude::*;
-use riffel::contact::{
-    Carter3d, CurvatureFilter, MeanState, QuasiStatic, WaveGeometry, WavePatch,
-};
+use riffel::contact::{Carter3d, CurvatureFilter, MeanState, QuasiStatic, WaveGeometry, WavePatch};
 use riffel::feedback::{Contact, Hubs, OneWheel};
 use riffel::growth::RowEvaluator;
 use riffel::receptance::{EulerBernoulliBeam, FreeBeam, Structure, Uncoupled};
@@ -292,9 +290,8 @@ fn newtons_law_has_it() {
         let two = accelerate(time + 0.5 * step, ahead(one, 0.5));
         let three = accelerate(time + 0.5 * step, ahead(two, 0.5));
         let four = accelerate(time + step, ahead(three, 1.0));
-        state = [0, 1].map(|i| {
-            state[i] + step / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i])
-        });
+        state = [0, 1]
+            .map(|i| state[i] + step / 6.0 * (one[i] + 2.0 * two[i] + 2.0 * three[i] + four[i]));
         if index >= (WAVES - 1) * STEPS {
             let turn = Complex64::cis(-wavenumber * SPEED * (time + step));
             harmonic += 2.0 / STEPS as f64 * turn * (state[0] - state[1]) / SPEED;
