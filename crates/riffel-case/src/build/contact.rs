@@ -257,28 +257,25 @@ impl CheckedKeys {
         let state = self.exact_state(&contact, self.mean_state()?)?;
         let law = self.physics("contact", HalfSpaceCurve::new(&contact, &state))?;
         let (mut late, mut wave) = (None, None);
-        match self.file.contact.response {
-            ContactDynamics::NonSteady => {
-                let a = hertz.semi_axis_longitudinal();
-                let shortest = contact.shortest_wavelength().max(SHORTEST * a);
-                let range = [shortest, LONGEST * a];
-                let table = NonSteady::new(
-                    &contact,
-                    &state,
-                    self.with_waves(OscillatingCreepages::Longitudinal),
-                    range[0],
-                    range[1],
-                    NonSteady::DEFAULT_TOLERANCE,
-                );
-                let table = self.physics("contact.grid", table)?;
-                let filters = LateContact::new(&table, &law, a, range);
-                let filters = self.physics("contact.grid", filters)?;
-                wave = self.wave(hertz)?.map(|geometry| {
-                    WaveInTime::late_of(geometry, Arc::new(table), &filters, range)
-                });
-                late = Some(Arc::new(filters));
-            }
-            _ => {}
+        if self.file.contact.response == ContactDynamics::NonSteady {
+            let a = hertz.semi_axis_longitudinal();
+            let shortest = contact.shortest_wavelength().max(SHORTEST * a);
+            let range = [shortest, LONGEST * a];
+            let table = NonSteady::new(
+                &contact,
+                &state,
+                self.with_waves(OscillatingCreepages::Longitudinal),
+                range[0],
+                range[1],
+                NonSteady::DEFAULT_TOLERANCE,
+            );
+            let table = self.physics("contact.grid", table)?;
+            let filters = LateContact::new(&table, &law, a, range);
+            let filters = self.physics("contact.grid", filters)?;
+            wave = self
+                .wave(hertz)?
+                .map(|geometry| WaveInTime::late_of(geometry, Arc::new(table), &filters, range));
+            late = Some(Arc::new(filters));
         }
         Ok(CreepInTime {
             law: Arc::new(law),

@@ -114,3 +114,61 @@ fn a_model_has_it() {
     let paper = paper.unwrap().growth_rates(&[0.04], 30.0)[0];
     assert_eq!(paper, rate("afferrante-ciavarella-2009"));
 }
+
+/// The direction of the normal force: −P₀Δ/(MV²) of a lone wheel, by keys of its own, refused where nobody tells how a hub moves.
+#[test]
+fn the_direction_of_the_normal_force_has_a_key() {
+    let turned = case(&["wheel.normal_direction=true"]);
+    let state = turned.point(0.0557, 30.0).unwrap();
+    let point = Point::new(&turned, &state);
+    assert!(point.wave_geometry.is_none());
+    let written = serde_json::to_value(&point).unwrap();
+    let slip = written["normal_direction"]["creepage"][0].as_f64().unwrap();
+    let climbing = -50e3 * 31.5e-6 / (350.0 * 30.0 * 30.0);
+    assert!((slip / climbing - 1.0).abs() < 1e-12, "{slip}");
+    let added = written["normal_direction"]["dissipation"][0]
+        .as_f64()
+        .unwrap();
+    // Per metre over e₀ = τμP₀ξ₀.
+    assert!((added / (0.1 * 31.5e-6) + 992.0).abs() < 1.0, "{added}");
+    let plain = case(&[]);
+    let state = plain.point(0.0557, 30.0).unwrap();
+    assert!(Point::new(&plain, &state).normal_direction.is_none());
+    // Nothing where the creepage is held.
+    let held = "wheel.rotation=constant-creepage";
+    let [one, other] = [&[held][..], &[held, "wheel.normal_direction=true"]].map(|keys| {
+        case(keys)
+            .point(0.0557, 30.0)
+            .unwrap()
+            .normalized_dissipation
+    });
+    assert_eq!(one, other);
+    let rigid = [
+        "wheelset.model=rigid",
+        "wheelset.mass=1100",
+        "wheelset.roll_inertia=620",
+    ];
+    let rigid = [
+        &rigid[..],
+        &["wheelset.spin_inertia=55", "wheelset.normal_direction=true"],
+    ];
+    let text = NOMINAL_CASE.replace("mass = \"350 kg\"", "");
+    let text = text.replace(
+        "tractive_ratio = 0.1",
+        "creepage = { longitudinal = \"0.1 %\" }",
+    );
+    let with = |keys: &[&str]| {
+        let keys: Vec<String> = keys.iter().map(ToString::to_string).collect();
+        Case::parse("case.toml", &text, &keys)
+    };
+    let rigid = with(&rigid.concat()).unwrap();
+    let state = rigid.point(0.0557, 30.0).unwrap();
+    assert!(Point::new(&rigid, &state).normal_direction.is_some());
+    let lone = with(&["wheelset.model=rigid", "wheel.normal_direction=true"]);
+    assert!(
+        lone.err()
+            .unwrap()
+            .to_string()
+            .contains("exclude each other")
+    );
+}

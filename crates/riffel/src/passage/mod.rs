@@ -30,6 +30,7 @@ mod smooth_rail;
 mod step_weights;
 mod structures;
 mod structures_motion;
+mod structures_samples;
 mod tangent_equation;
 mod track_motion;
 mod transient_contact;
