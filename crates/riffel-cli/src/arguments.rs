@@ -34,10 +34,10 @@ pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Mode
 pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
-use point_in_rail::PointInRail;
-pub(crate) use shakedown::Shakedown;
 pub(crate) use page::Page;
+use point_in_rail::PointInRail;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
@@ -529,7 +529,12 @@ pub(crate) struct Contact {
     pub(crate) stress: bool,
 
     /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
-    #[arg(long, value_name = "X,Y,Z", requires = "stress", allow_hyphen_values = true)]
+    #[arg(
+        long,
+        value_name = "X,Y,Z",
+        requires = "stress",
+        allow_hyphen_values = true
+    )]
     pub(crate) stress_at: Vec<PointInRail>,
 
     /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.

@@ -129,7 +129,11 @@ impl ShakedownQuestion {
         }
         let mut contact = Standing::new(case);
         let forces = case.steady.forces;
-        let mean = [forces.longitudinal, forces.lateral, case.hertz.normal_force()];
+        let mean = [
+            forces.longitudinal,
+            forces.lateral,
+            case.hertz.normal_force(),
+        ];
         let mean = contact.at(0.0, 0.0, mean);
         let along_wave = self.wave.map(|[wavelength, speed]| {
             let state = case.point(wavelength, speed)?;
@@ -218,7 +222,12 @@ impl<'a> Standing<'a> {
             .collect()
     }
 
-    fn at(&mut self, degrees: f64, profile: f64, [along, across, load]: [f64; 3]) -> OperatingPoint {
+    fn at(
+        &mut self,
+        degrees: f64,
+        profile: f64,
+        [along, across, load]: [f64; 3],
+    ) -> OperatingPoint {
         let load = load.max(0.0);
         let force = match (load > 0.0, self.case.feedback.is_along_one_axis()) {
             (false, _) => 0.0,

@@ -24,8 +24,18 @@ pub(super) fn introduction(answer: &ShakedownAnswer) -> Vec<Message> {
 pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
     let map = &answer.map;
     let mut columns = vec![
-        column("utilised_friction", say!(utilised_friction), map.iter().map(|row| row.utilised_friction), 3),
-        column("elastic", say!(limit_elastic), map.iter().map(|row| row.elastic), 3),
+        column(
+            "utilised_friction",
+            say!(utilised_friction),
+            map.iter().map(|row| row.utilised_friction),
+            3,
+        ),
+        column(
+            "elastic",
+            say!(limit_elastic),
+            map.iter().map(|row| row.elastic),
+            3,
+        ),
         column("line", say!(limit_line), map.iter().map(|row| row.line), 3),
     ];
     columns.push(Column {
@@ -68,9 +78,24 @@ fn operating_points(points: &[OperatingPoint]) -> Table {
             in_file("profile_m", |point| point.profile_m),
             in_file("normal_force_n", |point| point.normal_force_n),
             in_file("tangential_force_n", |point| point.tangential_force_n),
-            of("p0_over_k", say!(pressure_over_yield), |point| point.p0_over_k, 3),
-            of("utilised_friction", say!(utilised_friction), |point| point.utilised_friction, 3),
-            of("fi_surf", say!(surface_fatigue_index), |point| point.fi_surf, 3),
+            of(
+                "p0_over_k",
+                say!(pressure_over_yield),
+                |point| point.p0_over_k,
+                3,
+            ),
+            of(
+                "utilised_friction",
+                say!(utilised_friction),
+                |point| point.utilised_friction,
+                3,
+            ),
+            of(
+                "fi_surf",
+                say!(surface_fatigue_index),
+                |point| point.fi_surf,
+                3,
+            ),
             of("demand", say!(demand_of_flow), |point| point.demand, 3),
         ],
     }

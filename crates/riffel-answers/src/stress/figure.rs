@@ -15,7 +15,7 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
         title: "Stress under the contact".to_owned(),
         caption: format!(
             "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
-             middle and the surface of the patch with lines of equal stress; partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.",
+             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.",
             1e-6 * answer.peak_pressure_pa,
             answer.friction,
             answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,
@@ -106,13 +106,18 @@ fn surface(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePa
 fn along(answer: &StressAnswer, tractions: &[(&str, Traction)]) -> LinePanel {
     // Close to the edges, where the stress has a root.
     let x: Vec<f64> = steps(-1.4, 1.4, 560);
-    let series = tractions.iter().enumerate().map(|(index, (label, traction))| Series {
-        label: (*label).to_owned(),
-        y: x.iter().map(|&x| mises(answer, traction, [x, 0.0, 0.0])).collect(),
-        x: x.clone(),
-        style: LineStyle::Solid,
-        color: Some(OKABE_ITO[1 + index]),
-    });
+    let series = tractions
+        .iter()
+        .enumerate()
+        .map(|(index, (label, traction))| Series {
+            label: (*label).to_owned(),
+            y: x.iter()
+                .map(|&x| mises(answer, traction, [x, 0.0, 0.0]))
+                .collect(),
+            x: x.clone(),
+            style: LineStyle::Solid,
+            color: Some(OKABE_ITO[1 + index]),
+        });
     LinePanel {
         subtitle: "middle of the surface".to_owned(),
         x_label: "x/a".to_owned(),
@@ -128,13 +133,16 @@ fn over_friction(answer: &StressAnswer) -> LinePanel {
     let surface = rows.iter().map(|row| row.surface_over_p0).collect();
     let below = rows.iter().map(|row| row.subsurface_over_p0).collect();
     let series = [("surface", surface), ("below", below)];
-    let series = series.into_iter().enumerate().map(|(index, (label, y))| Series {
-        label: label.to_owned(),
-        x: x.clone(),
-        y,
-        style: LineStyle::Solid,
-        color: Some(OKABE_ITO[1 + index]),
-    });
+    let series = series
+        .into_iter()
+        .enumerate()
+        .map(|(index, (label, y))| Series {
+            label: label.to_owned(),
+            x: x.clone(),
+            y,
+            style: LineStyle::Solid,
+            color: Some(OKABE_ITO[1 + index]),
+        });
     LinePanel {
         subtitle: "largest, full slip".to_owned(),
         x_label: "friction".to_owned(),

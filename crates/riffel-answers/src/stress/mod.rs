@@ -217,9 +217,8 @@ fn over_friction(ellipse: &EllipseStress, direction: [f64; 2]) -> Vec<FrictionRo
     let rows = (0..=12).into_par_iter().map(|step| {
         let friction = 0.05 * f64::from(step);
         let traction = Traction::full_slip(friction, direction);
-        let of = |depth| {
-            StressMaximum::find(ellipse, &traction, StressMeasure::VonMises, depth).value
-        };
+        let of =
+            |depth| StressMaximum::find(ellipse, &traction, StressMeasure::VonMises, depth).value;
         FrictionRow {
             friction,
             surface_over_p0: of(Depth::Surface),

@@ -45,10 +45,16 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
     let of_maxima = Table {
         name: "maxima",
         columns: vec![
-            Column::words("traction", say!(traction_of_contact), words(|row| row.traction)),
+            Column::words(
+                "traction",
+                say!(traction_of_contact),
+                words(|row| row.traction),
+            ),
             Column::words("measure", say!(measure_of_stress), words(|row| row.measure)),
             Column::words("where", say!(depth_of_stress), words(|row| row.depth)),
-            column("value_over_p0", say!(stress_over_pressure), |row| row.value_over_p0),
+            column("value_over_p0", say!(stress_over_pressure), |row| {
+                row.value_over_p0
+            }),
             column("x_over_a", Message::verbatim("x/a"), |row| row.x_over_a),
             column("y_over_b", Message::verbatim("y/b"), |row| row.y_over_b),
             column("z_over_a", Message::verbatim("z/a"), |row| row.z_over_a),
@@ -64,8 +70,14 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
         name: "over-friction",
         columns: vec![
             plain("friction", rows.iter().map(|row| row.friction).collect()),
-            plain("surface_over_p0", rows.iter().map(|row| row.surface_over_p0).collect()),
-            plain("subsurface_over_p0", rows.iter().map(|row| row.subsurface_over_p0).collect()),
+            plain(
+                "surface_over_p0",
+                rows.iter().map(|row| row.surface_over_p0).collect(),
+            ),
+            plain(
+                "subsurface_over_p0",
+                rows.iter().map(|row| row.subsurface_over_p0).collect(),
+            ),
         ],
     };
     vec![of_maxima, over_friction]

@@ -79,12 +79,7 @@ impl CheckedKeys {
             return Ok(None);
         };
         let limit = self.shakedown_limit(keys.limit, hertz);
-        let demand = Demand::new(
-            steady,
-            hertz.peak_pressure(),
-            keys.yield_in_shear(),
-            limit,
-        );
+        let demand = Demand::new(steady, hertz.peak_pressure(), keys.yield_in_shear(), limit);
         let demand = self.physics("damage.limit", demand)?;
         let mut laws = Vec::with_capacity(keys.laws.len());
         for (index, &name) in keys.laws.iter().enumerate() {
@@ -150,14 +145,21 @@ impl CheckedKeys {
                         "choose a model of rail and supports, or leave bending out",
                     ));
                 };
-                let second_moment = self.required("rail.second_moment", self.file.rail.second_moment)?;
+                let second_moment =
+                    self.required("rail.second_moment", self.file.rail.second_moment)?;
+                let stiffness = self.file.steel.youngs_modulus.si() * second_moment.si();
+                let foundation = support.static_stiffness();
                 DamageLaw::Bending(Bending {
                     limit: bending.limit.si(),
                     curvature: bending.curvature.si(),
                     law: ClippedPower::new(bending.exponent.si(), spread),
-                    bending_stiffness: self.file.steel.youngs_modulus.si() * second_moment.si(),
-                    foundation: support.static_stiffness(),
-                    normal_force: hertz.normal_force(),
+                    bending_stiffness: stiffness,
+                    foundation,
+                    mean_moment: Bending::moment_at_rest(
+                        hertz.normal_force(),
+                        stiffness,
+                        foundation,
+                    ),
                 })
             }
             DamageLawName::Fatigue => {
@@ -169,7 +171,8 @@ impl CheckedKeys {
                     ));
                 }
                 let fatigue = keys.fatigue.clone().unwrap_or_default();
-                let thresholds: Vec<f64> = fatigue.thresholds.iter().map(|force| force.si()).collect();
+                let thresholds: Vec<f64> =
+                    fatigue.thresholds.iter().map(|force| force.si()).collect();
                 let Ok(thresholds) = <[f64; 3]>::try_from(thresholds) else {
                     return Err(self.out_of_range(
                         "damage.fatigue.thresholds",
@@ -202,10 +205,10 @@ impl CheckedKeys {
         for law in &damage.laws {
             match law {
                 DamageLaw::Bending(bending) => {
-                    let share = bending.mean_moment() / bending.limit;
+                    let share = bending.mean_moment / bending.limit;
                     remarks.push(say!(
                         moment_beside_its_limit,
-                        moment = fixed(1e-3 * bending.mean_moment(), 1),
+                        moment = fixed(1e-3 * bending.mean_moment, 1),
                         share = fixed(share, 2)
                     ));
                 }

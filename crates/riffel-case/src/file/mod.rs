@@ -30,7 +30,9 @@ pub use curving::{
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,
     ProfileKind, ProfileOrientation, Profiles, RailFriction, RailProfiles, RailProfilesByRail,
 };
-pub use damage::{Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade};
+pub use damage::{
+    Bending, Damage, DamageLawName, Fatigue, Flow, FlowAlong, LimitName, Load, RailGrade,
+};
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};

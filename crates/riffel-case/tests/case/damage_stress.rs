@@ -12,13 +12,10 @@ const NU: f64 = 0.3;
 /// Rows of a file of `validation/reference/damage` below its head.
 macro_rules! rows {
     ($name:literal) => {
-        include_str!(concat!(
-            "../../../../validation/reference/damage/",
-            $name
-        ))
-        .lines()
-        .skip(1)
-        .map(|line| line.split(',').collect::<Vec<&str>>())
+        include_str!(concat!("../../../../validation/reference/damage/", $name))
+            .lines()
+            .skip(1)
+            .map(|line| line.split(',').collect::<Vec<&str>>())
     };
 }
 
@@ -74,7 +71,10 @@ fn closed_forms() {
         let centre = at(ratio, [0.0; 3]).normal;
         let x = -2.0 * NU - (1.0 - 2.0 * NU) * b / (1.0 + b);
         let y = -2.0 * NU - (1.0 - 2.0 * NU) / (1.0 + b);
-        assert!((centre[0] - x).abs() < 1e-8 && (centre[1] - y).abs() < 1e-8, "{ratio}");
+        assert!(
+            (centre[0] - x).abs() < 1e-8 && (centre[1] - y).abs() < 1e-8,
+            "{ratio}"
+        );
         let end = at(ratio, [1.0 - 1e-12, 0.0, 0.0]).normal;
         let expected = match ratio {
             ratio if ratio > 1.0 => {
@@ -87,7 +87,11 @@ fn closed_forms() {
             }
             _ => (1.0 - 2.0 * NU) / 3.0,
         };
-        assert!((end[0] - expected).abs() < 1e-5, "{ratio}: {} {expected}", end[0]);
+        assert!(
+            (end[0] - expected).abs() < 1e-5,
+            "{ratio}: {} {expected}",
+            end[0]
+        );
         assert!((end[0] + end[1]).abs() < 1e-5);
     }
 }
@@ -125,7 +129,10 @@ fn equilibrium() {
 #[test]
 fn axes_may_be_exchanged() {
     for ratio in [0.5, 1.0, 2.0] {
-        let (one, other) = (at(ratio, [0.4, 0.3, 0.3]), at(1.0 / ratio, [0.3, 0.4, 0.3 * ratio]));
+        let (one, other) = (
+            at(ratio, [0.4, 0.3, 0.3]),
+            at(1.0 / ratio, [0.3, 0.4, 0.3 * ratio]),
+        );
         let [xx, yy, zz, xy, yz, zx] = other.along;
         for (a, b) in one.across.iter().zip([yy, xx, zz, xy, zx, yz]) {
             assert!((a - b).abs() < 1e-12, "{ratio}: {a} {b}");

@@ -2,10 +2,10 @@
 
 mod case_file;
 mod closed_forms;
+mod contact;
 mod damage;
 mod damage_in_loop;
 mod damage_stress;
-mod contact;
 mod general_loop;
 mod measured_resonances;
 mod measured_tables;

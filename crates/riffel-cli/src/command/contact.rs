@@ -3,8 +3,8 @@
 use riffel::contact::KalkerCoefficients;
 use riffel_answers::contact::{ContactAnswer, ContactRequest, FrequencyResponse, RollingTheories};
 use riffel_answers::stress::StressAnswer;
-use riffel_case::{CaseContact, SteadyContact};
 use riffel_case::file::CreepLawName;
+use riffel_case::{CaseContact, SteadyContact};
 use riffel_keys::CaseError;
 
 use crate::arguments::{Contact, positive};

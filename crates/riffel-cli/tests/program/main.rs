@@ -7,6 +7,7 @@ mod book;
 mod contact;
 mod contact_direction;
 mod curving;
+mod damage;
 mod diagnose;
 mod documentation;
 mod evolution;

@@ -270,6 +270,7 @@ mod tests {
             check::<Spin>(),
             check::<RelativeSlope>(),
             check::<WarpingConstant>(),
+            check::<LengthPerForce>(),
             check::<VelocityDecay>(),
         ];
         assert_eq!(checked, KINDS);

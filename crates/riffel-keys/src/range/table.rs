@@ -3,9 +3,9 @@
 use super::PhysicalRange;
 use crate::quantity::{
     Angle, Area, Damping, DampingPerLength, Density, Dimension, Force, Frequency, Inertia, Kind,
-    Length, LengthPerForce, Mass, MassPerLength, Modulus, Moment, Ratio, RelativeSlope, SecondMoment, Speed, Spin,
-    Stiffness, TorsionalDamping, TorsionalStiffness, VelocityDecay, WarpingConstant,
-    WearCoefficient,
+    Length, LengthPerForce, Mass, MassPerLength, Modulus, Moment, Ratio, RelativeSlope,
+    SecondMoment, Speed, Spin, Stiffness, TorsionalDamping, TorsionalStiffness, VelocityDecay,
+    WarpingConstant, WearCoefficient,
 };
 
 const fn row<D: Dimension>(
@@ -660,7 +660,11 @@ pub static RANGES: &[PhysicalRange] = &[
         "The load of a wheel.",
     ),
     row::<Length>(
-        &["corrugation.amplitude", "outputs.wave.amplitude", "--amplitude"],
+        &[
+            "corrugation.amplitude",
+            "outputs.wave.amplitude",
+            "--amplitude",
+        ],
         [1e-12, 0.01],
         [1e-8, 2e-3],
         "Smooth rails have 0.1 µm, the worst corrugation 0.5 mm.",
@@ -708,7 +712,11 @@ pub static RANGES: &[PhysicalRange] = &[
         "Rails lose nanometres by flow per passage, if any; more than 0.2 µm leaves no rail.",
     ),
     row::<Ratio>(
-        &["damage.flow.exponent", "damage.flow_along.exponent", "damage.bending.exponent"],
+        &[
+            "damage.flow.exponent",
+            "damage.flow_along.exponent",
+            "damage.bending.exponent",
+        ],
         [1.0, 10.0],
         [1.0, 4.0],
         "Ratchetting is taken in proportion to what lies above the limit; below one the law would begin with a step.",

@@ -57,10 +57,7 @@ pub fn orthogonal_shear(ratio: f64) -> (f64, f64) {
     }
     let t: f64 = 0.5 * (low + high);
     let root = (2.0 * t - 1.0).sqrt();
-    (
-        root / (2.0 * t * (t + 1.0)),
-        ((t + 1.0) * root).recip(),
-    )
+    (root / (2.0 * t * (t + 1.0)), ((t + 1.0) * root).recip())
 }
 
 /// Largest |τ_xz|/p₀ under a line contact in full slip of a friction, and its slope over friction: |σ_x| of the pressure there.
@@ -146,7 +143,13 @@ mod tests {
     /// 4.675 under a circle, 4 of a long ellipse across, and the depth 0.35 of a circle.
     #[test]
     fn without_friction_under_an_ellipse() {
-        for (ratio, limit) in [(0.5, 4.216), (1.0, 4.675), (1.587, 5.31), (2.0, 5.78), (1e-6, 4.0)] {
+        for (ratio, limit) in [
+            (0.5, 4.216),
+            (1.0, 4.675),
+            (1.587, 5.31),
+            (2.0, 5.78),
+            (1e-6, 4.0),
+        ] {
             let [value, slope] = ShakedownLimit::Subsurface { ratio }.at(0.3);
             assert!((value - limit).abs() < 6e-3, "{ratio}: {value}");
             assert_eq!(slope, 0.0);

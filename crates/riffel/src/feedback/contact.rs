@@ -5,8 +5,8 @@ use std::sync::Arc;
 
 use num_complex::Complex64;
 
-use crate::damage::{Damage, DamageState, Mean, Oscillation};
 use crate::contact::{ContactDerivative, ContactResponse, MovingContact, WaveGeometry};
+use crate::damage::{Damage, DamageState, Mean, Oscillation};
 use crate::wheelset::Motion;
 use crate::{Direction, EnergyWear, Error, Place, PlaceOfWear, Rail, RollingContact};
 
@@ -227,7 +227,9 @@ impl Contact {
         let wears = f64::from(damage.wears());
         derivatives.each(|by| {
             by.growth = wears * by.at_rail;
-            by.demand = damage.demand.oscillation([by.force[0], by.force[1], Complex64::ZERO]);
+            by.demand = damage
+                .demand
+                .oscillation([by.force[0], by.force[1], Complex64::ZERO]);
         });
         let by_load = &mut derivatives.by_load;
         by_load.demand += damage.demand.by_load;

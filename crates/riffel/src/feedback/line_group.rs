@@ -57,7 +57,8 @@ impl LineGroup {
             system.turn(feedback, &self.answers, speed);
             let per_dissipation = feedback.growth_rate_per_dissipation();
             for (lane, (mean, wavelength)) in means.iter_mut().zip(&self.wavelengths).enumerate() {
-                let growth = per_dissipation * system.equivalent(feedback, *wavelength, speed, lane).re;
+                let growth =
+                    per_dissipation * system.equivalent(feedback, *wavelength, speed, lane).re;
                 let force = system.normal_force(feedback, 0, *wavelength, lane);
                 mean[0] += *weight * growth;
                 mean[1] += *weight * force.norm_sqr() / feedback.amplitude().powi(2);

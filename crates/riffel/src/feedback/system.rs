@@ -156,8 +156,7 @@ impl System {
             };
             let moved = self.moved(of, index, wavelength, lane);
             let receptance = self.track[(3 * index + NORMAL) * (self.size() + 1)];
-            let at =
-                moved.oscillation(&contact.derivatives(wavelength), receptance, wavelength);
+            let at = moved.oscillation(&contact.derivatives(wavelength), receptance, wavelength);
             let depth = damage.clipped(contact.mean_of_damage(), &at);
             let energy = depth / contact.wear.depth_per_energy();
             let under = moved.phase * contact.profile_or_one();
@@ -310,7 +309,8 @@ impl System {
         };
         let mut force: [Complex64; 3] =
             std::array::from_fn(|axis| contact.force_share(axis) * of_unknown(axis));
-        let [along, across] = [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, lane));
+        let [along, across] =
+            [0, 1].map(|axis| self.number(&self.creepages, 2 * index + axis, lane));
         let wavenumber = 2.0 * PI / wavelength;
         let (mut creepage, mut spin) = ([along, across], Complex64::ZERO);
         let mut shift = Complex64::ZERO;
@@ -477,12 +477,7 @@ impl Moved {
     }
 
     /// What laws of damage take.
-    fn oscillation(
-        &self,
-        of: &Derivatives,
-        receptance: Complex64,
-        wavelength: f64,
-    ) -> Oscillation {
+    fn oscillation(&self, of: &Derivatives, receptance: Complex64, wavelength: f64) -> Oscillation {
         Oscillation {
             demand: self.sum(of, |by| by.demand),
             wear: self.sum(of, |by| by.at_rail),

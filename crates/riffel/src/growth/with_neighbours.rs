@@ -2,8 +2,8 @@
 
 use num_complex::Complex64;
 
-use crate::damage::DamageLaw;
 use crate::Error;
+use crate::damage::DamageLaw;
 use crate::feedback::Loop;
 use crate::inverse::{identity, inverse};
 use crate::receptance::MovingLoadOnSupports;

@@ -98,8 +98,9 @@ fn search<const N: usize>(
     };
     let step: [f64; N] =
         std::array::from_fn(|axis| (bounds[axis][1] - bounds[axis][0]) / steps[axis] as f64);
-    let mut found: Vec<([f64; N], StressMaximum)> =
-        grid(steps, bounds).map(|place| (place, at(place))).collect();
+    let mut found: Vec<([f64; N], StressMaximum)> = grid(steps, bounds)
+        .map(|place| (place, at(place)))
+        .collect();
     found.sort_by(|one, other| other.1.value.total_cmp(&one.1.value));
     let mut begun: Vec<([f64; N], StressMaximum)> = Vec::new();
     for start in found {
