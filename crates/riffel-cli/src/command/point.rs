@@ -224,13 +224,14 @@ fn damage(case: &Case, state: &LoopState) -> String {
             depth.map_or_else(String::new, |(_, depth)| format!("{:.3e}", 1e9 * depth)),
         ]);
     }
-    format!(
-        "{table}\ndemand {:.3}, largest at {:.0}° after the crest; the limit is met at an amplitude of {:.1} µm\n",
+    let demand = format!(
+        "demand {:.3}, largest at {:.0}° after the crest, and at its limit at an amplitude of {:.1} µm",
         damage.demand,
         // Later in time is a lag.
         (-damage.place_deg).rem_euclid(360.0),
         1e6 * damage.amplitude_at_limit_m,
-    )
+    );
+    format!("{table}\n{demand}\n")
 }
 
 /// The mean creepage of the contact under study.

@@ -70,6 +70,7 @@ pub(crate) fn contact(
         wave: None,
         place_of_wear: place_of_wear(),
         wear: wear(),
+        damage: None,
     }
 }
 

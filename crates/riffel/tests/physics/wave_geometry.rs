@@ -363,6 +363,7 @@ fn sliding(longitudinal: f64, lateral: f64, motion: [Motion<()>; 2]) -> Contact 
         place_of_wear: PlaceOfWear::new(DissipationPhase::Lag, hertz.semi_axis_longitudinal(), 1.0),
         wave: Some(WaveGeometry::new(RADIUS, patch()).unwrap().sliding(&hertz)),
         wear: EnergyWear::new(2.5e-9, 7850.0, hertz.semi_axis_lateral()).unwrap(),
+        damage: None,
     }
 }
 
