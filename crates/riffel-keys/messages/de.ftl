@@ -352,3 +352,4 @@ depth-of-stress = Ort
 stress-over-pressure = Spannung/p₀
 rates-follow-amplitude = Wachstumsraten hängen nach Schadensgesetzen von der Amplitude ab: die genannten gelten bei corrugation.amplitude, { $amplitude } µm, Pegel werden schrittweise gerechnet
 fit-scales-all-damage = Wachstum geschieht nach Schadensgesetzen neben dem Verschleiß: ein an Messungen angepasster Verschleißbeiwert verändert sie alle
+models-leave-damage-out = Modelle der Literatur stehen ohne die Gesetze von [damage], die keiner ihrer Autoren hat

@@ -360,3 +360,4 @@ depth-of-stress = where
 stress-over-pressure = stress/p₀
 rates-follow-amplitude = rates of growth depend on the amplitude by laws of damage: those told are at corrugation.amplitude, { $amplitude } µm, levels are marched
 fit-scales-all-damage = growth is by laws of damage beside wear: a wear coefficient fitted to measurements scales all of them
+models-leave-damage-out = models of the field are told without the laws of [damage], which none of their authors has

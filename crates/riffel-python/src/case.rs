@@ -18,8 +18,9 @@ use riffel_answers::WearLimitDocument;
 use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::{CaseContact, DrawnSupports, Point, PointValue};
+use riffel_case::{CaseContact, DamagePoint, DrawnSupports, Point, PointValue};
 use riffel_keys::CaseError;
+use serde_json::Value;
 
 use crate::array::owned;
 use crate::errors::{of_case, of_physics, wrong};
@@ -383,7 +384,7 @@ impl Case {
         py: Python<'py>,
         wavelengths: PyReadonlyArray1<'py, f64>,
         speeds: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Vec<(&'static str, &'static str, &'static str, Bound<'py, PyAny>)>> {
+    ) -> PyResult<Vec<(String, &'static str, &'static str, Bound<'py, PyAny>)>> {
         let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
         let case = self.over(py, &wavelengths, &speeds)?;
         /// From here on the wait may be worth interrupting.
@@ -430,7 +431,8 @@ impl Case {
                     .into_pyarray(py)
                     .into_any(),
             };
-            (quantity.key(), quantity.unit(), quantity.name(), array)
+            let key = quantity.key().to_owned();
+            (key, quantity.unit(), quantity.name(), array)
         });
         let limits = |value: fn(&WearLimitDocument) -> f64| {
             let values = points.iter().map(|point| value(&point.1));
@@ -440,19 +442,24 @@ impl Case {
         let amplitude = limits(|limit| limit.amplitude_limit_m.unwrap_or(f64::NAN));
         let beside = [
             (
-                "mean_wear_mm_per_100_mgt",
+                "mean_wear_mm_per_100_mgt".to_owned(),
                 "mm",
                 "mean wear under 100 MGT",
                 wear,
             ),
             (
-                "amplitude_limit_m",
+                "amplitude_limit_m".to_owned(),
                 "m",
                 "amplitude beyond which the rate cannot last",
                 amplitude,
             ),
         ];
-        Ok(columns.chain(beside).collect())
+        let damage = points.iter().map(|(point, _)| point.damage.as_ref());
+        let damage = match damage.collect::<Option<Vec<_>>>() {
+            Some(damage) => damage_columns(py, &damage)?,
+            None => Vec::new(),
+        };
+        Ok(columns.chain(damage).chain(beside).collect())
     }
 
     /// Write Ŵ₁ to `values`, a row for each speed, filled up to whole tiles. While it is computed `meanwhile` is called
@@ -732,5 +739,61 @@ impl Case {
         document.set_item("dissipation_j_per_m", steady.dissipation_j_per_m)?;
         contact.set_item("steady", document)?;
         Ok(contact)
+    }
+}
+
+/// A key with its unit, what it is and its values.
+type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyAny>);
+
+/// The object `damage` of points, a column for each of its numbers, `damage.growth_by_law.flow` for one inside.
+fn damage_columns<'py>(py: Python<'py>, points: &[&DamagePoint]) -> PyResult<Vec<Column<'py>>> {
+    let mut columns: Vec<(String, Vec<Value>)> = Vec::new();
+    for (index, point) in points.iter().enumerate() {
+        let value = serde_json::to_value(point)
+            .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?;
+        let mut leaves = Vec::new();
+        collect_numbers("damage", &value, &mut leaves);
+        for (place, (key, value)) in leaves.into_iter().enumerate() {
+            match index {
+                0 => columns.push((key, vec![value])),
+                // Every point of a case has the same numbers.
+                _ => columns[place].1.push(value),
+            }
+        }
+    }
+    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
+    let columns = columns.into_iter().map(|(key, values)| {
+        let array = match values[0].is_array() {
+            false => {
+                let values: Vec<f64> = values.iter().map(number).collect();
+                values.into_pyarray(py).into_any()
+            }
+            true => {
+                let complex = |value: &Value| Complex64::new(number(&value[0]), number(&value[1]));
+                let values: Vec<Complex64> = values.iter().map(complex).collect();
+                values.into_pyarray(py).into_any()
+            }
+        };
+        let unit = match () {
+            () if key.ends_with("_pa") => "Pa",
+            () if key.ends_with("_m") || key.contains("_m.") => "m",
+            () if key.ends_with("_nm") => "N m",
+            () if key.ends_with("_deg") => "deg",
+            () => "1",
+        };
+        (key, unit, "damage beside wear", array)
+    });
+    Ok(columns.collect())
+}
+
+/// The numbers of a document below a key, real or `[re, im]`, in its order.
+fn collect_numbers(key: &str, value: &Value, into: &mut Vec<(String, Value)>) {
+    match value {
+        Value::Object(map) => {
+            for (name, value) in map {
+                collect_numbers(&format!("{key}.{name}"), value, into);
+            }
+        }
+        value => into.push((key.to_owned(), value.clone())),
     }
 }

@@ -53,7 +53,8 @@ def case_of(point: dict[str, Any]) -> dict[str, Any]:
 def as_json(point: dict[str, float | complex]) -> dict[str, Any]:
     """A point as the program writes it; numbers of JSON read back to the same bits, and no limit is none."""
     pairs = {key: [value.real, value.imag] if isinstance(value, complex) else value for key, value in point.items()}
-    return {key: None if value != value else value for key, value in pairs.items()}
+    tables = {key: as_json(value) if isinstance(value, dict) else value for key, value in pairs.items()}
+    return {key: None if value != value else value for key, value in tables.items()}
 
 
 @pytest.mark.parametrize("point", POINTS, ids=lambda point: f"{point['case']['rail']}-{point['case']['tau']}")
@@ -82,6 +83,7 @@ def test_points_of_the_program(index: int, program: Callable[..., Any]) -> None:
     ("case", "overrides"),
     [
         ("cases/bhaskar-track.toml", {}),
+        ("cases/nominal.toml", {"wear.law": "usfd"}),
         ("cases/nominal.toml", {"contact.creep_law": "polach", "contact.hertz": "exact"}),
         ("cases/nominal.toml", {"track.model": "two-layer-periodic", "track.preset": "br-stiff", "rail.section": "60E1"}),
     ],

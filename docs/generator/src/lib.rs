@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 27] = [
+const COMMANDS: [&str; 28] = [
     "init",
     "point",
     "map",
@@ -32,6 +32,7 @@ const COMMANDS: [&str; 27] = [
     "forecast",
     "compare",
     "noise",
+    "shakedown",
     "study",
     "calibrate",
     "figures",

@@ -19,7 +19,7 @@ pub(super) fn figure(answer: &ShakedownAnswer) -> LineFigure {
             answer.a_over_b,
             match answer.amplitude_m {
                 Some(amplitude) => format!(
-                    " The orbit is that of the operating point over a wave of the amplitude {:.1} µm; dots stand on the crest and in the trough.",
+                    " The orbit is that of the operating point over a wave of the amplitude {:.1} µm, from the crest through the trough.",
                     1e6 * amplitude
                 ),
                 None => String::new(),

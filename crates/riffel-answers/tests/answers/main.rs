@@ -6,3 +6,4 @@ mod branches;
 mod comparison;
 mod forecast;
 mod motions;
+mod shakedown;

@@ -147,13 +147,19 @@ impl CheckedKeys {
                 };
                 let second_moment =
                     self.required("rail.second_moment", self.file.rail.second_moment)?;
+                let stiffness = self.file.steel.youngs_modulus.si() * second_moment.si();
+                let foundation = support.static_stiffness();
                 DamageLaw::Bending(Bending {
                     limit: bending.limit.si(),
                     curvature: bending.curvature.si(),
                     law: ClippedPower::new(bending.exponent.si(), spread),
-                    bending_stiffness: self.file.steel.youngs_modulus.si() * second_moment.si(),
-                    foundation: support.static_stiffness(),
-                    normal_force: hertz.normal_force(),
+                    bending_stiffness: stiffness,
+                    foundation,
+                    mean_moment: Bending::moment_at_rest(
+                        hertz.normal_force(),
+                        stiffness,
+                        foundation,
+                    ),
                 })
             }
             DamageLawName::Fatigue => {
@@ -199,10 +205,10 @@ impl CheckedKeys {
         for law in &damage.laws {
             match law {
                 DamageLaw::Bending(bending) => {
-                    let share = bending.mean_moment() / bending.limit;
+                    let share = bending.mean_moment / bending.limit;
                     remarks.push(say!(
                         moment_beside_its_limit,
-                        moment = fixed(1e-3 * bending.mean_moment(), 1),
+                        moment = fixed(1e-3 * bending.mean_moment, 1),
                         share = fixed(share, 2)
                     ));
                 }

@@ -10,7 +10,7 @@ use riffel::feedback::Contact;
 use riffel::growth::Bay;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, SprungMass};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 use toml::{Table, Value};
 
 use super::joints::{
@@ -73,6 +73,8 @@ impl ModelOnCase {
         }
         keys.creepage(joints.creepage)?;
         keys.contact(joints.contact)?;
+        // No author has these laws beside wear.
+        keys.remove(&["damage"]);
         if !joints.conformity {
             keys.remove(&["contact.conformity"]);
         }
@@ -88,6 +90,9 @@ impl ModelOnCase {
         let ModelKeys { text, given, .. } = keys;
         let folder = case.keys.folder.as_deref();
         let mut built = Case::of_text(text, folder, given, Window::Map)?;
+        if case.file.damage.is_some() {
+            built.remarks.push(say!(models_leave_damage_out));
+        }
         let even = joints.wheel == WheelJoint::EvenlyTurningWheelset;
         built.feedback = adjusted(built.feedback, even, joints.wear == WearJoint::NormalForce)
             .map_err(|error| NotOnCase(error.to_string()))?;

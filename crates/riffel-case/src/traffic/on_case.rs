@@ -232,10 +232,12 @@ impl Traffic {
         let at = format!("vehicle[{index}]");
         if traction_share < 1.0 && case.has_other_damage() {
             let message = format!(
-                "`{at}.traction_share` is below one, but axles that roll free damage the rail by the laws of damage.laws, too; name the \
+                "`{at}.traction_share` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the \
                  axles with traction and those without as two vehicles"
             );
-            return Err(self.source.refuse(&format!("{at}.traction_share"), &message));
+            return Err(self
+                .source
+                .refuse(&format!("{at}.traction_share"), &message));
         }
         let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {

@@ -187,10 +187,11 @@ fn readable(case: &Case, state: &LoopState) -> String {
         .map(|law| law.saturation_creepage())
         .map(|creepage| format!(" (full slip from {:.4} %)", 100.0 * creepage))
         .unwrap_or_default();
+    let damage = damage(case, state);
     format!(
         "{}{:.1} mm at {:.1} km/h: {:.1} Hz\n\
          tractive ratio {:.3}, creepage {}{full_slip}, contact {:.2} × {:.2} mm\n\
-         {table}\n{}\
+         {table}\n{}{damage}\
          Re Ŵ₁ = {:.5}, growth rate {rate:.3e} per passage: {verdict}\n{}\n",
         case.file
             .title
@@ -208,6 +209,31 @@ fn readable(case: &Case, state: &LoopState) -> String {
         state.normalized_dissipation.re,
         for_whom(case),
     )
+}
+
+/// What each law of damage does; nothing where wear is alone.
+fn damage(case: &Case, state: &LoopState) -> String {
+    let Some(damage) = Point::new(case, state).damage else {
+        return String::new();
+    };
+    let mut table = table(&["law", "growth per passage", "depth per passage nm"]);
+    for (law, growth) in &damage.growth_by_law.0 {
+        let depths = damage.depth_by_law_m.0.iter();
+        let depth = depths.clone().find(|(name, _)| name == law);
+        table.add_row([
+            (*law).to_owned(),
+            format!("{growth:.3e}"),
+            depth.map_or_else(String::new, |(_, depth)| format!("{:.3e}", 1e9 * depth)),
+        ]);
+    }
+    let demand = format!(
+        "demand {:.3}, largest at {:.0}° after the crest, and at its limit at an amplitude of {:.1} µm",
+        damage.demand,
+        // Later in time is a lag.
+        (-damage.place_deg).rem_euclid(360.0),
+        1e6 * damage.amplitude_at_limit_m,
+    );
+    format!("{table}\n{demand}\n")
 }
 
 /// The mean creepage of the contact under study.

@@ -8,6 +8,7 @@ mod calibrate;
 mod contact;
 mod contact_direction;
 mod curving;
+mod damage;
 mod diagnose;
 mod documentation;
 mod evolution;

@@ -771,7 +771,7 @@ pub static RANGES: &[PhysicalRange] = &[
     ),
     row::<Angle>(
         &["damage.fatigue.crack_angle"],
-        [0.01, 1.5707],
+        [0.01, 1.57],
         [0.15, 1.1],
         "Cracks go down at 15 to 45 degrees.",
     ),

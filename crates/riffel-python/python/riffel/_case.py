@@ -206,7 +206,8 @@ class Case:
         Returns
         -------
         dict or xarray.Dataset
-            For two scalars a dict with the keys of ``riffel point --json``; for arrays the same keys as variables.
+            For two scalars a dict with the keys of ``riffel point --json``; for arrays the same keys as variables, those of
+            laws of damage as ``damage.growth_by_law.flow``.
             Complex quantities are amplitudes for exp(+i omega t).
 
         Examples
@@ -220,7 +221,14 @@ class Case:
         """
         if is_scalar(wavelength) and is_scalar(speed):
             pair = np.array([scalar(wavelength, "wavelength", "length")]), np.array([scalar(speed, "speed", "speed")])
-            return {key: values[0].item() for key, _, _, values in self._case.points(*pair)}
+            found: dict[str, Any] = {}
+            for key, _, _, values in self._case.points(*pair):
+                *tables, name = key.split(".")
+                table = found
+                for part in tables:
+                    table = table.setdefault(part, {})
+                table[name] = values[0].item()
+            return found
         speeds, wavelengths = xr.broadcast(
             _as_data_array(speed, "speed", "speed", _datasets.SPEED),
             _as_data_array(wavelength, "wavelength", "length", _datasets.WAVELENGTH),

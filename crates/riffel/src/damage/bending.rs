@@ -18,20 +18,20 @@ pub struct Bending {
     pub bending_stiffness: f64,
     /// K₀ \[N/m²\], static stiffness of what carries the rail, per length.
     pub foundation: f64,
-    /// P₀ \[N\].
-    pub normal_force: f64,
+    /// M₀ \[N m\] under the mean load.
+    pub mean_moment: f64,
 }
 
 impl Bending {
-    /// M₀ \[N m\] under the mean load of a rail on even springs.
-    pub fn mean_moment(&self) -> f64 {
-        let root = (self.foundation / (4.0 * self.bending_stiffness)).powf(0.25);
-        self.normal_force / (4.0 * root)
+    /// M₀ \[N m\] under a load \[N\] on a rail of the stiffness EI \[N m²\] on even springs K₀ \[N/m²\].
+    pub fn moment_at_rest(load: f64, bending_stiffness: f64, foundation: f64) -> f64 {
+        let root = (foundation / (4.0 * bending_stiffness)).powf(0.25);
+        load / (4.0 * root)
     }
 
     /// M₀/M_lim − 1.
     pub fn excess(&self) -> f64 {
-        self.mean_moment() / self.limit - 1.0
+        self.mean_moment / self.limit - 1.0
     }
 
     /// Moment per force \[m\] of a rail of the receptance H \[m/N\] = 1/8EIβ³: 1/4β on the branch that decays to both sides.
@@ -44,6 +44,17 @@ impl Bending {
     pub fn freedom(&self, wavenumber: f64) -> f64 {
         let rail = self.bending_stiffness * wavenumber.powi(4);
         rail / (rail + self.foundation)
+    }
+
+    /// Whether a load \[N\] over a receptance \[m/N\] bends the rail beyond the limit anywhere along its wave, or by the spread.
+    pub(crate) fn may_yield(&self, load: Complex64, receptance: Complex64) -> bool {
+        if self.law.is_spread() || self.excess() > 0.0 {
+            return true;
+        }
+        // |M₁|³ = |P₁|³ 8EI|H|/64.
+        let cube = load.norm_sqr().powi(3) * receptance.norm_sqr();
+        let missing = -self.excess() * self.limit;
+        cube * self.bending_stiffness.powi(2) >= 64.0 * missing.powi(6)
     }
 
     /// h₁ \[m\] of an oscillating moment \[N m\].

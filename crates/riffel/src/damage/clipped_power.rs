@@ -20,6 +20,11 @@ impl ClippedPower {
         Self { exponent, spread }
     }
 
+    /// Whether there is a spread.
+    pub(crate) fn is_spread(&self) -> bool {
+        self.spread > 0.0
+    }
+
     /// E⟨X + σz⟩^m.
     pub fn value(&self, x: f64) -> f64 {
         power(x, self.exponent, self.spread)

@@ -109,6 +109,41 @@ impl Damage {
         self.laws.iter().any(DamageLaw::depends_on_amplitude)
     }
 
+    /// Whether one of the laws that depend on the amplitude takes the demand.
+    pub(crate) fn takes_demand(&self) -> bool {
+        let mut laws = self.laws.iter();
+        laws.any(|law| matches!(law, DamageLaw::Flow(_) | DamageLaw::FlowAlong(_)))
+    }
+
+    /// Whether one of them takes the energy.
+    pub(crate) fn takes_energy(&self) -> bool {
+        let mut laws = self.laws.iter();
+        laws.any(|law| matches!(law, DamageLaw::Fatigue(fatigue) if fatigue.loss > 0.0))
+    }
+
+    /// Whether one of them takes the load and the receptance under it.
+    pub(crate) fn takes_load(&self) -> bool {
+        let mut laws = self.laws.iter();
+        laws.any(|law| matches!(law, DamageLaw::Bending(_)))
+    }
+
+    /// Slopes of h₁ over the demand at small amplitudes \[m\] and, per wavenumber, of what turns it by a quarter \[m²\]; with the size of
+    /// u₁ up to which they hold.
+    pub(crate) fn small_demand(&self) -> (f64, f64, f64) {
+        let excess = self.demand.excess();
+        let (mut aside, mut along) = (0.0, 0.0);
+        for law in &self.laws {
+            match law {
+                DamageLaw::Flow(flow) => aside += flow.depth * flow.law.slope(excess),
+                DamageLaw::FlowAlong(flow) => {
+                    along += flow.area * flow.law.slope(excess) * self.demand.along();
+                }
+                _ => {}
+            }
+        }
+        (aside, along, excess.abs())
+    }
+
     /// Whether wear is among the laws.
     pub(crate) fn wears(&self) -> bool {
         self.laws.contains(&DamageLaw::Wear)
@@ -148,6 +183,9 @@ impl Damage {
             DamageLaw::Load(load) => at.load * load.depth_per_force,
             DamageLaw::Flow(flow) => flow.depth_1(&self.demand, at.demand),
             DamageLaw::FlowAlong(flow) => flow.depth_1(&self.demand, at.demand, at.wavenumber),
+            DamageLaw::Bending(bending) if !bending.may_yield(at.load, at.receptance) => {
+                Complex64::ZERO
+            }
             DamageLaw::Bending(bending) => {
                 let moment = at.load * bending.moment_per_force(at.receptance);
                 bending.depth_1(moment, at.wavenumber)
@@ -206,7 +244,7 @@ impl Damage {
             fatigue_index: self.demand.fatigue_index_oscillation(force) / profile,
             laws,
             moment: bending
-                .map(|law| [law.mean_moment(), law.limit])
+                .map(|law| [law.mean_moment, law.limit])
                 .map(|[mean, limit]| (mean / limit, mean)),
             moment_1: bending.map(|law| at.load * law.moment_per_force(at.receptance) / profile),
             crack: fatigue.map(|law| {

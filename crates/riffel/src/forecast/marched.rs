@@ -58,7 +58,8 @@ impl Marched {
         };
         let mut now = 0.0;
         let mut course = vec![(now, sum(&squares).ln())];
-        while sum(&squares) > 0.0 && 2.0 * sum(&squares) < HIGHEST * HIGHEST && now < MOST_PASSAGES {
+        while sum(&squares) > 0.0 && 2.0 * sum(&squares) < HIGHEST * HIGHEST && now < MOST_PASSAGES
+        {
             let begin = rates_of(&squares);
             let fastest = begin.iter().copied().fold(0.0, f64::max);
             if fastest == 0.0 {

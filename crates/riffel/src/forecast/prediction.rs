@@ -139,7 +139,8 @@ impl Forecast {
                     .rates_by_amplitude(place)
                     .map(|rates| Marched::new(&[line; LINES_PER_BAND], &rates));
                 // Mean depths of flow follow the amplitude, too: no bound is known there.
-                let bend = (of_loop && marched.is_none() && traffic.mean_wear().bounds_growth).then(|| Bend::of(&sum, traffic.mean_wear().depth));
+                let bend = (of_loop && marched.is_none() && traffic.mean_wear().bounds_growth)
+                    .then(|| Bend::of(&sum, traffic.mean_wear().depth));
                 let bend = bend.flatten();
                 Some(ForecastBand {
                     now,

@@ -496,7 +496,10 @@ fn rates_by_amplitude(
             Ok((*speed, places.collect::<Result<Vec<_>, Error>>()?))
         });
         let states = states.collect::<Result<Vec<_>, Error>>()?;
-        let states: Vec<_> = states.iter().map(|(at, places)| (*at, &places[..])).collect();
+        let states: Vec<_> = states
+            .iter()
+            .map(|(at, places)| (*at, &places[..]))
+            .collect();
         Ok((amplitude, MeanGrowth::between(&states, lines, speeds).rates))
     };
     (0..=STEPS).map(at).collect()

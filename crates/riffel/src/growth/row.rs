@@ -83,12 +83,15 @@ struct Output {
 
 /// What damage takes whose rate depends on the amplitude.
 struct Clipped {
-    /// u₁.
-    demand: Output,
-    /// e₁ at a point of the rail \[J/m\].
-    energy: Output,
-    /// Δ times the share of the profile that presses \[m\].
-    pressed: Tile,
+    /// u₁, where a law takes it.
+    demand: Option<Output>,
+    /// e₁ at a point of the rail \[J/m\], where a law takes it.
+    energy: Option<Output>,
+    /// Δ times the share of the profile that presses \[m\], where a law takes the load.
+    pressed: Option<Tile>,
+    /// Ŵ₁ over u₁ at small amplitudes, and the square of the size up to which that holds.
+    small: SplitComplex,
+    small_to: f64,
 }
 
 /// What a tile and a speed give.
@@ -116,11 +119,22 @@ impl Columns {
             per_wavenumber: wavelengths.map(|wavelength| wavelength / (2.0 * PI)),
             slip: SplitComplex::from_fn(|j| at[j].by_creepage[0].force[0]),
             growth: Output::new(&at, parts, scale, |by| by.growth),
-            clipped: contact.clipped_damage().map(|_| {
+            clipped: contact.clipped_damage().map(|damage| {
+                let demand = || Output::new(&at, parts, amplitude, |by| by.demand);
+                let energy = || Output::new(&at, parts, amplitude, |by| by.dissipated);
+                let (aside, along, small_to) = damage.small_demand();
+                let depth =
+                    contact.mean_of_damage().wear * feedback.steady.full_slip_energy_per_metre();
                 Box::new(Clipped {
-                    demand: Output::new(&at, parts, amplitude, |by| by.demand),
-                    energy: Output::new(&at, parts, amplitude, |by| by.dissipated),
-                    pressed: std::array::from_fn(|j| amplitude * at[j].pressed),
+                    demand: damage.takes_demand().then(demand),
+                    energy: damage.takes_energy().then(energy),
+                    pressed: (damage.takes_load())
+                        .then(|| std::array::from_fn(|j| amplitude * at[j].pressed)),
+                    small: SplitComplex::from_fn(|j| {
+                        let wavenumber = 2.0 * PI / wavelengths[j];
+                        Complex64::new(aside, wavenumber * along) / depth
+                    }),
+                    small_to: small_to * small_to,
                 })
             }),
         }
@@ -277,13 +291,32 @@ impl Tiles {
         };
         let mut growth = close(&columns.growth);
         if let Some(clipped) = &columns.clipped {
-            let (demand, energy) = (close(&clipped.demand), close(&clipped.energy));
+            let demand = clipped.demand.as_ref().map(&mut close);
+            let is_small = |demand: &[Complex64; TILE]| {
+                demand.iter().all(|u| u.norm_sqr() <= clipped.small_to)
+            };
+            // A tile of small waves, and of nothing else, takes no case distinctions.
+            if let (Some(demand), None, None) = (&demand, &clipped.energy, &clipped.pressed)
+                && is_small(demand)
+            {
+                let small = &clipped.small;
+                for (j, (growth, u)) in growth.iter_mut().zip(demand).enumerate() {
+                    growth.re += small.re[j] * u.re - small.im[j] * u.im;
+                    growth.im += small.re[j] * u.im + small.im[j] * u.re;
+                }
+                return growth;
+            }
+            let demand = demand.unwrap_or([Complex64::ZERO; TILE]);
+            let energy = clipped.energy.as_ref().map(&mut close);
+            let energy = energy.unwrap_or([Complex64::ZERO; TILE]);
             let [track, wheel] = [&scratch.track, &scratch.wheel].map(SplitComplex::joined);
             add_clipped(&mut growth, joints, |j| Oscillation {
                 demand: demand[j],
                 wear: Complex64::ZERO,
                 energy: energy[j],
-                load: clipped.pressed[j] / (track[j] + wheel[j] + joints.contact.stiffness.recip()),
+                load: clipped.pressed.as_ref().map_or(Complex64::ZERO, |pressed| {
+                    pressed[j] / (track[j] + wheel[j] + joints.contact.stiffness.recip())
+                }),
                 receptance: track[j],
                 wavenumber: columns.wavenumber[j],
             });

@@ -17,7 +17,7 @@ use super::StressTensor;
 /// V is that of an ellipsoid (Hertz): ½πabp₀ ∫_λ (1 − x²/(a²+s) − y²/(b²+s) − z²/s) ds/Δ. Integrated over z, the others are
 /// ∫_λ of Z(s) = √(s (1 − x²/(a²+s) − y²/(b²+s))): of what is elliptic smooth integrals over an angle, of the rest
 /// smooth integrals over m = √R, R the quadratic under the root in u = 1/(a²+s), so that no edge and no surface is singular.
-/// Both by Gauss's rule of 24 points: 1e-12 for a/b between 0.3 and 3.
+/// Both by Gauss's rule of 16 points: better than 1e-7 for a/b between 0.3 and 3.
 #[derive(Debug, Clone, Copy)]
 pub struct EllipseStress {
     /// b/a.
@@ -37,7 +37,7 @@ pub struct UnitStress {
 }
 
 /// Points of the rule.
-const POINTS: usize = 24;
+const POINTS: usize = 16;
 
 /// Places and weights of Gauss and Legendre's rule between 0 and 1.
 static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(|| {
@@ -133,8 +133,9 @@ impl EllipseStress {
         let phi_xy = -x * y * twice(0, 1);
         let (f_iii, f_iij, f_ijj);
         let (zphi_iii, zphi_iij, zphi_ijj);
-        f_iii =
-            |i: usize| 3.0 * p[i] * (second(i, i) - z * twice(i, i)) - p[i].powi(3) * edge_twice(i);
+        f_iii = |i: usize| {
+            3.0 * p[i] * (second(i, i) - z * twice(i, i)) - p[i] * p[i] * p[i] * edge_twice(i)
+        };
         f_iij = |i: usize| {
             let o = 1 - i;
             p[o] * (second(i, o) - z * twice(i, o)) - p[i] * p[i] * p[o] * edge(i)
@@ -144,7 +145,7 @@ impl EllipseStress {
             p[i] * (second(i, o) - z * twice(i, o) - p[o] * p[o] * edge(o))
         };
         zphi_iii = |i: usize| {
-            -3.0 * p[i] * z * twice(i, i) - p[i].powi(3) * edge_twice(i)
+            -3.0 * p[i] * z * twice(i, i) - p[i] * p[i] * p[i] * edge_twice(i)
                 + p[i] * p[i] * by_place(i, i) * alpha(i)
         };
         zphi_iij = |i: usize| {
@@ -212,15 +213,26 @@ impl Integrals {
         let delta = (rest * (small + level) * top).sqrt();
         let range = top * (1.0 - h_over_e * top) / (1.0 + delta);
         let bend = |below: f64| (1.0 - 4.0 * h_over_e / e * below).max(0.0).sqrt();
-        // 2 N/S at u, and its slope, N = u² (1 − cu)^(−j), S = e − 2hu.
-        let edge = |u: f64, j: i32, s: f64| {
-            let base = 1.0 - c * u;
-            let n = u * u * base.powi(-j);
-            let by_u = 2.0 * u * base.powi(-j) + f64::from(j) * c * n / base;
-            [
-                2.0 * n / s,
-                2.0 * by_u / s + 4.0 * h_over_e * e * n / (s * s),
-            ]
+        // 2 N/S at u and its slope, N = u² (1 − cu)^(−j) for j = −1, 0, 1, 2, S = e − 2hu.
+        let turn = 4.0 * h_over_e * e;
+        let edge = |u: f64, s: f64| {
+            let (base, per_s) = (1.0 - c * u, s.recip());
+            let other = base.recip();
+            let (square, twice) = (u * u, 2.0 * u);
+            let n = [
+                square * base,
+                square,
+                square * other,
+                square * other * other,
+            ];
+            let by_u = [
+                twice * base - c * square,
+                twice,
+                (twice + c * n[2]) * other,
+                (twice * other + 2.0 * c * n[3]) * other,
+            ];
+            let slope = |j: usize| (2.0 * by_u[j] + turn * n[j] * per_s) * per_s;
+            (n.map(|n| 2.0 * n * per_s), [0, 1, 2, 3].map(slope))
         };
         let mut edges = [0.0; 4];
         for &(share, weight) in RULE.iter() {
@@ -247,8 +259,10 @@ impl Integrals {
             sums.over_root_twice[0][0] += w * u;
             sums.over_root_twice[0][1] += w * u * other;
             sums.over_root_twice[1][1] += w * u * other * other;
-            for (sum, j) in edges.iter_mut().zip([-1, 0, 1, 2]) {
-                *sum -= 2.0 * z * weight * range / bent * edge(u, j, e * bent)[1];
+            let weight = 2.0 * z * weight * range / bent;
+            let (_, slopes) = edge(u, e * bent);
+            for (sum, slope) in edges.iter_mut().zip(slopes) {
+                *sum -= weight * slope;
             }
         }
         sums.second[1][0] = sums.second[0][1];
@@ -256,8 +270,9 @@ impl Integrals {
         // z/δ, finite where both vanish.
         let over = (level * (big + level) / (small + level)).sqrt();
         let bent = bend((1.0 - delta) * (1.0 + delta));
-        for (sum, j) in edges.iter_mut().zip([-1, 0, 1, 2]) {
-            *sum += over * edge(top, j, e * bent)[0];
+        let (values, _) = edge(top, e * bent);
+        for (sum, value) in edges.iter_mut().zip(values) {
+            *sum += over * value;
         }
         sums.edge_twice = [edges[0], edges[3]];
         sums.edge = [edges[1], edges[2]];

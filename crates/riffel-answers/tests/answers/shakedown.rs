@@ -1,0 +1,69 @@
+//! Operating points along a wave, against numbers made apart from Riffel.
+
+use riffel_answers::shakedown::ShakedownQuestion;
+use riffel_case::Case;
+use serde_json::Value;
+
+/// P and Q linear, p₀ by the third root: 2e-4 of the printed numbers, demands by the line and by the surface.
+#[test]
+fn operating_points() {
+    let growth: Value = serde_json::from_str(include_str!(
+        "../../../../validation/reference/damage/growth.json"
+    ))
+    .unwrap();
+    let points = include_str!("../../../../validation/reference/damage/operating_points.csv");
+    let mut worst = 0.0f64;
+    for line in points.lines().skip(1) {
+        let row: Vec<&str> = line.split(',').collect();
+        let number = |column: usize| row[column].parse::<f64>().unwrap();
+        let of = |key: &str| growth["cases"][row[0]][key].as_f64().unwrap();
+        let shear = growth["shear_yield_pa"][row[0]].as_f64().unwrap();
+        for (limit, column) in [("line", 12), ("surface", 11)] {
+            let text = format!(
+                "[wheel]\nrolling_radius = {}\nmass = {}\n[rail]\nmass_per_length = {}\nsecond_moment = {}\n\
+                 beam = \"euler-bernoulli\"\n[track]\nmodel = \"two-layer\"\nsupport_spacing = {}\n\
+                 pad = {{ stiffness = {}, damping = {} }}\nsleeper = {{ mass = {} }}\n\
+                 ballast = {{ stiffness = {}, damping = {} }}\n[contact]\ntransverse_radius = {}\nnormal_load = {}\n\
+                 friction = {}\ntractive_ratio = {}\nwave_geometry = false\n\
+                 [damage]\nshear_yield = {shear}\nlimit = \"{limit}\"\n",
+                of("R"),
+                of("mw"),
+                of("mr"),
+                of("I"),
+                of("d"),
+                of("kp"),
+                of("cp"),
+                of("ms"),
+                of("kb"),
+                of("cb"),
+                of("Rr"),
+                of("P0"),
+                of("mu"),
+                of("tau"),
+            );
+            let case = Case::parse("case.toml", &text, &[]).unwrap();
+            let question = ShakedownQuestion {
+                utilised_friction: vec![0.3],
+                wave: Some([number(1), number(2)]),
+                amplitude: Some(number(3)),
+            };
+            let answer = question.answer(&case).unwrap();
+            let along = answer.along_wave.unwrap();
+            let point = along
+                .iter()
+                .find(|point| point.phase_deg == number(4))
+                .unwrap();
+            for (got, expected) in [
+                (point.normal_force_n, number(6)),
+                (point.tangential_force_n, number(7)),
+                (point.p0_over_k, number(8)),
+                (point.utilised_friction, number(9)),
+                (point.demand, number(column)),
+            ] {
+                worst = worst.max((got / expected - 1.0).abs());
+            }
+            assert!((point.fi_surf - number(10)).abs() < 2e-5);
+        }
+    }
+    assert!(worst < 2e-4, "{worst}");
+}
