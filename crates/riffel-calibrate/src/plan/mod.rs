@@ -1,0 +1,226 @@
+//! Plans: what is uncertain, what was measured, read and checked.
+
+mod data;
+mod parameter;
+
+use std::path::{Path, PathBuf};
+
+use riffel_case::traffic::Traffic;
+use riffel_case::{Case, settings};
+use riffel_keys::{CaseError, KeyFile, text_file};
+use riffel_study::Distribution;
+
+use crate::file::{DataFile, PlanFile};
+use crate::model::{Model, Parameter, Vehicle, View};
+use crate::posterior::{Named, Posterior};
+use crate::prior::Prior;
+
+/// Standard deviations of a prior from its median beyond which it excludes what the case says.
+const EXCLUDES: f64 = 4.0;
+/// Keys of a plan that are for decisions and comparisons, which `calibrate` leaves alone.
+const OF_OTHERS: [&str; 5] = ["compare", "hold_out", "action", "measurement", "cost"];
+
+/// A plan, read and checked against its case and its data.
+pub struct Plan {
+    /// The keys as written.
+    pub file: PlanFile,
+    /// What it asks for.
+    pub posterior: Posterior,
+    /// What the reader should know.
+    pub remarks: Vec<String>,
+    /// The text of the plan.
+    pub text: String,
+    /// Every file that the numbers follow from, the plan first.
+    pub inputs: Vec<PathBuf>,
+}
+
+/// A plan while it is being read.
+struct Reading<'a> {
+    source: &'a KeyFile,
+    file: &'a PlanFile,
+    folder: &'a Path,
+    case: &'a Case,
+    vehicles: &'a [Vehicle],
+    parameters: Vec<Parameter>,
+    views: Vec<View>,
+    remarks: Vec<String>,
+}
+
+impl Plan {
+    /// Read a plan, its case, its traffic and its data.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key or the file, the value and the rule.
+    pub fn read(path: &Path) -> Result<Self, CaseError> {
+        let text = text_file::read_keys(path, "plan")?;
+        let mut source = KeyFile::parse(&path.display().to_string(), &text)?;
+        let written = source.clone();
+        OF_OTHERS.iter().for_each(|key| source.remove(key));
+        let file: PlanFile = source.deserialize()?;
+        let source = written;
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        check_sampler(&source, &file)?;
+        let case_path = folder.join(&file.case);
+        let case =
+            Case::read_with(&case_path, &settings(&file.set)).map_err(|error| match error {
+                CaseError::Changed { key, message } => {
+                    source.refuse(&format!("set.{key}"), &message)
+                }
+                error => error,
+            })?;
+        let mut inputs = vec![path.to_owned(), case_path];
+        let vehicles = match &file.traffic {
+            None => Vec::new(),
+            Some(name) => {
+                inputs.push(folder.join(name));
+                let traffic = Traffic::read(&folder.join(name))?;
+                Vehicle::all(&traffic).map_err(|(index, key)| {
+                    let message = format!(
+                        "vehicle[{index}] of {name} has `{key}`, which calibration does not take; give one wheel at a distribution of speeds"
+                    );
+                    source.refuse("traffic", &message)
+                })?
+            }
+        };
+        inputs.extend(file.data.iter().map(|data| folder.join(&data.file)));
+        let mut reading = Reading {
+            source: &source,
+            file: &file,
+            folder,
+            case: &case,
+            vehicles: &vehicles,
+            parameters: Vec::new(),
+            views: Vec::new(),
+            remarks: Vec::new(),
+        };
+        for (index, parameter) in file.parameter.iter().enumerate() {
+            let parameter = reading.parameter(index, parameter)?;
+            if reading
+                .parameters
+                .iter()
+                .any(|other| other.name == parameter.name)
+            {
+                let rule = format!("is \"{}\" a second time", parameter.name);
+                return Err(source.invalid(&format!("parameter[{index}]"), &rule, ""));
+            }
+            reading.parameters.push(parameter);
+        }
+        let mut blocks = reading.blocks()?;
+        if reading.parameters.is_empty() {
+            return Err(source.missing("parameter", "write one [[parameter]] or more"));
+        }
+        let Reading {
+            parameters,
+            views,
+            remarks,
+            ..
+        } = reading;
+        let model = Model {
+            parameters,
+            views,
+            vehicles,
+        };
+        touch(&source, &model, &mut blocks)?;
+        let posterior = Posterior { model, blocks };
+        Ok(Self {
+            file,
+            posterior,
+            remarks,
+            text,
+            inputs,
+        })
+    }
+}
+
+fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
+    let sampler = &file.sampler;
+    if sampler.kind != "nuts" {
+        let rule = format!("is \"{}\", but must be \"nuts\"", sampler.kind);
+        return Err(source.invalid("sampler.kind", &rule, ""));
+    }
+    for (key, value, least, most) in [
+        ("sampler.chains", sampler.chains, 1, 1000),
+        ("sampler.warmup", sampler.warmup, 100, 1_000_000),
+        ("sampler.draws", sampler.draws, 10, 1_000_000),
+    ] {
+        if !(least..=most).contains(&value) {
+            let rule = format!("is {value}, but must be between {least} and {most}");
+            return Err(source.invalid(key, &rule, ""));
+        }
+    }
+    Ok(())
+}
+
+/// The name of data in the results.
+fn name_of(data: &DataFile) -> &str {
+    data.name.as_deref().unwrap_or(data.kind.name())
+}
+
+/// Whether a value lies beyond the ends or far out in the tails of a prior.
+fn excludes(prior: &Prior, value: f64) -> bool {
+    let [low, high] = prior.ends();
+    let far = match *prior {
+        Prior::Of(Distribution::Normal { .. }) => prior.place(value).abs(),
+        Prior::Of(Distribution::Lognormal {
+            log_mean,
+            log_deviation,
+            ..
+        }) if value > 0.0 => ((value.ln() - log_mean) / log_deviation).abs(),
+        _ => 0.0,
+    };
+    value < low || value > high || far > EXCLUDES
+}
+
+/// Whether predictions differ by rounding alone.
+fn is_same(here: &[f64], there: &[f64]) -> bool {
+    const ROUNDING: f64 = 1e-10;
+    let mut pairs = here.iter().zip(there);
+    pairs.all(|(here, there)| (here - there).abs() <= ROUNDING * (1.0 + here.abs()))
+}
+
+/// Find which parameters each block depends on: those whose change by a tenth in z changes a prediction at one of some places.
+fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), CaseError> {
+    const PLACES: [f64; 3] = [0.5, 0.35, 0.7];
+    const CHANGE: f64 = 0.1;
+    for named in blocks {
+        let acting: Vec<usize> = named
+            .block
+            .views()
+            .into_iter()
+            .flat_map(|view| model.views[view].acting.clone())
+            .collect();
+        let mut reason = None;
+        for share in PLACES {
+            let values: Vec<f64> = model
+                .parameters
+                .iter()
+                .map(|it| it.prior.quantile(share))
+                .collect();
+            let here = match named.block.predict(&model.trial(&values)) {
+                Ok(here) => here,
+                Err(error) => {
+                    reason = Some(error);
+                    continue;
+                }
+            };
+            for &index in &acting {
+                if named.touched_by.contains(&index) {
+                    continue;
+                }
+                let prior = &model.parameters[index].prior;
+                let mut moved = values.clone();
+                moved[index] = prior.value(prior.place(values[index]) + CHANGE);
+                let there = named.block.predict(&model.trial(&moved));
+                if !there.is_ok_and(|there| is_same(&here, &there)) {
+                    named.touched_by.push(index);
+                }
+            }
+        }
+        if let (Some(reason), true) = (reason, named.touched_by.is_empty()) {
+            let message = format!("in the middle of the priors the case says: {reason}");
+            return Err(source.refuse("parameter", &message));
+        }
+        named.touched_by.sort_unstable();
+    }
+    Ok(())
+}
