@@ -347,10 +347,12 @@ impl Window {
         for (mean, before) in self.mean.iter_mut().zip(&before) {
             *mean += before / self.count;
         }
-        let size = place.len();
-        for i in 0..size {
-            for j in 0..size {
-                self.scatter.values[i * size + j] += before[i] * (place[j] - self.mean[j]);
+        let after = place.iter().zip(&self.mean).map(|(z, mean)| z - mean);
+        let after: Vec<f64> = after.collect();
+        let rows = self.scatter.values.chunks_exact_mut(place.len());
+        for (row, before) in rows.zip(before) {
+            for (entry, after) in row.iter_mut().zip(&after) {
+                *entry += before * after;
             }
         }
     }

@@ -207,7 +207,7 @@ impl Walk<'_> {
         let error = phase.energy() - self.energy;
         self.accepted += (-error).min(0.0).exp();
         let mut tree = Tree::of(phase, -error);
-        if !(error < DIVERGES) {
+        if error.is_nan() || error >= DIVERGES {
             self.statistics.diverging = true;
             tree.ended = true;
         }

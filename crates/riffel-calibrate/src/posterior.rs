@@ -151,7 +151,7 @@ impl Posterior {
             }
             known.push((predicted, density));
         }
-        for index in 0..place.len() {
+        for (index, gradient) in gradient.iter_mut().enumerate() {
             let touched: Vec<usize> = (0..self.blocks.len())
                 .filter(|block| self.blocks[*block].touched_by.contains(&index))
                 .collect();
@@ -159,8 +159,7 @@ impl Posterior {
                 continue;
             }
             let slope = self.slope(place, index, &touched, &known, STEP);
-            gradient[index] +=
-                slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
+            *gradient += slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
         }
         let whole = log_density.is_finite() && gradient.iter().all(|slope| slope.is_finite());
         whole.then_some(Point {

@@ -91,7 +91,7 @@ impl Chains {
         let bfmi = self.draws.iter().map(|draws| {
             let energies: Vec<f64> = draws.iter().map(|draw| draw.statistics.energy).collect();
             let changes = energies.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
-            let (_, variance) = moments(&[energies.clone()]);
+            let (_, variance) = moments(std::slice::from_ref(&energies));
             changes.sum::<f64>() / (variance * (energies.len() - 1) as f64)
         });
         Summary {
@@ -115,14 +115,14 @@ impl Summary {
         let mut doubts = Vec::new();
         for marginal in &self.marginals {
             let name = &marginal.name;
-            if !(marginal.rhat <= MOST_RHAT) {
+            if marginal.rhat.is_nan() || marginal.rhat > MOST_RHAT {
                 doubts.push(format!(
                     "the chains disagree on {name}: R̂ is {:.3}, but must be {MOST_RHAT} at most; take more draws, or look for a second way to fit the data",
                     marginal.rhat
                 ));
             }
             let least = marginal.ess_bulk.min(marginal.ess_tail);
-            if !(least >= LEAST_ESS) {
+            if least.is_nan() || least < LEAST_ESS {
                 doubts.push(format!(
                     "{name} has {least:.0} effective draws, but must have {LEAST_ESS:.0}; take more draws"
                 ));
@@ -134,7 +134,7 @@ impl Summary {
                 self.divergences
             ));
         }
-        if !(self.bfmi > LEAST_BFMI) {
+        if self.bfmi.is_nan() || self.bfmi <= LEAST_BFMI {
             doubts.push(format!(
                 "the energy of the chains moves by {:.2} of its spread, but must by {LEAST_BFMI}: the tails are not reached",
                 self.bfmi

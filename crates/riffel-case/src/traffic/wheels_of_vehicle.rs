@@ -23,6 +23,9 @@ const TOLERANCE: f64 = 5e-3;
 /// interpolated.
 const BALANCED_AT: [f64; 7] = [-4.0, -2.0, -1.0, 0.0, 1.0, 2.0, 4.0];
 
+/// A vehicle balanced at some speeds \[m/s\].
+type BalancedAt = Vec<(f64, Arc<Equilibrium>)>;
+
 /// One wheel with its share in the passages of the vehicle.
 pub(super) struct WheelOfVehicle {
     share: f64,
@@ -210,7 +213,7 @@ impl Asked<'_> {
         through: &ThroughCurve,
         speeds: &SpeedDistribution,
         balanced: &[f64],
-    ) -> Result<(Vec<(f64, Arc<Equilibrium>)>, Option<Message>), CaseError> {
+    ) -> Result<(BalancedAt, Option<Message>), CaseError> {
         let at: Vec<_> = balanced
             .par_iter()
             .map(|speed| (*speed, through.at(*speed)))

@@ -69,7 +69,7 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     print_remarks(&plan.remarks);
     print_remarks(&untold(&summary));
     let doubts = summary.doubts();
-    doubts.iter().for_each(|doubt| complain(doubt));
+    doubts.iter().map(String::as_str).for_each(complain);
     Ok(if doubts.is_empty() { 0 } else { NO_CONCLUSION })
 }
 
@@ -138,7 +138,7 @@ fn four(number: f64) -> String {
 
 /// What the data do not tell.
 fn untold(summary: &Summary) -> Vec<String> {
-    let untold = |marginal: &&Marginal| !(marginal.contraction >= TOLD);
+    let untold = |marginal: &&Marginal| marginal.contraction.is_nan() || marginal.contraction < TOLD;
     let untold = summary.marginals.iter().filter(untold).map(|marginal| {
         let [low, .., high] = marginal.prior_quantiles;
         format!(
