@@ -77,7 +77,8 @@ def test_a_loop_takes_its_mean_state_from_the_curve(program: Callable[..., Any])
 
     growth = growth_of(case)
     assert growth == program(*asked)["growth_rate_per_passage"]
-    assert abs(growth_of(case.with_({"curve.radius": "1200 m"}))) < 0.1 * abs(growth)
+    # In a wide curve the wheel hardly slides: what grows here decays there.
+    assert growth_of(case.with_({"curve.radius": "1200 m"})) < 0 < growth
     wheel = riffel.curve(path).isel(wheelset=0, rail=1)
     by_hand = {"contact.normal_load": float(wheel["normal_force"])}
     assert growth_of(case.with_(by_hand)) == growth

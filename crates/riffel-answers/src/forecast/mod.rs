@@ -385,7 +385,8 @@ impl ForecastAnswer {
                 }
             })
             .collect();
-        findings.extend(self.months_within());
+        // Of the rail that leads, which is the first.
+        findings.splice(1..1, self.months_within());
         findings.extend(self.rails.iter().map(|rail| {
             let sentence = self.linear_range(rail);
             match self.prefix(rail).trim_end() {

@@ -138,7 +138,8 @@ fn four(number: f64) -> String {
 
 /// What the data do not tell.
 fn untold(summary: &Summary) -> Vec<String> {
-    let untold = |marginal: &&Marginal| marginal.contraction.is_nan() || marginal.contraction < TOLD;
+    let untold =
+        |marginal: &&Marginal| marginal.contraction.is_nan() || marginal.contraction < TOLD;
     let untold = summary.marginals.iter().filter(untold).map(|marginal| {
         let [low, .., high] = marginal.prior_quantiles;
         format!(

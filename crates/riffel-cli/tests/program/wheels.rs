@@ -15,7 +15,7 @@ fn wheels_stand_side_by_side() {
     assert_eq!(written.status, Some(0), "{}", written.text);
     for shown in [
         "all wheels in the curve of 180 m at 45 km/h",
-        "it grows fastest under wheelset 2, low rail",
+        "it grows fastest under wheelset 1, low rail",
         "wheelset 1, high rail: on the left rail the wheel stands on two points",
     ] {
         assert!(written.text.contains(shown), "{}", written.text);
