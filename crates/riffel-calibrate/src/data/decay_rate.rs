@@ -14,6 +14,8 @@ use crate::model::Trial;
 
 /// Frequencies of a band.
 const LINES: u32 = 16;
+/// The same for slopes.
+const FEW_LINES: u32 = 4;
 
 /// Decay rates of one-third octaves: ln DR_b ~ t_ν(ln DR_b of the model, √(s_b² + σ²)), bands independent. Where the grid of
 /// the measurement is too short for the rate, it is an upper bound, and its probability stands in the place of the density.
@@ -36,6 +38,17 @@ fn usual_error(frequency: f64) -> f64 {
 }
 
 impl DecayRates {
+    /// ln of the rates of the model by so many frequencies a band.
+    fn rates(&self, trial: &Trial<'_>, lines: u32) -> Result<Vec<f64>, String> {
+        let case = trial.case(self.view)?;
+        let structure = case.track.structure.as_deref();
+        let structure = structure.ok_or("the track has no places along it")?;
+        let rates = self.centre.iter();
+        Ok(rates
+            .map(|centre| DecayRate::of_band(structure, *centre, lines).ln())
+            .collect())
+    }
+
     pub(crate) fn read(
         path: &Path,
         view: (usize, &Case),
@@ -84,13 +97,11 @@ impl DecayRates {
 
 impl Block for DecayRates {
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
-        let case = trial.case(self.view)?;
-        let structure = case.track.structure.as_deref();
-        let structure = structure.ok_or("the track has no places along it")?;
-        let rates = self.centre.iter();
-        Ok(rates
-            .map(|centre| DecayRate::of_band(structure, *centre, LINES).ln())
-            .collect())
+        self.rates(trial, LINES)
+    }
+
+    fn predict_coarsely(&self, trial: &Trial<'_>) -> Option<Result<Vec<f64>, String>> {
+        Some(self.rates(trial, FEW_LINES))
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {

@@ -17,6 +17,12 @@ pub(crate) trait Block: Send + Sync {
     /// What the model says of each datum, in the order of the data.
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String>;
 
+    /// The same by fewer evaluations of the model, where that is good enough for the slopes by which a sampler steers; none where
+    /// [`predict`](Self::predict) is as quick.
+    fn predict_coarsely(&self, _trial: &Trial<'_>) -> Option<Result<Vec<f64>, String>> {
+        None
+    }
+
     /// ln of the density of the data for predictions and sizes of what the model misses; none where these are beyond numbers.
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density>;
 
