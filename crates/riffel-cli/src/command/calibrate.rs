@@ -105,10 +105,12 @@ fn table(summary: &Summary) -> String {
         .map(|it| it.name.chars().count())
         .max()
         .unwrap_or(0);
+    let heads = ["median", "90 %", "R̂"];
     let mut text = format!(
-        "  {:width$}  {:>11}  {:>23}  {:>6}  told by data\n",
-        "", "median", "90 %", "R̂"
+        "  {:width$}  {:>11}  {:>23}  {:>6}",
+        "", heads[0], heads[1], heads[2]
     );
+    text += "  told\n";
     for marginal in &summary.marginals {
         let [low, _, middle, _, high] = marginal.quantiles;
         text += &format!(
