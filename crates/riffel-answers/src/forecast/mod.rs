@@ -81,7 +81,8 @@ pub struct ForecastAnswer {
     pub date: Option<Date>,
     /// The wear coefficient of two measurements, where there is an earlier one.
     pub wear: Option<WearReport>,
-    /// How well the wear coefficient is known that growth goes by; none where growth goes by what was measured.
+    /// How well the wear coefficient is known that growth goes by; none where growth goes by what was measured, or by other damage
+    /// than wear.
     pub wear_spread: Option<WearSpread>,
     /// What is to be said of the records.
     pub warnings: Vec<String>,
@@ -119,6 +120,7 @@ impl ForecastAnswer {
             date,
         } = request;
         horizon.check()?;
+        let wears_alone = case.file.damage.is_none();
         let (case, bands) = (&case.sharing_tables(), bands_of(case));
         let on = traffic.on(case, &bands, &Variant::none(""), progress)?;
         let spreads = traffic.spread_effects(case, &bands, &on)?;
@@ -156,7 +158,8 @@ impl ForecastAnswer {
             limit,
             date: date.or(measured_on),
             wear: None,
-            wear_spread: Some(WearSpread::UNMEASURED),
+            // Other damage than wear does not go with the wear coefficient.
+            wear_spread: wears_alone.then_some(WearSpread::UNMEASURED),
             warnings,
         })
     }
