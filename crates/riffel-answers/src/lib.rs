@@ -20,6 +20,7 @@
 
 mod answer;
 pub mod axlebox;
+mod banded;
 mod capital;
 mod column;
 pub mod compare;
@@ -58,6 +59,7 @@ pub mod wheelset;
 pub mod wheelset_motions;
 
 pub use answer::Answer;
+pub use banded::Banded;
 pub use capital::capital;
 pub use error::AnswerError;
 pub use highest::Highest;
@@ -65,6 +67,7 @@ pub use level_limit::level_limit;
 pub use parameters::parameters;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
+pub(crate) use wear_limit::wear_spread;
 pub use wear_limit::{WearLimitDocument, for_whom};
 
 /// The listings of the book, compiled and run.

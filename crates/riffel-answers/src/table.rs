@@ -99,6 +99,35 @@ impl Column {
         }
     }
 
+    /// Numbers for files alone, as they are.
+    pub fn in_file(name: &str, values: impl Iterator<Item = f64>) -> Self {
+        Self {
+            name: name.to_owned(),
+            head: None,
+            values: Values::Plain(values.collect()),
+        }
+    }
+
+    /// Numbers to so many digits before a reader, to a millionth in a file; none where there is nothing.
+    pub fn fixed(
+        name: &str,
+        head: Message,
+        values: impl Iterator<Item = Option<f64>>,
+        shown: usize,
+    ) -> Self {
+        let values = Values::Fixed {
+            values: values.collect(),
+            file: 6,
+            shown,
+            signed: false,
+        };
+        Self {
+            name: name.to_owned(),
+            head: Some(head),
+            values,
+        }
+    }
+
     /// Decibels: to a tenth before a reader, to a thousandth in a file.
     pub fn decibels(name: String, head: Option<Message>, values: Vec<Option<f64>>) -> Self {
         let values = Values::Fixed {

@@ -1,6 +1,7 @@
 //! Mean wear beside a growth rate, and how far that rate can last.
 
 use riffel::MeanWear;
+use riffel::forecast::WearSpread;
 use riffel_case::Case;
 use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
@@ -37,4 +38,10 @@ pub fn for_whom(case: &Case) -> Message {
         None => say!(rate_of_wheels_on_one_line, width = fixed(width, 1)),
         Some(_) => say!(rate_of_wheels_over_a_band, width = fixed(width, 0)),
     }
+}
+
+/// How well the wear coefficient is known that growth goes by, before a measurement tells more; none where other damage has a part,
+/// which does not go with it.
+pub(crate) fn wear_spread(case: &Case) -> Option<WearSpread> {
+    (!case.has_other_damage()).then_some(WearSpread::UNMEASURED)
 }

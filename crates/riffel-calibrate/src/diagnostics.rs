@@ -3,7 +3,8 @@
 //! Source: Vehtari, Gelman, Simpson, Carpenter & Bürkner (2021), *Rank-normalization, folding, and localization: an improved R̂*,
 //! Bayesian Analysis 16; autocorrelations are summed as by Geyer (1992).
 
-use statrs::function::erf::erfc_inv;
+use riffel_study::normal;
+use riffel_study::sensitivity::quantile;
 
 /// R̂ of rank-normalised split chains: the larger of that of the draws and that of their distances from the median. NaN where a
 /// chain has fewer than four draws or stands still.
@@ -47,14 +48,6 @@ pub fn ess_tail(chains: &[Vec<f64>]) -> f64 {
     of(0.05).min(of(0.95))
 }
 
-/// The value below which a share of sorted numbers lies, linear between them.
-pub fn quantile(sorted: &[f64], share: f64) -> f64 {
-    let place = share * (sorted.len() - 1) as f64;
-    let below = place.floor() as usize;
-    let above = (below + 1).min(sorted.len() - 1);
-    sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
-}
-
 /// The draws of all chains in order.
 pub fn sorted(chains: &[Vec<f64>]) -> Vec<f64> {
     let mut all = chains.concat();
@@ -83,7 +76,7 @@ fn rank_normalised(chains: &[Vec<f64>]) -> Vec<Vec<f64>> {
         let end = begin + order[begin..].iter().take_while(same).count().max(1);
         let rank = 0.5 * (begin + 1 + end) as f64;
         let share = (rank - 0.375) / (all.len() as f64 + 0.25);
-        let score = -std::f64::consts::SQRT_2 * erfc_inv(2.0 * share);
+        let score = normal::quantile(share);
         order[begin..end]
             .iter()
             .for_each(|place| scores[*place] = score);

@@ -126,7 +126,8 @@ mod tests {
         let frequency = [500f64, 600.0, 1000.0];
         let (residual, error) = ([0.05, 0.12, -0.08], [0.02f64, 0.03, 0.02]);
         let place: Vec<f64> = frequency.iter().map(|f| f.ln()).collect();
-        let part = Kernel::Matern32 { length: 0.5 }.matrix(&place);
+        let kernel = Kernel::Matern32 { length: 0.5 };
+        let part = Matrix::of(3, |row, column| kernel.at(place[row] - place[column]));
         for (gain, expected) in [(0.0, 2.5701848216856784), (0.03f64, 2.509145346360277)] {
             let noise = Matrix::of(3, |row, column| {
                 let own = if row == column {

@@ -1,8 +1,5 @@
 //! Covariance of what a model misses.
 
-#[cfg(test)]
-use crate::matrix::Matrix;
-
 /// Covariance of two values of a process of variance one, by their distance.
 ///
 /// Source: Rasmussen & Williams (2006), *Gaussian Processes for Machine Learning*, section 4.2.
@@ -54,13 +51,5 @@ impl Kernel {
             }
             Self::SquaredExponential { length } => (-0.5 * (r / length).powi(2)).exp(),
         }
-    }
-
-    /// Between some places.
-    #[cfg(test)]
-    pub(crate) fn matrix(self, places: &[f64]) -> Matrix {
-        Matrix::of(places.len(), |row, column| {
-            self.at(places[row] - places[column])
-        })
     }
 }

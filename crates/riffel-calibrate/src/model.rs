@@ -6,7 +6,6 @@ use riffel::growth::RowEvaluator;
 use riffel::{Complex64, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, LoopOnTrack, Setting};
-use toml::Value;
 
 use crate::prior::Prior;
 
@@ -218,7 +217,7 @@ impl<'a> Trial<'a> {
                 match numbers.iter_mut().find(|number| number.0 == *key) {
                     Some(number) => number.1 *= self.values[index],
                     None => {
-                        let own = number_of(case, key).unwrap_or(f64::NAN);
+                        let own = case.number(key).unwrap_or(f64::NAN);
                         numbers.push((key, own * self.values[index]));
                     }
                 }
@@ -276,14 +275,4 @@ impl<'a> Trial<'a> {
         }
         Ok(rates)
     }
-}
-
-/// The number that a case has for a key, in SI.
-pub(crate) fn number_of(case: &Case, key: &str) -> Option<f64> {
-    let table = toml::Table::try_from(&case.file).ok()?;
-    let mut value = &Value::Table(table);
-    for part in key.split('.') {
-        value = value.get(part)?;
-    }
-    value.as_float()
 }

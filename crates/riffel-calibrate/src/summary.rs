@@ -2,7 +2,9 @@
 
 use std::fmt::Write as _;
 
-use crate::diagnostics::{ess_bulk, ess_tail, quantile, rhat, sorted};
+use riffel_study::sensitivity::quantile;
+
+use crate::diagnostics::{ess_bulk, ess_tail, rhat, sorted};
 use crate::plan::Plan;
 use crate::run::Chains;
 

@@ -87,6 +87,15 @@ const NUMBERS: [(&str, Write); 13] = [
 ];
 
 impl Case {
+    /// The number that the case has for a key, in SI; none for a key without one.
+    pub fn number(&self, key: &str) -> Option<f64> {
+        let table = toml::Table::try_from(&self.file).ok()?;
+        let inner = |value: Value, part: &str| value.get(part).cloned();
+        key.split('.')
+            .try_fold(Value::Table(table), inner)?
+            .as_float()
+    }
+
     /// Loop and track of the case with other numbers of some keys, in SI. They are those of
     /// [`with_settings`](Self::with_settings); the numbers must lie in the ranges of their keys, which are not looked at again
     /// for those that are set without the text: some twenty times as fast.
@@ -145,16 +154,8 @@ mod tests {
     #[test]
     fn numbers_are_those_of_settings() {
         let case = Case::parse("metro", METRO_CASE, &[]).unwrap();
-        let own = toml::Table::try_from(&case.file).unwrap();
         for (key, _) in NUMBERS {
-            let mut value = &Value::Table(own.clone());
-            for part in key.split('.') {
-                match value.get(part) {
-                    Some(inner) => value = inner,
-                    None => break,
-                }
-            }
-            let Some(number) = value.as_float() else {
+            let Some(number) = case.number(key) else {
                 continue;
             };
             let number = 1.07 * number;

@@ -12,6 +12,9 @@ pub(crate) enum CliError {
     #[error("cannot write to {path}: {reason}", path = path.display())]
     Write { path: PathBuf, reason: io::Error },
 
+    #[error("cannot start {threads} threads: {reason}")]
+    Threads { threads: u16, reason: String },
+
     #[error("only one file can be -, standard input")]
     StandardInput,
 

@@ -12,6 +12,7 @@ mod output;
 mod question;
 mod results;
 mod staging;
+mod threads;
 
 use std::ffi::OsString;
 use std::path::PathBuf;

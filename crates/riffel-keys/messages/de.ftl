@@ -303,12 +303,12 @@ defect-at = { $place } m ({ $height } µm)
 defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } (--keep-defects behält sie)
 many-defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } und { $more } weitere (--keep-defects behält sie)
 
-grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %, soweit der Verschleißbeiwert bekannt ist; Reibung, Zwischenlagen und Zugkraft wie angegeben)
-grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %, soweit der Verschleißbeiwert bekannt ist; Reibung, Zwischenlagen und Zugkraft wie angegeben)
-months-within = das liegt zwischen { $early } und { $late } Monaten von jetzt (80 %), soweit der Verschleißbeiwert bekannt ist
+grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
+grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
+months-within = mit der Unsicherheit des Verschleißbeiwerts sind das { $early } bis { $late } Monate von jetzt (80 %)
 rate-of-wheels-on-one-line = die Rate ist die von Rädern dieser Art allein, alle auf einer { $width } mm breiten Spur; die eines Verkehrs sagt `riffel forecast`
 rate-of-wheels-over-a-band = die Rate ist die von Rädern dieser Art allein, verteilt über ein Band von { $width } mm; die eines Verkehrs sagt `riffel forecast`
-rates-hold-to = Raten und Zeiten gelten auf einen Faktor { $factor } nach oben und unten (80 %), soweit ein Verschleißbeiwert bekannt ist; was Varianten ändern, hängt davon nicht ab
+rates-hold-to = die Unsicherheit des Verschleißbeiwerts legt Raten und Zeiten auf einen Faktor { $factor } nach oben und unten fest (80 %); sie hat keinen Teil an dem, was Varianten ändern
 band-narrower-than-contact = wear.band_width ist { $band } mm, aber der Kontakt ist { $contact } mm breit: der Verschleiß kommt von der Breite des Kontakts
 no-equilibrium-in-tail = „{ $vehicle }“ findet in seinem Bogen bei { $speeds } km/h kein Gleichgewicht, am Rand seiner Geschwindigkeiten: dort stehen seine Räder wie bei der nächsten Geschwindigkeit
 band-bends-over = die Rate bei { $wavelength } mm hält { $passages } Achsüberfahrten lang: dann bräuchte sie mehr als den mittleren Verschleiß der Schiene, { $wear } mm je 100 Mio. t, und der Pegel biegt ab

@@ -311,12 +311,12 @@ defect-at = { $place } m ({ $height } µm)
 defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } (--keep-defects keeps them)
 many-defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } and { $more } more (--keep-defects keeps them)
 
-grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %, for how well the wear coefficient is known; friction, pads and traction as given)
-grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %, for how well the wear coefficient is known; friction, pads and traction as given)
-months-within = that is between { $early } and { $late } months from now (80 %), for how well the wear coefficient is known
+grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
+grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
+months-within = with the uncertainty of the wear coefficient that is { $early } to { $late } months from now (80 %)
 rate-of-wheels-on-one-line = the rate is that of wheels of this kind alone, all on one line { $width } mm wide; `riffel forecast` tells that of a traffic
 rate-of-wheels-over-a-band = the rate is that of wheels of this kind alone, spread over a band of { $width } mm; `riffel forecast` tells that of a traffic
-rates-hold-to = rates and times hold to a factor of { $factor } either way (80 %), for how well a wear coefficient is known; what variants change does not depend on it
+rates-hold-to = the uncertainty of the wear coefficient puts rates and times within a factor of { $factor } either way (80 %); it has no part in what variants change
 band-narrower-than-contact = wear.band_width is { $band } mm, but the contact is { $contact } mm wide: wear comes off the contact's own width
 no-equilibrium-in-tail = "{ $vehicle }" finds no equilibrium in its curve at { $speeds } km/h, in the tail of its speeds: there its wheels stand as at the nearest speed
 band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and the level bends over

@@ -774,13 +774,11 @@ fn damage_columns<'py>(py: Python<'py>, points: &[&DamagePoint]) -> PyResult<Vec
                 values.into_pyarray(py).into_any()
             }
         };
-        let unit = match () {
-            () if key.ends_with("_pa") => "Pa",
-            () if key.ends_with("_m") || key.contains("_m.") => "m",
-            () if key.ends_with("_nm") => "N m",
-            () if key.ends_with("_deg") => "deg",
-            () => "1",
-        };
+        // The unit is in the name of the quantity, `damage.depth_by_law_m.flow`.
+        let quantity = key.split('.').nth(1).unwrap_or_default();
+        let units = [("_pa", "Pa"), ("_m", "m"), ("_nm", "N m"), ("_deg", "deg")];
+        let unit = units.iter().find(|(ending, _)| quantity.ends_with(ending));
+        let unit = unit.map_or("1", |unit| unit.1);
         (key, unit, "damage beside wear", array)
     });
     Ok(columns.collect())

@@ -24,7 +24,7 @@ pub mod design;
 mod distribution;
 mod error;
 mod fingerprint;
-mod normal;
+pub mod normal;
 mod outputs;
 mod parameter;
 mod plan;

@@ -5,12 +5,12 @@ use std::f64::consts::{FRAC_1_SQRT_2, SQRT_2};
 use statrs::function::erf::{erfc, erfc_inv};
 
 /// Φ(z).
-pub(crate) fn cumulative(z: f64) -> f64 {
+pub fn cumulative(z: f64) -> f64 {
     0.5 * erfc(-z * FRAC_1_SQRT_2)
 }
 
 /// Φ⁻¹(u) for 0 < u < 1, good to rounding in both tails.
-pub(crate) fn quantile(u: f64) -> f64 {
+pub fn quantile(u: f64) -> f64 {
     -SQRT_2 * erfc_inv(2.0 * u)
 }
 

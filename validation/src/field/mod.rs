@@ -6,18 +6,16 @@
 //! together, and each sample is a run of its own; medians and bands are those of the samples. Nothing is fitted.
 
 mod draw;
-mod prediction;
 mod sample;
 mod site;
 
 use include_dir::{Dir, include_dir};
 use rayon::prelude::*;
-use riffel_answers::AnswerError;
+use riffel_answers::{AnswerError, Banded};
 use riffel_keys::CaseError;
 use serde::Serialize;
 use toml::Value;
 
-pub use prediction::Prediction;
 use sample::Sample;
 use site::{Outcome, Quantity, Site};
 
@@ -45,15 +43,15 @@ pub struct FieldDocument {
 #[derive(Debug, Clone, Serialize)]
 pub struct Predicted {
     /// Of the fastest growth.
-    pub wavelength_mm: Option<Prediction>,
+    pub wavelength_mm: Option<Banded>,
     /// Of the fastest growth.
-    pub frequency_hz: Option<Prediction>,
+    pub frequency_hz: Option<Banded>,
     /// Fastest growth of the level.
-    pub growth_db_per_million_axles: Option<Prediction>,
+    pub growth_db_per_million_axles: Option<Banded>,
     /// Null where the axles a day are not known.
-    pub growth_db_per_month: Option<Prediction>,
+    pub growth_db_per_month: Option<Banded>,
     /// Of the rail under study.
-    pub mean_wear_mm_per_100_mgt: Option<Prediction>,
+    pub mean_wear_mm_per_100_mgt: Option<Banded>,
     /// Share of samples in which nothing grows by 0.1 dB per million axles, of those that have a mean state.
     pub share_that_decays: Option<f64>,
 }
@@ -92,7 +90,7 @@ pub struct OutcomeDocument {
     /// Of both.
     pub unit: String,
     /// Null where the case cannot say.
-    pub predicted: Option<Prediction>,
+    pub predicted: Option<Banded>,
     /// A number: whether it lies in the band of 80 %; two ends: whether the band meets them, and one end whether the median keeps it.
     pub inside: bool,
     /// How well it is known.
@@ -213,11 +211,11 @@ impl Predicted {
         let growing: Vec<&&Sample> = known.iter().filter(|sample| sample.grows()).collect();
         let grows = growing.len() as f64 >= OFTEN * known.len() as f64;
         let of_growing = |value: &dyn Fn(&Sample) -> f64| match grows {
-            true => Prediction::of(growing.iter().map(|sample| value(sample)).collect()),
+            true => Banded::of_samples(growing.iter().map(|sample| value(sample)).collect()),
             false => None,
         };
         let of_all = |value: &dyn Fn(&Sample) -> Option<f64>| {
-            Prediction::of(known.iter().filter_map(|sample| value(sample)).collect())
+            Banded::of_samples(known.iter().filter_map(|sample| value(sample)).collect())
         };
         Self {
             wavelength_mm: of_growing(&|sample| 1e3 * sample.wavelength),
@@ -315,7 +313,7 @@ impl OutcomeDocument {
             .count();
         // Half a sample beside those drawn: what was not seen in n samples is not impossible.
         let log_score = ((met as f64 + 0.5) / (values.len() as f64 + 1.0)).ln();
-        let predicted = Prediction::of(values);
+        let predicted = Banded::of_samples(values);
         Ok(Self {
             what: outcome.what.clone(),
             measured,
@@ -355,7 +353,7 @@ impl Measured {
         }
     }
 
-    fn is_inside(self, predicted: &Prediction) -> bool {
+    fn is_inside(self, predicted: &Banded) -> bool {
         let [low, high] = predicted.band_80;
         match self {
             Self::Number(measured) => (low..=high).contains(&measured),
@@ -369,7 +367,7 @@ impl Measured {
 mod tests {
     use super::*;
 
-    const BAND: Prediction = Prediction {
+    const BAND: Banded = Banded {
         median: 2.0,
         band_50: [1.5, 3.0],
         band_80: [1.0, 4.0],

@@ -17,9 +17,9 @@ use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use document::CompareDocument;
 
-use crate::AnswerError;
 use crate::forecast::{RailForecast, not_forecast, number, per_million, reached};
 use crate::roughness::rail_in_words;
+use crate::{AnswerError, wear_spread};
 
 /// What is asked of variants.
 pub struct CompareRequest {
@@ -43,6 +43,8 @@ pub struct CompareRequest {
 pub struct CompareAnswer {
     /// What was asked to be held.
     hold: Option<Hold>,
+    /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
+    wear_spread: Option<WearSpread>,
     /// Speeds of the traffic, or its title, in words.
     pub speeds: String,
     /// The outcomes.
@@ -104,6 +106,7 @@ impl CompareAnswer {
             Comparison::compute(case, &variants, &traffic, &rails, Some(&limit), progress)?;
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
+            wear_spread: wear_spread(case),
             hold,
             speeds,
             comparison,
@@ -143,7 +146,10 @@ impl CompareAnswer {
     /// What the reader should know of variants: that a part or all has no effect, that less friction means less
     /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<String> {
-        let [_, either_way] = WearSpread::UNMEASURED.band_80();
+        let known_to = self.wear_spread.map(|spread| {
+            let [_, either_way] = spread.band_80(1.0);
+            say!(rates_hold_to, factor = fixed(either_way, 1))
+        });
         let outcomes = self.comparison.outcomes.iter();
         outcomes
             .flat_map(|outcome| {
@@ -156,7 +162,7 @@ impl CompareAnswer {
                 });
                 outcome.effect.sentence().map(str::to_owned).into_iter().chain(kept)
             })
-            .chain([say!(rates_hold_to, factor = fixed(either_way, 1)).to_string()])
+            .chain(known_to.map(|known| known.to_string()))
             .collect()
     }
 

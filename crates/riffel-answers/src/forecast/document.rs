@@ -3,16 +3,16 @@
 use riffel_keys::Message;
 use std::io::{self, Write};
 
-use riffel::forecast::{Reach, VehicleGrowth, WearSpread};
+use riffel::forecast::{Reach, VehicleGrowth};
 use riffel_case::Case;
 use riffel_case::file::CaseFile;
 use riffel_case::traffic::TrafficFile;
 use serde::Serialize;
 
 use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport, per_million};
-use crate::WearLimitDocument;
 use crate::column;
 use crate::roughness::Level;
+use crate::{Banded, WearLimitDocument};
 
 /// What `riffel forecast --json` prints.
 #[derive(Serialize)]
@@ -91,29 +91,6 @@ struct Rate {
 struct Then {
     wavelength_m: f64,
     level_db: Option<f64>,
-}
-
-/// A number with the bands that hold 50 and 80 % of what it may be.
-#[derive(Serialize)]
-struct Banded {
-    median: f64,
-    band_50: [f64; 2],
-    band_80: [f64; 2],
-}
-
-impl Banded {
-    /// What is in proportion to the wear coefficient; the bounds in order.
-    fn new(median: f64, spread: WearSpread) -> Self {
-        let of = |[low, high]: [f64; 2]| {
-            let (one, other) = (low * median, high * median);
-            [one.min(other), one.max(other)]
-        };
-        Self {
-            median,
-            band_50: of(spread.band_50()),
-            band_80: of(spread.band_80()),
-        }
-    }
 }
 
 #[derive(Serialize)]
@@ -232,10 +209,12 @@ pub(super) fn document<'a>(
     };
     let valid_to = linear.passages;
     let months_to_limit = first.and_then(|first| answer.months(first.passages));
-    let fastest = (forecast.bands().iter())
-        .map(|band| per_million(forecast.growth_rate(band)))
-        .max_by(f64::total_cmp);
-    let banded = |per: Option<f64>| Some(Banded::new(fastest? * per?, answer.wear_spread?));
+    let fastest = answer
+        .fastest()
+        .map(|(_, rate)| rate)
+        .zip(answer.wear_spread);
+    let banded = |per: f64| fastest.map(|(rate, spread)| Banded::by_wear(per * rate, spread));
+    let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
     let warnings = answer.warnings.iter();
     let mut remarks: Vec<Message> = warnings.map(Message::verbatim).collect();
     remarks.extend(answer.on.remarks.iter().cloned());
@@ -287,11 +266,11 @@ pub(super) fn document<'a>(
             traffic.mean_wear(),
             traffic.rates().iter().copied().max_by(f64::total_cmp),
         ),
-        growth_db_per_million_axles: banded(Some(1.0)),
-        growth_db_per_month: banded(answer.on.passages_per_month().map(|it| 1e-6 * it)),
+        growth_db_per_million_axles: banded(1.0),
+        growth_db_per_month: millions_a_month.and_then(banded),
         months_to_limit_band_80: months_to_limit
             .zip(answer.wear_spread)
-            .map(|(months, spread)| spread.band_80().map(|factor| factor * months)),
+            .map(|(months, spread)| spread.band_80(months)),
         limit: LimitDocument {
             name: &answer.table.name,
             edition: &answer.table.edition,
@@ -372,7 +351,7 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
             let passages_to_limit = limit.and_then(|limit| limit.2.passages());
             let linear = forecast.linear_range([band]);
             let growth = per_million(forecast.growth_rate(band));
-            let within = answer.wear_spread.map(|it| Banded::new(growth, it).band_80);
+            let within = answer.wear_spread.map(|it| it.band_80(growth));
             Band {
                 rail: rail.name(),
                 wavelength_m: band.now.band.wavelength(),

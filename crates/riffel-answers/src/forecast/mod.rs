@@ -27,8 +27,8 @@ pub use wear_report::{WearDocument, WearReport};
 use words::BEYOND;
 pub use words::{number, per_million, reached, when};
 
-use crate::AnswerError;
 use crate::roughness::rail_in_words;
+use crate::{AnswerError, wear_spread};
 
 /// What is asked of the future of a rail.
 pub struct ForecastRequest {
@@ -120,7 +120,7 @@ impl ForecastAnswer {
             date,
         } = request;
         horizon.check()?;
-        let wears_alone = case.file.damage.is_none();
+        let wear_spread = wear_spread(case);
         let (case, bands) = (&case.sharing_tables(), bands_of(case));
         let on = traffic.on(case, &bands, &Variant::none(""), progress)?;
         let spreads = traffic.spread_effects(case, &bands, &on)?;
@@ -158,8 +158,7 @@ impl ForecastAnswer {
             limit,
             date: date.or(measured_on),
             wear: None,
-            // Other damage than wear does not go with the wear coefficient.
-            wear_spread: wears_alone.then_some(WearSpread::UNMEASURED),
+            wear_spread,
             warnings,
         })
     }
@@ -284,7 +283,7 @@ impl ForecastAnswer {
     fn months_within(&self) -> Option<String> {
         let crossings = self.crossings(self.leading());
         let months = self.months(crossings.first()?.passages)?;
-        let [early, late] = self.wear_spread?.band_80().map(|by| number(by * months));
+        let [early, late] = self.wear_spread?.band_80(months).map(number);
         (months > 0.0).then(|| say!(months_within, early = early, late = late).to_string())
     }
 
@@ -329,48 +328,50 @@ impl ForecastAnswer {
             true => format!("+{}", number(growth)),
             false => number(growth),
         };
-        match self.wear_spread.map(WearSpread::band_80) {
-            Some(band) => {
-                let mut band = band.map(|factor| factor * growth);
-                band.sort_by(f64::total_cmp);
-                let [low, high] = band.map(number);
+        match self.wear_spread {
+            Some(spread) => {
+                let [low, high] = spread.band_80(growth).map(number);
                 format!("{} ({low} … {high})", signed(growth))
             }
             None => signed(growth),
         }
     }
 
-    /// How fast the band of the leading rail grows that does so fastest, within the band that the wear coefficient gives.
-    fn fastest(&self) -> Option<String> {
+    /// The band of the leading rail that grows fastest, with the growth of its level \[dB per million axles\].
+    fn fastest(&self) -> Option<(&ForecastBand, f64)> {
         let forecast = &self.leading().forecast;
         let bands = forecast.bands().iter();
         let rates = bands.map(|band| (band, per_million(forecast.growth_rate(band))));
-        let (band, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;
-        let [low, high] = self.wear_spread?.band_80();
+        rates.max_by(|a, b| a.1.total_cmp(&b.1))
+    }
+
+    /// Between what the fastest growth lies, by what the wear coefficient may be.
+    fn fastest_within(&self) -> Option<String> {
+        let (band, rate) = self.fastest().filter(|(_, rate)| *rate > 0.0)?;
+        let spread = self.wear_spread?;
         let wavelength = numeral(band.now.band.nominal_millimetres());
-        let [least, most] = [number(low * rate), number(high * rate)];
-        (rate > 0.0).then(|| {
-            let said = match self.on.passages_per_month() {
-                None => say!(
-                    grows_within,
+        let [low, high] = spread.band_80(rate).map(number);
+        let said = match self.on.passages_per_month() {
+            None => say!(
+                grows_within,
+                wavelength = wavelength,
+                low = low,
+                high = high
+            ),
+            Some(passages) => {
+                let a_month = spread.band_80(1e-6 * passages * rate);
+                let [low_a_month, high_a_month] = a_month.map(number);
+                say!(
+                    grows_within_a_month,
                     wavelength = wavelength,
-                    low = least,
-                    high = most
-                ),
-                Some(passages) => {
-                    let month = 1e-6 * passages * rate;
-                    say!(
-                        grows_within_a_month,
-                        wavelength = wavelength,
-                        low = least,
-                        high = most,
-                        low_a_month = number(low * month),
-                        high_a_month = number(high * month)
-                    )
-                }
-            };
-            said.to_string()
-        })
+                    low = low,
+                    high = high,
+                    low_a_month = low_a_month,
+                    high_a_month = high_a_month
+                )
+            }
+        };
+        Some(said.to_string())
     }
 
     /// What follows, in sentences; those on the rail that leads first.
@@ -404,7 +405,7 @@ impl ForecastAnswer {
         if self.rails.iter().any(decays) {
             findings.push(say!(decaying_bands_stay).to_string());
         }
-        findings.extend(self.fastest());
+        findings.extend(self.fastest_within());
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();

@@ -3,6 +3,7 @@
 mod figure;
 mod tables;
 
+use rayon::prelude::*;
 use riffel::LoopState;
 use riffel_case::Case;
 use riffel_case::file::LimitName;
@@ -118,8 +119,6 @@ impl ShakedownQuestion {
             true => (0..=30).map(|step| 0.02 * f64::from(step)).collect(),
             false => self.utilised_friction.clone(),
         };
-        let limit = |name: LimitName, friction: f64| case.shakedown_limit(name).at(friction)[0];
-        let map = limits(&frictions, &limit);
         let mut remarks = case.remarks.clone();
         if !case.has_shear_yield() {
             remarks.push(say!(
@@ -127,31 +126,21 @@ impl ShakedownQuestion {
                 shear = fixed(1e-6 * shear_yield, 0)
             ));
         }
-        let mut contact = Standing::new(case);
-        let forces = case.steady.forces;
-        let mean = [
-            forces.longitudinal,
-            forces.lateral,
-            case.hertz.normal_force(),
-        ];
-        let mean = contact.at(0.0, 0.0, mean);
+        let mean = standing(case, 0.0, 0.0, mean_forces(case));
         let along_wave = self.wave.map(|[wavelength, speed]| {
             let state = case.point(wavelength, speed)?;
             let amplitude = self.amplitude.unwrap_or(case.feedback.amplitude());
-            Ok::<_, CaseError>((amplitude, contact.along(&state, amplitude)))
+            Ok::<_, CaseError>((amplitude, along(case, &state, amplitude)))
         });
         let along_wave = along_wave.transpose()?;
-        let points = along_wave.iter().flat_map(|(_, points)| points);
-        let (mut parts, mut beyond) = (false, mean.utilised_friction > Self::LARGEST);
-        for point in points {
-            parts |= point.normal_force_n == 0.0;
-            beyond |= point.utilised_friction > Self::LARGEST;
-        }
-        beyond |= frictions.iter().any(|&friction| friction > Self::LARGEST);
-        if parts {
+        let (amplitude_m, along_wave) = along_wave.unzip();
+        let points = || along_wave.iter().flatten();
+        if points().any(|point: &OperatingPoint| point.normal_force_n == 0.0) {
             remarks.push(say!(parts_along_the_wave));
         }
-        if beyond {
+        let used = points().chain([&mean]).map(|point| point.utilised_friction);
+        let is_beyond = |friction: f64| friction > Self::LARGEST;
+        if used.chain(frictions.iter().copied()).any(is_beyond) {
             remarks.push(say!(shakedown_beyond_friction));
         }
         Ok(ShakedownAnswer {
@@ -164,98 +153,91 @@ impl ShakedownQuestion {
                 fi_surf: mean.fi_surf,
                 demand: mean.demand,
             },
-            map,
-            amplitude_m: along_wave.as_ref().map(|(amplitude, _)| *amplitude),
-            along_wave: along_wave.map(|(_, points)| points),
+            map: limits(case, &frictions),
+            amplitude_m,
+            along_wave,
             remarks,
         })
     }
 }
 
-fn limits(frictions: &[f64], limit: &(impl Fn(LimitName, f64) -> f64 + Sync)) -> Vec<LimitRow> {
-    use rayon::prelude::*;
-    let row = |&friction: &f64| LimitRow {
-        utilised_friction: friction,
-        elastic: limit(LimitName::Elastic, friction),
-        line: limit(LimitName::Line, friction),
-        surface: (friction > 0.0).then(|| limit(LimitName::Surface, friction)),
-        subsurface: limit(LimitName::Subsurface, friction),
+fn limits(case: &Case, frictions: &[f64]) -> Vec<LimitRow> {
+    let row = |&friction: &f64| {
+        let limit = |name: LimitName| case.shakedown_limit(name).at(friction)[0];
+        LimitRow {
+            utilised_friction: friction,
+            elastic: limit(LimitName::Elastic),
+            line: limit(LimitName::Line),
+            surface: (friction > 0.0).then(|| limit(LimitName::Surface)),
+            subsurface: limit(LimitName::Subsurface),
+        }
     };
     frictions.par_iter().map(row).collect()
 }
 
-/// A contact whose forces change.
-struct Standing<'a> {
-    case: &'a Case,
-    shear_yield: f64,
+/// Along the rail, across it and normal, of the mean state.
+fn mean_forces(case: &Case) -> [f64; 3] {
+    let forces = case.steady.forces;
+    [
+        forces.longitudinal,
+        forces.lateral,
+        case.hertz.normal_force(),
+    ]
 }
 
-impl<'a> Standing<'a> {
-    fn new(case: &'a Case) -> Self {
-        Self {
-            case,
-            shear_yield: case.shear_yield(),
-        }
-    }
+/// Where the contact stands over one wave.
+fn along(case: &Case, state: &LoopState, amplitude: f64) -> Vec<OperatingPoint> {
+    /// Degrees from one point to the next.
+    const STEP: u32 = 10;
+    let share = amplitude / case.feedback.amplitude();
+    let oscillation = state.contacts[0].force.map(|force| force * share);
+    let mean = mean_forces(case);
+    (0..360 / STEP)
+        .map(|index| {
+            let degrees = f64::from(index * STEP);
+            let (sine, cosine) = degrees.to_radians().sin_cos();
+            let forces = std::array::from_fn(|axis| {
+                mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine
+            });
+            standing(case, degrees, amplitude * cosine, forces)
+        })
+        .collect()
+}
 
-    /// Over one wave.
-    fn along(&mut self, state: &LoopState, amplitude: f64) -> Vec<OperatingPoint> {
-        /// Degrees from one point to the next.
-        const STEP: u32 = 10;
-        let share = amplitude / self.case.feedback.amplitude();
-        let oscillation = state.contacts[0].force.map(|force| force * share);
-        let forces = self.case.steady.forces;
-        let mean = [
-            forces.longitudinal,
-            forces.lateral,
-            self.case.hertz.normal_force(),
-        ];
-        (0..360 / STEP)
-            .map(|index| {
-                let degrees = f64::from(index * STEP);
-                let (sine, cosine) = degrees.to_radians().sin_cos();
-                let forces = std::array::from_fn(|axis| {
-                    mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine
-                });
-                self.at(degrees, amplitude * cosine, forces)
-            })
-            .collect()
-    }
-
-    fn at(
-        &mut self,
-        degrees: f64,
-        profile: f64,
-        [along, across, load]: [f64; 3],
-    ) -> OperatingPoint {
-        let load = load.max(0.0);
-        let force = match (load > 0.0, self.case.feedback.is_along_one_axis()) {
-            (false, _) => 0.0,
-            (true, true) => along,
-            (true, false) => along.hypot(across).copysign(along),
-        };
-        let hertz = self.case.hertz;
-        let pressure = hertz.peak_pressure() * (load / hertz.normal_force()).cbrt();
-        let ratio = pressure / self.shear_yield;
-        let friction = match load > 0.0 {
-            true => force.abs() / load,
-            false => 0.0,
-        };
-        let limit = self.case.shakedown_limit(self.case.limit_name());
-        let demand = match (ratio > 0.0, self.case.limit_name(), friction) {
-            (false, ..) | (_, LimitName::Surface, 0.0) => 0.0,
-            _ => ratio / limit.at(friction)[0],
-        };
-        OperatingPoint {
-            phase_deg: degrees,
-            profile_m: profile,
-            normal_force_n: load,
-            tangential_force_n: force,
-            p0_over_k: ratio,
-            utilised_friction: friction,
-            fi_surf: friction - ratio.recip(),
-            demand,
-        }
+/// Where it stands under forces.
+fn standing(
+    case: &Case,
+    degrees: f64,
+    profile: f64,
+    [along, across, load]: [f64; 3],
+) -> OperatingPoint {
+    let load = load.max(0.0);
+    let force = match (load > 0.0, case.feedback.is_along_one_axis()) {
+        (false, _) => 0.0,
+        (true, true) => along,
+        (true, false) => along.hypot(across).copysign(along),
+    };
+    let hertz = case.hertz;
+    let pressure = hertz.peak_pressure() * (load / hertz.normal_force()).cbrt();
+    let ratio = pressure / case.shear_yield();
+    let friction = match load > 0.0 {
+        true => force.abs() / load,
+        false => 0.0,
+    };
+    let name = case.limit_name();
+    let demand = match (ratio > 0.0, name, friction) {
+        (false, ..) | (_, LimitName::Surface, 0.0) => 0.0,
+        _ => ratio / case.shakedown_limit(name).at(friction)[0],
+    };
+    OperatingPoint {
+        phase_deg: degrees,
+        profile_m: profile,
+        normal_force_n: load,
+        tangential_force_n: force,
+        p0_over_k: ratio,
+        utilised_friction: friction,
+        fi_surf: friction - ratio.recip(),
+        demand,
     }
 }
 

@@ -2,8 +2,8 @@
 
 use riffel_keys::{Message, fixed, say};
 
-use super::{OperatingPoint, ShakedownAnswer};
-use crate::{Column, Table, Values};
+use super::{LimitRow, OperatingPoint, ShakedownAnswer};
+use crate::{Column, Table};
 
 pub(super) fn introduction(answer: &ShakedownAnswer) -> Vec<Message> {
     let mean = &answer.mean;
@@ -22,95 +22,55 @@ pub(super) fn introduction(answer: &ShakedownAnswer) -> Vec<Message> {
 }
 
 pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {
-    let map = &answer.map;
-    let mut columns = vec![
-        column(
-            "utilised_friction",
-            say!(utilised_friction),
-            map.iter().map(|row| row.utilised_friction),
-            3,
-        ),
-        column(
-            "elastic",
-            say!(limit_elastic),
-            map.iter().map(|row| row.elastic),
-            3,
-        ),
-        column("line", say!(limit_line), map.iter().map(|row| row.line), 3),
-    ];
-    columns.push(Column {
-        name: "surface".to_owned(),
-        head: Some(say!(limit_surface)),
-        values: Values::Fixed {
-            values: map.iter().map(|row| row.surface).collect(),
-            file: 6,
-            shown: 3,
-            signed: false,
-        },
-    });
-    columns.push(column(
-        "subsurface",
-        say!(limit_subsurface),
-        map.iter().map(|row| row.subsurface),
-        3,
-    ));
+    let column = |name: &str, head: Message, of: fn(&LimitRow) -> Option<f64>| {
+        Column::fixed(name, head, answer.map.iter().map(of), 3)
+    };
     let limits = Table {
         name: "limits",
-        columns,
+        columns: vec![
+            column("utilised_friction", say!(utilised_friction), |row| {
+                Some(row.utilised_friction)
+            }),
+            column("elastic", say!(limit_elastic), |row| Some(row.elastic)),
+            column("line", say!(limit_line), |row| Some(row.line)),
+            column("surface", say!(limit_surface), |row| row.surface),
+            column("subsurface", say!(limit_subsurface), |row| {
+                Some(row.subsurface)
+            }),
+        ],
     };
     let along = answer.along_wave.as_deref().map(operating_points);
     std::iter::once(limits).chain(along).collect()
 }
 
 fn operating_points(points: &[OperatingPoint]) -> Table {
-    let of = |name: &str, head: Message, value: fn(&OperatingPoint) -> f64, digits: usize| {
-        column(name, head, points.iter().map(value), digits)
+    type Of = fn(&OperatingPoint) -> f64;
+    let column = |name: &str, head: Message, of: Of, shown: usize| {
+        Column::fixed(
+            name,
+            head,
+            points.iter().map(|point| Some(of(point))),
+            shown,
+        )
     };
-    let in_file = |name: &str, value: fn(&OperatingPoint) -> f64| Column {
-        name: name.to_owned(),
-        head: None,
-        values: Values::Plain(points.iter().map(value).collect()),
-    };
+    let in_file = |name: &str, of: Of| Column::in_file(name, points.iter().map(of));
     Table {
         name: "operating-points",
         columns: vec![
-            of("phase_deg", say!(phase_of_wave), |point| point.phase_deg, 0),
-            in_file("profile_m", |point| point.profile_m),
-            in_file("normal_force_n", |point| point.normal_force_n),
-            in_file("tangential_force_n", |point| point.tangential_force_n),
-            of(
-                "p0_over_k",
-                say!(pressure_over_yield),
-                |point| point.p0_over_k,
-                3,
-            ),
-            of(
+            column("phase_deg", say!(phase_of_wave), |it| it.phase_deg, 0),
+            in_file("profile_m", |it| it.profile_m),
+            in_file("normal_force_n", |it| it.normal_force_n),
+            in_file("tangential_force_n", |it| it.tangential_force_n),
+            column("p0_over_k", say!(pressure_over_yield), |it| it.p0_over_k, 3),
+            column(
                 "utilised_friction",
                 say!(utilised_friction),
-                |point| point.utilised_friction,
+                |it| it.utilised_friction,
                 3,
             ),
-            of(
-                "fi_surf",
-                say!(surface_fatigue_index),
-                |point| point.fi_surf,
-                3,
-            ),
-            of("demand", say!(demand_of_flow), |point| point.demand, 3),
+            column("fi_surf", say!(surface_fatigue_index), |it| it.fi_surf, 3),
+            column("demand", say!(demand_of_flow), |it| it.demand, 3),
         ],
-    }
-}
-
-fn column(name: &str, head: Message, values: impl Iterator<Item = f64>, shown: usize) -> Column {
-    Column {
-        name: name.to_owned(),
-        head: Some(head),
-        values: Values::Fixed {
-            values: values.map(Some).collect(),
-            file: 6,
-            shown,
-            signed: false,
-        },
     }
 }
 

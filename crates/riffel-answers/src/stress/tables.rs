@@ -3,7 +3,7 @@
 use riffel_keys::{Message, fixed, say};
 
 use super::StressAnswer;
-use crate::{Column, Table, Values};
+use crate::{Column, Table};
 
 pub(super) fn introduction(answer: &StressAnswer) -> Vec<Message> {
     let title = answer.title.clone().map(Message::verbatim);
@@ -32,15 +32,8 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
         });
         words.collect::<Vec<Message>>()
     };
-    let column = |name: &str, head: Message, of: fn(&super::StressMaximumDocument) -> f64| Column {
-        name: name.to_owned(),
-        head: Some(head),
-        values: Values::Fixed {
-            values: maxima.iter().map(|row| Some(of(row))).collect(),
-            file: 6,
-            shown: 3,
-            signed: false,
-        },
+    let column = |name: &str, head: Message, of: fn(&super::StressMaximumDocument) -> f64| {
+        Column::fixed(name, head, maxima.iter().map(|row| Some(of(row))), 3)
     };
     let of_maxima = Table {
         name: "maxima",
@@ -60,23 +53,15 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
             column("z_over_a", Message::verbatim("z/a"), |row| row.z_over_a),
         ],
     };
-    let plain = |name: &str, values: Vec<f64>| Column {
-        name: name.to_owned(),
-        head: None,
-        values: Values::Plain(values),
-    };
-    let rows = &answer.stress.over_friction;
+    let rows = || answer.stress.over_friction.iter();
     let over_friction = Table {
         name: "over-friction",
         columns: vec![
-            plain("friction", rows.iter().map(|row| row.friction).collect()),
-            plain(
-                "surface_over_p0",
-                rows.iter().map(|row| row.surface_over_p0).collect(),
-            ),
-            plain(
+            Column::in_file("friction", rows().map(|row| row.friction)),
+            Column::in_file("surface_over_p0", rows().map(|row| row.surface_over_p0)),
+            Column::in_file(
                 "subsurface_over_p0",
-                rows.iter().map(|row| row.subsurface_over_p0).collect(),
+                rows().map(|row| row.subsurface_over_p0),
             ),
         ],
     };

@@ -1,7 +1,7 @@
 //! Levels of roughness at several dates, and runs of axle boxes over the same rail.
 
-use std::cell::RefCell;
 use std::collections::BTreeMap;
+use std::collections::btree_map::Entry;
 use std::f64::consts::TAU;
 use std::path::Path;
 
@@ -78,32 +78,37 @@ fn bands(
         .collect()
 }
 
+/// The levels of a table, each with its passages.
+fn rows(
+    numbers: &table::Numbers,
+    path: &Path,
+    case: &Case,
+    passages: impl Fn(usize) -> f64,
+) -> Result<Vec<Row>, CaseError> {
+    let bands = bands(numbers, path, case)?;
+    let [level, error] = [1, 2].map(|column| &numbers.needed[column]);
+    let rule = "must be greater than zero";
+    numbers.check(path, "standard_error_db", error, rule, |e| e > 0.0)?;
+    let row = |(row, band)| Row {
+        band,
+        passages: passages(row),
+        level: level[row],
+        error: error[row],
+    };
+    Ok(bands.into_iter().enumerate().map(row).collect())
+}
+
 impl DatedLevels {
     pub(crate) fn rows(path: &Path, case: &Case) -> Result<Vec<Row>, CaseError> {
         let columns = ["wavelength_mm", "level_db", "standard_error_db", "passages"];
         let numbers = table::read(path, &columns, &[])?;
-        let bands = bands(&numbers, path, case)?;
-        let [level, error, passages] = [1, 2, 3].map(|column| &numbers.needed[column]);
-        numbers.check(
-            path,
-            "standard_error_db",
-            error,
-            "must be greater than zero",
-            |e| e > 0.0,
-        )?;
+        let passages = &numbers.needed[3];
         let first = passages.iter().copied().fold(f64::INFINITY, f64::min);
-        if passages.iter().all(|n| *n == first) {
+        let rows = rows(&numbers, path, case, |row| passages[row] - first)?;
+        if rows.iter().all(|row| row.passages == 0.0) {
             let message = "all levels are of one date, which says nothing of growth; measure again, or leave the file out";
             return Err(numbers.refuse(path, 0, message));
         }
-        let rows: Vec<Row> = (0..bands.len())
-            .map(|row| Row {
-                band: bands[row],
-                passages: passages[row] - first,
-                level: level[row],
-                error: error[row],
-            })
-            .collect();
         for (index, row) in rows.iter().enumerate() {
             let same = |other: &Row| (other.band, other.passages) == (row.band, row.passages);
             if rows[..index].iter().any(same) {
@@ -122,23 +127,7 @@ impl AxleBoxRun {
             "standard_error_db",
         ];
         let numbers = table::read(path, &columns, &[])?;
-        let bands = bands(&numbers, path, case)?;
-        let [level, error] = [1, 2].map(|column| &numbers.needed[column]);
-        numbers.check(
-            path,
-            "standard_error_db",
-            error,
-            "must be greater than zero",
-            |e| e > 0.0,
-        )?;
-        Ok((0..bands.len())
-            .map(|row| Row {
-                band: bands[row],
-                passages,
-                level: level[row],
-                error: error[row],
-            })
-            .collect())
+        rows(&numbers, path, case, |_| passages)
     }
 }
 
@@ -161,8 +150,8 @@ struct LevelRow {
     view: usize,
     /// Place of its band among the bands.
     band: usize,
-    /// Speed of a run \[m/s\]; none for a trolley.
-    run: Option<f64>,
+    /// Which run it is of, and its speed \[m/s\]; none for a trolley.
+    run: Option<(usize, f64)>,
 }
 
 impl Levels {
@@ -175,64 +164,52 @@ impl Levels {
         );
         bands.sort();
         bands.dedup();
-        let level = |row: &Row, view: usize, run: Option<f64>| LevelRow {
+        let level = |row: &Row, view: usize, run: Option<(usize, f64)>| LevelRow {
             row: *row,
             view,
             band: bands.partition_point(|band| *band < row.band),
             run,
         };
-        let mut rows: Vec<LevelRow> = dated
-            .rows
-            .iter()
-            .map(|row| level(row, dated.view, None))
-            .collect();
+        let own = dated.rows.iter().map(|row| level(row, dated.view, None));
+        let mut rows: Vec<LevelRow> = own.collect();
         rows.sort_by(|a, b| a.row.passages.total_cmp(&b.row.passages));
-        // Which common error each row has: that of its date, or of its run.
-        let mut common: Vec<(usize, f64)> = Vec::new();
-        let mut parts = vec![(dated.missed, 0..rows.len())];
-        for row in &rows {
-            common.push((row.row.passages.to_bits() as usize, dated.common_error));
-        }
         for (number, run) in runs.iter().enumerate() {
-            let begin = rows.len();
-            rows.extend(
-                run.rows
-                    .iter()
-                    .map(|row| level(row, run.view, Some(run.speed))),
-            );
-            common.resize(rows.len(), (number, run.common_error));
-            parts.push((run.missed, begin..rows.len()));
+            let of_run = run.rows.iter();
+            rows.extend(of_run.map(|row| level(row, run.view, Some((number, run.speed)))));
         }
-        let noise = Matrix::of(rows.len(), |i, j| {
-            let own = if i == j {
-                rows[i].row.error.powi(2)
-            } else {
-                0.0
-            };
-            let shared =
-                common[i].0 == common[j].0 && rows[i].run.is_some() == rows[j].run.is_some();
-            own + if shared {
-                common[i].1 * common[j].1
-            } else {
-                0.0
-            }
-        });
-        let missed = |index: usize, kernel: Kernel, own: std::ops::Range<usize>| {
-            Matrix::of(rows.len(), |i, j| {
-                let [one, other] = [&rows[i], &rows[j]];
-                let distance = (one.row.band.wavelength() / other.row.band.wavelength()).ln();
-                let kernel = match kernel {
-                    Kernel::Band => f64::from(u8::from(one.band == other.band)),
-                    kernel => kernel.at(distance),
-                };
-                match index {
-                    // What is missed of growth, a run feels as well.
-                    0 => one.row.passages * other.row.passages / (UNIT * UNIT) * kernel,
-                    _ if own.contains(&i) && own.contains(&j) => kernel,
-                    _ => 0.0,
-                }
-            })
+        // Levels of a date share an error, and those of a run.
+        let shared = |one: &LevelRow, other: &LevelRow| match (one.run, other.run) {
+            (None, None) if one.row.passages == other.row.passages => dated.common_error,
+            (Some((one, _)), Some((other, _))) if one == other => runs[one].common_error,
+            _ => 0.0,
         };
+        let noise = Matrix::of(rows.len(), |i, j| {
+            let own = if i == j { rows[i].row.error } else { 0.0 };
+            own.powi(2) + shared(&rows[i], &rows[j]).powi(2)
+        });
+        let kernel = |kernel: Kernel, one: &LevelRow, other: &LevelRow| match kernel {
+            Kernel::Band => f64::from(u8::from(one.band == other.band)),
+            kernel => kernel.at((one.row.band.wavelength() / other.row.band.wavelength()).ln()),
+        };
+        let missed = |of: &dyn Fn(&LevelRow, &LevelRow) -> f64| {
+            Matrix::of(rows.len(), |i, j| of(&rows[i], &rows[j]))
+        };
+        // What is missed of growth, a run feels as well.
+        let of_growth = dated.missed.map(|of_dates| {
+            missed(&|one, other| {
+                let passages = one.row.passages * other.row.passages;
+                passages / (UNIT * UNIT) * kernel(of_dates, one, other)
+            })
+        });
+        let of_runs = runs.iter().enumerate().filter_map(|(number, run)| {
+            let of_run = run.missed?;
+            let is_own = |row: &LevelRow| row.run.is_some_and(|(own, _)| own == number);
+            Some(missed(&|one, other| match is_own(one) && is_own(other) {
+                true => kernel(of_run, one, other),
+                false => 0.0,
+            }))
+        });
+        let of_size: Vec<Matrix> = of_growth.into_iter().chain(of_runs).collect();
         let first = |row: usize| (0..row).find(|other| rows[*other].band == rows[row].band);
         let contrasts: Vec<(usize, usize)> = (0..rows.len())
             .filter_map(|row| Some((row, first(row)?)))
@@ -243,9 +220,7 @@ impl Levels {
                 matrix.at(a, c) - matrix.at(a, d) - matrix.at(b, c) + matrix.at(b, d)
             })
         };
-        let of_size = parts.into_iter().enumerate();
-        let of_size = of_size
-            .filter_map(|(index, (kernel, own))| Some(contrast(missed(index, kernel?, own))));
+        let of_size = of_size.into_iter().map(contrast);
         Some(Self {
             gaussian: Gaussian::new(contrast(noise), of_size.collect())?,
             contrasts,
@@ -256,38 +231,26 @@ impl Levels {
 
     /// The levels above L_b that the model says of all rows \[dB\].
     fn levels(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
-        let known: RefCell<BTreeMap<usize, Vec<f64>>> = RefCell::default();
-        let mut felt: BTreeMap<(usize, u64), Vec<f64>> = BTreeMap::new();
-        let mut levels = Vec::with_capacity(self.rows.len());
-        for row in &self.rows {
-            let mut known = known.borrow_mut();
-            let rates = match known.entry(row.view) {
-                std::collections::btree_map::Entry::Occupied(entry) => entry.into_mut(),
-                std::collections::btree_map::Entry::Vacant(entry) => {
-                    entry.insert(trial.growth_rates(row.view, &self.lines)?)
-                }
-            };
+        let (mut rates, mut felt) = (BTreeMap::new(), BTreeMap::new());
+        let level = |row: &LevelRow| {
+            let grows = || trial.growth_rates(row.view, &self.lines);
+            let rates = once(&mut rates, row.view, grows)?;
             let own = row.band * LINES_PER_BAND..(row.band + 1) * LINES_PER_BAND;
             let grown = rates[own.clone()]
                 .iter()
                 .map(|g| (2.0 * g * row.row.passages).exp());
             let (mean, less) = match row.run {
                 None => (grown.sum::<f64>(), 0.0),
-                Some(speed) => {
-                    let felt = match felt.entry((row.view, speed.to_bits())) {
-                        std::collections::btree_map::Entry::Occupied(entry) => entry.into_mut(),
-                        std::collections::btree_map::Entry::Vacant(entry) => {
-                            let case = trial.case(row.view)?;
-                            entry.insert(accelerations(case, &self.lines, speed))
-                        }
-                    };
+                Some((run, speed)) => {
+                    let shakes = || Ok(accelerations(trial.case(row.view)?, &self.lines, speed));
+                    let felt = once(&mut felt, run, shakes)?;
                     let energies = grown.zip(&felt[own]).map(|(grown, felt)| grown * felt);
                     (energies.sum::<f64>(), MICROMETRE)
                 }
             };
-            levels.push(10.0 * (mean / LINES_PER_BAND as f64).log10() - less);
-        }
-        Ok(levels)
+            Ok(10.0 * (mean / LINES_PER_BAND as f64).log10() - less)
+        };
+        self.rows.iter().map(level).collect()
     }
 
     fn contrast(&self, levels: &[f64]) -> Vec<f64> {
@@ -296,6 +259,18 @@ impl Levels {
             .map(|(row, first)| levels[*row] - levels[*first])
             .collect()
     }
+}
+
+/// The values of a key, made where they are not known yet.
+fn once(
+    known: &mut BTreeMap<usize, Vec<f64>>,
+    key: usize,
+    make: impl FnOnce() -> Result<Vec<f64>, String>,
+) -> Result<&[f64], String> {
+    Ok(match known.entry(key) {
+        Entry::Occupied(entry) => entry.into_mut(),
+        Entry::Vacant(entry) => entry.insert(make()?),
+    })
 }
 
 /// |A/Δ|² of the axle box \[1/s⁴\] over wavelengths \[m\] at a speed \[m/s\]: the wheel as one mass.

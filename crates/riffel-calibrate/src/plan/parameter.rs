@@ -6,7 +6,7 @@ use riffel_keys::{CaseError, PhysicalRange, quantity};
 
 use super::{Reading, excludes, name_of};
 use crate::file::{DataFile, UncertainFile};
-use crate::model::{Parameter, Role, Vehicle, VehicleKey, number_of};
+use crate::model::{Parameter, Role, Vehicle, VehicleKey};
 use crate::prior::Prior;
 
 impl Reading<'_> {
@@ -122,7 +122,7 @@ impl Reading<'_> {
         let own = match &role {
             Role::Multiplies(_) => None,
             Role::Vehicle(vehicle, of) => vehicles[*vehicle].number(of),
-            _ => number_of(self.case, key),
+            _ => self.case.number(key),
         };
         if let Some(own) = own
             && excludes(&prior, own)

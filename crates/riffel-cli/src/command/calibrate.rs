@@ -8,8 +8,9 @@ use riffel_calibrate::{Folder, Marginal, Plan, Summary, TOLD};
 use super::study::progress::{SampleProgress, duration};
 use crate::arguments::{Calibrate, stem};
 use crate::messages::{complain, print_remarks, say};
-use crate::output::print;
+use crate::output::{print, table};
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
+use crate::threads::on_threads;
 
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
@@ -37,14 +38,7 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     let begun = Instant::now();
     let progress = SampleProgress::new("draws", sampler.chains * folder.draws_of_a_chain());
     let work = || folder.run(&|draws| progress.advance_by(draws), &stop);
-    let chains = match arguments.threads {
-        None => work(),
-        Some(threads) => rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
-            .build()
-            .map_err(|error| miette::miette!("cannot start {threads} threads: {error}"))?
-            .install(work),
-    };
+    let chains = on_threads(arguments.threads, work)?;
     drop(progress);
     let Some(chains) = chains? else {
         complain(format_args!(
@@ -58,7 +52,7 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&format!(
         "{title}\n{}{}: {}\n",
-        table(&summary),
+        marginals(&summary),
         path.display(),
         names.join(" ")
     ))?;
@@ -98,33 +92,21 @@ fn dry_run(plan: &Plan) -> String {
 }
 
 /// What the data say of each parameter.
-fn table(summary: &Summary) -> String {
-    let width = summary
-        .marginals
-        .iter()
-        .map(|it| it.name.chars().count())
-        .max()
-        .unwrap_or(0);
-    let heads = ["median", "90 %", "R̂"];
-    let mut text = format!(
-        "  {:width$}  {:>11}  {:>23}  {:>6}",
-        "", heads[0], heads[1], heads[2]
-    );
-    text += "  told\n";
+fn marginals(summary: &Summary) -> String {
+    let mut rows = table(&["", "median", "5 %", "95 %", "R̂", "told by data", "unit"]);
     for marginal in &summary.marginals {
         let [low, _, middle, _, high] = marginal.quantiles;
-        text += &format!(
-            "  {:width$}  {:>11}  {:>11} {:>11}  {:>6.3}  {:>3.0} %  {}\n",
-            marginal.name,
+        rows.add_row([
+            marginal.name.clone(),
             four(middle),
             four(low),
             four(high),
-            marginal.rhat,
-            100.0 * marginal.contraction.max(0.0),
-            marginal.unit
-        );
+            format!("{:.3}", marginal.rhat),
+            format!("{:.0} %", 100.0 * marginal.contraction.max(0.0)),
+            marginal.unit.clone(),
+        ]);
     }
-    text
+    format!("{rows}\n")
 }
 
 /// A number with four digits.

@@ -1,6 +1,7 @@
 //! `riffel validate`
 
-use riffel_validation::field::{self, Measured, Prediction, SiteDocument};
+use riffel_answers::Banded;
+use riffel_validation::field::{self, Measured, SiteDocument};
 use riffel_validation::{CHECKS, Check};
 
 use crate::arguments::Validate;
@@ -75,7 +76,7 @@ fn run_field(arguments: &Validate) -> miette::Result<u8> {
 /// What is predicted of a site, then its outcomes.
 fn rows_of(site: &SiteDocument) -> Vec<Vec<String>> {
     let row =
-        |what: &str, unit: &str, predicted: Option<Prediction>, measured: String, inside: &str| {
+        |what: &str, unit: &str, predicted: Option<Banded>, measured: String, inside: &str| {
             let number = |value: f64| format!("{value:.3e}").parse().map_or(String::new(), plain);
             let [median, band] = predicted.map_or_else(Default::default, |it| {
                 let [low, high] = it.band_80.map(number);

@@ -26,20 +26,22 @@ impl WearSpread {
         })
     }
 
-    /// The factors either way that hold 80 % of what the coefficient may be: a tenth lies below the first, a tenth above the second.
-    pub fn band_80(self) -> [f64; 2] {
-        self.within(1.281_551_565_544_600_4)
+    /// Between what a value in proportion to the coefficient, or in inverse proportion, lies by 80 %: a tenth below the first, a
+    /// tenth above the second.
+    pub fn band_80(self, value: f64) -> [f64; 2] {
+        self.within(1.281_551_565_544_600_4, value)
     }
 
-    /// The factors either way that hold half of what the coefficient may be.
-    pub fn band_50(self) -> [f64; 2] {
-        self.within(0.674_489_750_196_081_7)
+    /// The same by half.
+    pub fn band_50(self, value: f64) -> [f64; 2] {
+        self.within(0.674_489_750_196_081_7, value)
     }
 
     /// So many standard deviations of the normal distribution either way.
-    fn within(self, deviations: f64) -> [f64; 2] {
+    fn within(self, deviations: f64, value: f64) -> [f64; 2] {
         let factor = (deviations * self.deviation).exp();
-        [1.0 / factor, factor]
+        let ends = [value / factor, value * factor];
+        [ends[0].min(ends[1]), ends[0].max(ends[1])]
     }
 }
 
@@ -58,8 +60,8 @@ mod tests {
         let mut uniform = || -> f64 { (source.next_u64() >> 11) as f64 / (1u64 << 53) as f64 };
         let draws = 40_000;
         let (eighty, fifty) = (
-            WearSpread::UNMEASURED.band_80(),
-            WearSpread::UNMEASURED.band_50(),
+            WearSpread::UNMEASURED.band_80(1.0),
+            WearSpread::UNMEASURED.band_50(1.0),
         );
         let bands = [(eighty, 0.8), (fifty, 0.5), ([0.5, 2.0], 0.6827)];
         let mut found = [0.0; 3];

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::time::Instant;
 
 use riffel_answers::study::Statistics;
-use riffel_study::{ChunkState, ResultFolder, Shard, Study, StudyError, Summary};
+use riffel_study::{ChunkState, ResultFolder, Shard, Study, Summary};
 use serde::Serialize;
 
 use super::progress::SampleProgress;
@@ -13,6 +13,7 @@ use crate::arguments::{Run, stem};
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
+use crate::threads::on_threads;
 
 /// What `--json` prints.
 #[derive(Serialize)]
@@ -73,16 +74,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let begun = Instant::now();
     let progress = SampleProgress::new("samples", samples);
     let work = || study.run(&folder, &pending, &|| progress.advance(), &stop);
-    let outcome = match arguments.threads {
-        None => work(),
-        Some(threads) => rayon::ThreadPoolBuilder::new()
-            .num_threads(threads.into())
-            .build()
-            .map_err(|error| StudyError::Analysis {
-                message: format!("cannot start {threads} threads: {error}"),
-            })?
-            .install(work),
-    };
+    let outcome = on_threads(arguments.threads, work)?;
     drop(progress);
     outcome?;
     let seconds = begun.elapsed().as_secs_f64();
