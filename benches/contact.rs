@@ -7,7 +7,7 @@ use std::time::Instant;
 
 use riffel::contact::{
     CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, HalfSpaceRolling, KalkerCoefficients,
-    OscillatingCreepages, TractionBound, TransientRolling,
+    NonSteady, Oscillating, OscillatingCreepages, RollingContact, TractionBound, TransientRolling,
 };
 use riffel::{ElasticMaterial, HertzContact};
 
@@ -43,6 +43,8 @@ pub(crate) fn task(name: &str, across: usize) -> Result<(f64, f64), Failure> {
         "response" => response(across),
         "table" => table(across),
         "one-wavelength" => one_wavelength(across),
+        "case" => table_of_case(across, OscillatingCreepages::Longitudinal.into()),
+        "case-on-waves" => table_of_case(across, OscillatingCreepages::Longitudinal.on_waves()),
         "followed" => followed(across),
         "fastsim" => fastsim(across),
         _ => Err("no such task of the contact".into()),
@@ -80,6 +82,17 @@ fn steps(across: usize) -> Result<(f64, f64), Failure> {
         sum += contact.roll(LOAD, creepage(step))?.forces.longitudinal;
     }
     Ok((begun.elapsed().as_secs_f64() / count as f64, sum))
+}
+
+/// The table of a case in creepage along the rail, from 20 to 200 mm, the steady state at hand.
+fn table_of_case(across: usize, oscillating: Oscillating) -> Result<(f64, f64), Failure> {
+    let contact = HalfSpace::new(hertz(LOAD)?, FRICTION, across)?;
+    let state = contact.roll(1e-3)?;
+    let begun = Instant::now();
+    let tolerance = NonSteady::DEFAULT_TOLERANCE;
+    let table = NonSteady::new(&contact, &state, oscillating, 0.02, 0.2, tolerance)?;
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok((seconds, table.response(0.05).by_load.force[0].norm()))
 }
 
 /// A sum of the responses at so many wavelengths from 2 to 100 semi-axes, in even ratios.
@@ -188,6 +201,8 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         ("step", ACROSS),
         ("response", RESPONSE_ACROSS),
         ("table", RESPONSE_ACROSS),
+        ("case", RESPONSE_ACROSS),
+        ("case-on-waves", RESPONSE_ACROSS),
         ("one-wavelength", RESPONSE_ACROSS),
         ("followed", RESPONSE_ACROSS),
         ("fastsim", CELLS),
@@ -198,8 +213,23 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
             times.push(riffel.time(&format!("contact {name}"), *across)?.0);
         }
     }
-    let [steady, step, response, table, one, followed, fastsim] =
-        times.map(|times| 1e3 * median(times));
+    let ratios: Vec<f64> = times[5]
+        .iter()
+        .zip(&times[4])
+        .map(|(waves, flat)| waves / flat)
+        .collect();
+    let on_waves_costs = median(ratios);
+    let [
+        steady,
+        step,
+        response,
+        table,
+        of_case,
+        on_waves,
+        one,
+        followed,
+        fastsim,
+    ] = times.map(|times| 1e3 * median(times));
     writeln!(
         text,
         "\n## Rolling contact, half-space theory, one thread\n"
@@ -236,7 +266,12 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
     )?;
     writeln!(
         text,
-        "| the same at one wavelength, 8 a | {one:.1} ms | Riffel followed in time: {followed:.0} ms | {:.0} × faster |",
+        "| table of a case, 20–200 mm, load, creepage along the rail and the geometry of the wave | {on_waves:.0} ms | without \
+         the wave: {of_case:.0} ms | {on_waves_costs:.2} times that |"
+    )?;
+    writeln!(
+        text,
+        "| the response at one wavelength, 8 a | {one:.1} ms | Riffel followed in time: {followed:.0} ms | {:.0} × faster |",
         followed / one
     )?;
     writeln!(

@@ -71,7 +71,8 @@ fn main() -> Result<(), Failure> {
             "contact" => contact::report(&mut text, &mut one)?,
             "curving" => curving::report(&mut text, &mut one, &mut two)?,
             "passage" => passage::report(&mut text, folder, &mut one)?,
-            _ => return Err("sections are general, contact, curving and passage".into()),
+            "tracks" => report_tracks(&mut text, &mut one)?,
+            _ => return Err("sections are general, contact, curving, passage and tracks".into()),
         }
         println!("{text}");
         return Ok(());
@@ -93,6 +94,7 @@ fn feedback(track: &str) -> Result<Loop, Failure> {
     ];
     let (text, overrides) = match track {
         "moving" => (NOMINAL_CASE, vec![MOVING]),
+        "wave-geometry" => (NOMINAL_CASE, vec!["contact.wave_geometry=true"]),
         "two-layer" => (BHASKAR_TRACK_CASE, vec![]),
         "moving-two-layer" => (BHASKAR_TRACK_CASE, vec![MOVING]),
         "periodic" => {
@@ -402,6 +404,11 @@ fn report_receptances(
 fn report_tracks(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
     let tracks = [
         ("free beam", "free", SIDE),
+        (
+            "the same, with the geometry of the wave",
+            "wave-geometry",
+            SIDE,
+        ),
         ("moving beam, closed form", "moving", SIDE),
         ("two layers, table good to 1e-9", "two-layer", SIDE),
         (
