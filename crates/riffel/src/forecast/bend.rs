@@ -49,7 +49,37 @@ impl Bend {
 
 #[cfg(test)]
 mod tests {
+    use proptest::prelude::*;
+
     use super::*;
+
+    proptest! {
+        /// However many waves grow and decay at whatever rates, no passage adds more to their amplitude than the mean wear.
+        #[test]
+        fn no_passage_adds_more_than_the_mean_wear(
+            waves in proptest::collection::vec((-14.0..-8.0, -1e-4..1e-4), 1..6),
+            depth in -12.0..-7.0,
+            steps in proptest::collection::vec(0.0..3e5, 12),
+        ) {
+            let squares = waves.iter().map(|&(power, rate)| (10f64.powf(power), rate));
+            let (sum, depth) = (GrowingSum::new(squares), 10f64.powf(depth));
+            let bend = Bend::of(&sum, depth);
+            let amplitude = |passages: f64| {
+                let square = match bend.filter(|bend| passages > bend.passages) {
+                    Some(bend) => bend.mean_square(passages),
+                    None => sum.mean_square(passages),
+                };
+                (2.0 * square).sqrt()
+            };
+            let mut passages = 0.0;
+            for step in steps {
+                let (before, after) = (amplitude(passages), amplitude(passages + step));
+                // Rounding of the amplitudes.
+                prop_assert!(after - before <= depth * step + 1e-9 * after, "{before} {after} {depth} {step}");
+                passages += step;
+            }
+        }
+    }
 
     /// One wave of 10 µm that grows by 1e-5 per passage over 1 nm of wear bends at 100 µm, after ln 10/g.
     #[test]
