@@ -318,6 +318,7 @@ spread-of-wheel-radius = die Streuung der Radhalbmesser
 spread-of-load = die Streuung der Lasten
 spread-of-friction = die Streuung der Reibung
 spread-of-position = die Streuung der Kontakte quer zur Schiene
+spread-of-key = die Streuung von { $key }
 creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } auf einem Gitter von { $grid } nicht und bleibt dort aus; ein anderes contact.grid kann helfen
 
 ## Schäden neben dem Verschleiß

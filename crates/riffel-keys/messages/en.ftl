@@ -326,6 +326,7 @@ spread-of-wheel-radius = the spread of wheel radii
 spread-of-load = the spread of loads
 spread-of-friction = the spread of friction
 spread-of-position = the spread of contacts across the rail
+spread-of-key = the spread of { $key }
 creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another contact.grid may do
 
 ## Damage beside wear

@@ -159,13 +159,13 @@ struct VehicleDocument<'a> {
     speed_deviation_m_per_s: f64,
     growth_rate_per_passage: Vec<Rate>,
     /// What each spread over its wheels does to growth.
-    spreads: Vec<SpreadDocument>,
+    spreads: Vec<SpreadDocument<'a>>,
 }
 
 #[derive(Serialize)]
-struct SpreadDocument {
-    /// speed | wheel_radius | load | friction | lateral_position.
-    what: &'static str,
+struct SpreadDocument<'a> {
+    /// speed | wheel_radius | load | friction | lateral_position, or a key of the case.
+    what: &'a str,
     /// The fastest growth with every wheel at the mean of this spread, over that with all of them; null where nothing grows.
     reduction: Option<f64>,
 }
@@ -202,7 +202,7 @@ pub(super) fn document<'a>(
             .iter()
             .filter(|spread| spread.vehicle == vehicle.name))
         .map(|spread| SpreadDocument {
-            what: spread.what,
+            what: &spread.what,
             reduction: spread.reduction,
         })
         .collect(),

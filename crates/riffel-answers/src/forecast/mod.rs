@@ -559,12 +559,13 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<String> {
     let reduction = spread
         .reduction
         .filter(|reduction| *reduction >= WORTH_A_WORD)?;
-    let what = match spread.what {
+    let what = match &*spread.what {
         "speed" => say!(spread_of_speed),
         "wheel_radius" => say!(spread_of_wheel_radius),
         "load" => say!(spread_of_load),
         "friction" => say!(spread_of_friction),
-        _ => say!(spread_of_position),
+        "lateral_position" => say!(spread_of_position),
+        key => say!(spread_of_key, key = key),
     };
     let factor = match reduction < 10.0 {
         true => fixed(reduction, 1),

@@ -7,7 +7,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message};
 
 use super::on_case::settings_of;
-use super::spreads::{Spreads, Values3};
+use super::spreads::PartValues;
 use super::{Traffic, bands_of};
 use crate::file::ContactDynamics;
 use crate::{Case, Variant};
@@ -54,8 +54,14 @@ impl Traffic {
                 {
                     true => case.clone(),
                     false => {
-                        self.wheel_on(index, case, &lines, &Variant::none(""), Values3::default())?
-                            .wheel
+                        self.wheel_on(
+                            index,
+                            case,
+                            &lines,
+                            &Variant::none(""),
+                            &PartValues::default(),
+                        )?
+                        .wheel
                     }
                 };
                 let share = vehicle.share.si() / all;
@@ -99,13 +105,15 @@ impl Traffic {
     /// `Ok` if a vehicle is one wheel that can be followed through time.
     fn check_followed(&self, index: usize) -> Result<(), CaseError> {
         let vehicle = &self.file.vehicle[index];
-        let key = match (&vehicle.curve, self.spreads[index] == Spreads::default()) {
-            (None, true) => return Ok(()),
-            (Some(_), _) => "curve",
-            (None, false) if vehicle.load.is_some() => "load",
-            (None, false) if vehicle.friction.is_some() => "friction",
-            (None, false) if vehicle.wheel_radius.is_some() => "wheel_radius",
-            (None, false) => "lateral_position",
+        let spreads = &self.spreads[index];
+        let key = if vehicle.curve.is_some() {
+            "curve"
+        } else if let Some(first) = spreads.of_keys.first() {
+            &first.own
+        } else if spreads.lateral_position.is_some() {
+            "lateral_position"
+        } else {
+            return Ok(());
         };
         let key = format!("vehicle[{index}].{key}");
         let rule = "is given, but a simulation in time follows one wheel of each vehicle, at each of its speeds";

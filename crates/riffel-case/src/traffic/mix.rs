@@ -142,6 +142,7 @@ impl Traffic {
                     wheel_radius: None,
                     load: None,
                     friction: None,
+                    spread: toml::Table::new(),
                     set: toml::Table::new(),
                 }],
             },

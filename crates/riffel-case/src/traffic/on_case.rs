@@ -8,7 +8,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, fixed, say};
 use toml::Value;
 
-use super::spreads::Values3;
+use super::spreads::PartValues;
 use super::wheels_of_vehicle::Asked;
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
 use crate::kept_state::KeptState;
@@ -144,20 +144,12 @@ impl Traffic {
         case: &Case,
         lines: &[f64],
         variant: &Variant,
-        values: Values3,
+        values: &PartValues,
     ) -> Result<WheelOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let at = |key: &str| format!("vehicle[{index}]{key}");
         let mut own = settings_of(vehicle);
-        let values = values.settings().into_iter().map(|setting| {
-            let key = match &*setting.0 {
-                "contact.normal_load" => "load",
-                "wheel.rolling_radius" => "wheel_radius",
-                _ => "friction",
-            };
-            (key.to_owned(), setting)
-        });
-        own.extend(values);
+        own.extend(values.settings());
         if case.unfilled.keys.has("contact.from")
             && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
         {

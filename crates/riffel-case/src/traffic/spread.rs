@@ -5,11 +5,13 @@ use std::fmt;
 use std::marker::PhantomData;
 
 use riffel::forecast::Distribution;
-use riffel_keys::quantity::{Dimension, Quantity, Ratio};
+use riffel_keys::quantity::{Dimension, Kind, Quantity, Ratio};
 use riffel_keys::{CaseError, KeyFile};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
+
+use toml::Value;
 
 use super::mix::sums_to_one;
 
@@ -185,4 +187,51 @@ impl<D: Dimension> Spread<D> {
             _ => Ok(distribution),
         }
     }
+}
+
+/// The distribution of a key of the case, at its place in the traffic file: numbers are read as its quantity.
+///
+/// # Errors
+/// [`CaseError`] with key, value and rule.
+pub(super) fn of_key(
+    source: &KeyFile,
+    at: &str,
+    kind: Kind,
+    value: &Value,
+) -> Result<Distribution, CaseError> {
+    let numbers = |name: &str, value: &Value| match (name, value) {
+        ("share", value) => Ok(value.clone()),
+        (_, Value::String(text)) => {
+            let read = kind.read(text);
+            let read = read
+                .map_err(|error| source.invalid(&format!("{at}.{name}"), &error.to_string(), ""));
+            read.map(Value::Float)
+        }
+        (_, value) => Ok(value.clone()),
+    };
+    let of_table = |table: &toml::Table| -> Result<Value, CaseError> {
+        let entries = table
+            .iter()
+            .map(|(name, value)| Ok((name.clone(), numbers(name, value)?)));
+        Ok(Value::Table(entries.collect::<Result<_, CaseError>>()?))
+    };
+    let in_si = match value {
+        Value::Table(table) => of_table(table)?,
+        Value::Array(list) => {
+            let entries = list.iter().map(|entry| match entry {
+                Value::Table(table) => of_table(table),
+                entry => Ok(entry.clone()),
+            });
+            Value::Array(entries.collect::<Result<_, CaseError>>()?)
+        }
+        value => value.clone(),
+    };
+    let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
+        let rule = format!(
+            "is no spread, but must be {{ mean, standard_deviation }}, {{ min, max }} or a list of {{ value, share }}, with {} as in \"{}\"",
+            kind.name, kind.example
+        );
+        source.invalid(at, &rule, "")
+    })?;
+    spread.distribution(source, at, Values::Any)
 }

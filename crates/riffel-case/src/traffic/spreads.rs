@@ -5,20 +5,34 @@ use riffel_keys::{CaseError, KeyFile};
 use toml::Value;
 
 use super::Vehicle;
-use super::spread::Values;
-use crate::setting::Setting;
+use super::spread::{Values, of_key};
+use crate::CaseKey;
+use crate::setting::{Setting, settings_until};
 
-/// What is spread over the wheels of a vehicle besides its speed; none where all have one value.
+/// What is spread over the wheels of a vehicle besides its speed.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(super) struct Spreads {
-    /// Of the contacts across the rail, from the line under study \[m\].
+    /// Of the contacts across the rail, from the line under study \[m\]; none where all run on it.
     pub(super) lateral_position: Option<Distribution>,
-    /// Rolling radii \[m\].
-    pub(super) wheel_radius: Option<Distribution>,
-    /// Loads of a wheel \[N\].
-    pub(super) load: Option<Distribution>,
-    /// Coefficients of friction \[-\].
-    pub(super) friction: Option<Distribution>,
+    /// Of keys of the case.
+    pub(super) of_keys: Vec<SpreadOfKey>,
+}
+
+/// The values of a key of the case over the wheels of a vehicle.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct SpreadOfKey {
+    /// The key of the vehicle, `friction` or `spread.track.pad.stiffness`.
+    pub(super) own: String,
+    /// The key of the case.
+    key: String,
+    pub(super) distribution: Distribution,
+}
+
+impl SpreadOfKey {
+    /// `friction`, or a key of the case.
+    pub(super) fn name(&self) -> &str {
+        self.own.strip_prefix("spread.").unwrap_or(&self.own)
+    }
 }
 
 /// What a spread does to the growth under a vehicle.
@@ -26,39 +40,41 @@ pub(super) struct Spreads {
 pub struct SpreadEffect {
     /// Name of the vehicle.
     pub vehicle: String,
-    /// The key that is spread: `speed`, `wheel_radius`, `load`, `friction` or `lateral_position`.
-    pub what: &'static str,
+    /// What is spread: `speed`, `wheel_radius`, `load`, `friction`, `lateral_position` or a key of the case.
+    pub what: String,
     /// The fastest growth without this spread, every wheel at its mean, over that with it; none where nothing grows with it.
     pub reduction: Option<f64>,
 }
 
-/// The values of one part of the wheels; none for that of the case.
-#[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Values3 {
-    pub(super) wheel_radius: Option<f64>,
-    pub(super) load: Option<f64>,
-    pub(super) friction: Option<f64>,
-}
+/// The rule of quadrature of each spread; none for its mean alone.
+pub(super) type Rules = Vec<Option<usize>>;
 
-impl Values3 {
-    /// What they give a case.
-    pub(super) fn settings(self) -> Vec<Setting> {
-        let keys = [
-            ("wheel.rolling_radius", self.wheel_radius),
-            ("contact.normal_load", self.load),
-            ("contact.friction", self.friction),
-        ];
-        let given = keys.into_iter();
-        given
-            .filter_map(|(key, value)| Some((key.to_owned(), Value::Float(value?))))
-            .collect()
+/// The values that one part of the wheels gives keys of the case, each with the key of the vehicle that it comes from.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub(super) struct PartValues(Vec<(String, Setting)>);
+
+/// Shorthands of a vehicle for keys of the case.
+pub(super) const LOAD: &str = "contact.normal_load";
+pub(super) const FRICTION: &str = "contact.friction";
+pub(super) const WHEEL_RADIUS: &str = "wheel.rolling_radius";
+
+impl PartValues {
+    /// What they give a case, each with the key of the vehicle.
+    pub(super) fn settings(&self) -> impl Iterator<Item = (String, Setting)> {
+        self.0.iter().cloned()
+    }
+
+    /// The value of a key of the case, if it is spread.
+    pub(super) fn of(&self, key: &str) -> Option<f64> {
+        let mut found = self.0.iter().filter(|(_, (own, _))| own == key);
+        found.next().and_then(|(_, (_, value))| value.as_float())
     }
 }
 
 impl Spreads {
     /// Of a vehicle of a traffic file.
     pub(super) fn of(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Self, CaseError> {
-        let key = |name: &str| format!("vehicle[{index}].{name}");
+        let at = |name: &str| format!("vehicle[{index}].{name}");
         let taken = [
             (
                 "load",
@@ -77,73 +93,105 @@ impl Spreads {
             ),
         ];
         if let Some((own, other, _)) = taken.into_iter().find(|(_, _, both)| *both) {
-            let rule = format!("and `{}` exclude each other", key(other));
-            return Err(source.invalid(&key(own), &rule, "give one of the two"));
+            let rule = format!("and `{}` exclude each other", at(other));
+            return Err(source.invalid(&at(own), &rule, "give one of the two"));
+        }
+        let positive = Values::Positive;
+        let shorthands = [
+            (
+                "wheel_radius",
+                WHEEL_RADIUS,
+                vehicle
+                    .wheel_radius
+                    .as_ref()
+                    .map(|it| it.distribution(source, &at("wheel_radius"), positive)),
+            ),
+            (
+                "load",
+                LOAD,
+                vehicle
+                    .load
+                    .as_ref()
+                    .map(|it| it.distribution(source, &at("load"), positive)),
+            ),
+            (
+                "friction",
+                FRICTION,
+                vehicle
+                    .friction
+                    .as_ref()
+                    .map(|it| it.distribution(source, &at("friction"), positive)),
+            ),
+        ];
+        let mut of_keys = Vec::new();
+        for (own, key, distribution) in shorthands {
+            if let Some(distribution) = distribution {
+                of_keys.push(SpreadOfKey {
+                    own: own.to_owned(),
+                    key: key.to_owned(),
+                    distribution: distribution?,
+                });
+            }
+        }
+        for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
+            let own = format!("spread.{key}");
+            let Some(kind) = CaseKey::find(&key).and_then(|known| known.quantity) else {
+                let rule = "is no quantity of a case";
+                let help = format!("the nearest key is `{}`", CaseKey::nearest(&key));
+                return Err(source.invalid(&at(&own), rule, &help));
+            };
+            let given = crate::setting::settings(&vehicle.set);
+            let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key)
+                || given.iter().any(|it| it.0 == key);
+            if twice {
+                let rule = "is given a second time by another key of the vehicle";
+                return Err(source.invalid(&at(&own), rule, "give one of the two"));
+            }
+            let distribution = of_key(source, &at(&own), kind, &value)?;
+            of_keys.push(SpreadOfKey {
+                own,
+                key,
+                distribution,
+            });
         }
         Ok(Self {
             lateral_position: (vehicle.lateral_position.as_ref())
-                .map(|it| it.distribution(source, &key("lateral_position"), Values::Any))
+                .map(|it| it.distribution(source, &at("lateral_position"), Values::Any))
                 .transpose()?,
-            wheel_radius: (vehicle.wheel_radius.as_ref())
-                .map(|it| it.distribution(source, &key("wheel_radius"), Values::Positive))
-                .transpose()?,
-            load: (vehicle.load.as_ref())
-                .map(|it| it.distribution(source, &key("load"), Values::Positive))
-                .transpose()?,
-            friction: (vehicle.friction.as_ref())
-                .map(|it| it.distribution(source, &key("friction"), Values::Positive))
-                .transpose()?,
+            of_keys,
         })
     }
 
-    /// Of three values, each spread or none.
-    fn of_values(&self) -> [&Option<Distribution>; 3] {
-        [&self.wheel_radius, &self.load, &self.friction]
-    }
-
-    /// One of the values, by its place in [`VALUES`](Self::VALUES).
-    pub(super) fn value(&self, place: usize) -> Option<&Distribution> {
-        self.of_values()[place].as_ref()
-    }
-
-    /// The names of what is spread, but the place across the rail.
-    pub(super) const VALUES: [&'static str; 3] = ["wheel_radius", "load", "friction"];
-
-    /// Which of the values are spread, by their places in [`VALUES`](Self::VALUES).
+    /// Which of the keys have more than one value, by their places.
     pub(super) fn spread_values(&self) -> Vec<usize> {
-        let of_values = self.of_values().into_iter().enumerate();
-        let spread = of_values.filter(|(_, it)| it.as_ref().is_some_and(|it| !it.is_single()));
+        let of_keys = self.of_keys.iter().enumerate();
+        let spread = of_keys.filter(|(_, it)| !it.distribution.is_single());
         spread.map(|(place, _)| place).collect()
     }
 
-    /// The values of all parts with their shares: every combination of the nodes of each, by the rule of each; none for the
-    /// mean alone.
-    pub(super) fn parts(&self, rules: [Option<usize>; 3]) -> Vec<(f64, Values3)> {
-        let nodes: Vec<Vec<(Option<f64>, f64)>> = self
-            .of_values()
-            .into_iter()
-            .zip(rules)
-            .map(|(distribution, rule)| match (distribution, rule) {
-                (None, _) => vec![(None, 1.0)],
-                (Some(it), None) => vec![(Some(it.mean()), 1.0)],
-                (Some(it), Some(rule)) => {
-                    let nodes = it.nodes(rule).into_iter();
-                    nodes.map(|(value, share)| (Some(value), share)).collect()
-                }
-            })
-            .collect();
-        let mut parts = Vec::new();
-        for &(wheel_radius, of_radius) in &nodes[0] {
-            for &(load, of_load) in &nodes[1] {
-                for &(friction, of_friction) in &nodes[2] {
-                    let values = Values3 {
-                        wheel_radius,
-                        load,
-                        friction,
-                    };
-                    parts.push((of_radius * of_load * of_friction, values));
-                }
-            }
+    /// Every key at its mean.
+    pub(super) fn means(&self) -> Rules {
+        vec![None; self.of_keys.len()]
+    }
+
+    /// The values of all parts with their shares: every combination of the nodes of each key, by the rule of each.
+    pub(super) fn parts(&self, rules: &[Option<usize>]) -> Vec<(f64, PartValues)> {
+        let mut parts = vec![(1.0, PartValues::default())];
+        for (it, rule) in self.of_keys.iter().zip(rules) {
+            let nodes = match rule {
+                None => vec![(it.distribution.mean(), 1.0)],
+                Some(rule) => it.distribution.nodes(*rule),
+            };
+            let with_each = |(share, values): &(f64, PartValues)| {
+                let with = |&(value, of_value): &(f64, f64)| {
+                    let mut values = values.clone();
+                    let setting = (it.key.clone(), Value::Float(value));
+                    values.0.push((it.own.clone(), setting));
+                    (share * of_value, values)
+                };
+                nodes.iter().map(with).collect::<Vec<_>>()
+            };
+            parts = parts.iter().flat_map(with_each).collect();
         }
         parts
     }

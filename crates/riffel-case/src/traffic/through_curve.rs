@@ -7,7 +7,7 @@ use riffel::curving::VehicleInCurve;
 use riffel_keys::CaseError;
 use toml::Value;
 
-use super::spreads::Values3;
+use super::spreads::{FRICTION, LOAD, PartValues, WHEEL_RADIUS};
 use super::{CurveOfVehicle, Traffic};
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
@@ -45,7 +45,7 @@ impl Traffic {
         index: usize,
         case: &Case,
         variant: &Variant,
-        values: Values3,
+        values: &PartValues,
     ) -> Result<Option<ThroughCurve>, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let mut curving = match &vehicle.curve {
@@ -76,13 +76,13 @@ impl Traffic {
                 curving = curving.with(&format!("{key}={value}"))?;
             }
         }
-        if let Some(friction) = values.friction {
-            curving = curving.with(&format!("contact.friction={friction:?}"))?;
+        if let Some(friction) = values.of(FRICTION) {
+            curving = curving.with(&format!("{FRICTION}={friction:?}"))?;
         }
-        if let Some(radius) = values.wheel_radius {
-            curving = curving.with(&format!("wheel.rolling_radius={radius:?}"))?;
+        if let Some(radius) = values.of(WHEEL_RADIUS) {
+            curving = curving.with(&format!("{WHEEL_RADIUS}={radius:?}"))?;
         }
-        if let (Some(load), Some(bogie)) = (values.load, &curving.file.bogie) {
+        if let (Some(load), Some(bogie)) = (values.of(LOAD), &curving.file.bogie) {
             let mass = 2.0 * load / STANDARD_GRAVITY;
             let more = mass - bogie.mass_per_axle.si();
             let body = curving
@@ -93,6 +93,11 @@ impl Traffic {
             curving = curving.with(&format!("bogie.mass_per_axle={mass:?}"))?;
             if let Some(body) = body {
                 curving = curving.with(&format!("body.mass={body:?}"))?;
+            }
+        }
+        for (_, (key, value)) in values.settings() {
+            if OF_VEHICLE.iter().any(|table| key.starts_with(table)) {
+                curving = curving.with(&format!("{key}={value}"))?;
             }
         }
         let vehicle = curving.vehicle_in_curve()?;

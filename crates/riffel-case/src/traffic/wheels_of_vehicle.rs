@@ -9,7 +9,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, say};
 
 use super::on_case::{WheelOnCase, settings_of, window};
-use super::spreads::{Spreads, Values3};
+use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
 use super::{CurveOfVehicle, SpreadEffect, Traffic, TrafficOnCase};
 use crate::from_curve::Equilibrium;
@@ -74,7 +74,7 @@ impl Asked<'_> {
     }
 
     /// Its wheels with some values.
-    fn wheels(&self, values: Values3) -> Result<WheelsOfVehicle, CaseError> {
+    fn wheels(&self, values: &PartValues) -> Result<WheelsOfVehicle, CaseError> {
         let (traffic, variant) = (self.traffic, self.variant);
         if self.spreads().lateral_position.is_some() && self.case.file.wear.band_width.is_some() {
             let message = format!(
@@ -116,7 +116,7 @@ impl Asked<'_> {
     fn wheels_through(
         &self,
         through: &ThroughCurve,
-        values: Values3,
+        values: &PartValues,
     ) -> Result<WheelsOfVehicle, CaseError> {
         let own = &self.traffic.speeds[self.index];
         let speeds = match self.speeds {
@@ -126,11 +126,7 @@ impl Asked<'_> {
             })?,
         };
         let window = window(self.case, self.lines, &speeds);
-        // Load and radius go into the bogie.
-        let values = Values3 {
-            load: None,
-            ..values
-        };
+        // The load goes into the bogie.
         let own = settings_of(&self.traffic.file.vehicle[self.index]).into_iter();
         // What belongs to the vehicle of another file is set there.
         let of_file = matches!(
@@ -140,7 +136,8 @@ impl Asked<'_> {
         let of_case = |(key, _): &Setting| {
             !(of_file && OF_VEHICLE.iter().any(|table| key.starts_with(table)))
         };
-        let own = own.map(|(_, setting)| setting).chain(values.settings());
+        let of_wheels = values.settings().filter(|(_, (key, _))| key != LOAD);
+        let own = own.chain(of_wheels).map(|(_, setting)| setting);
         let own: Vec<Setting> = own.filter(of_case).collect();
         let of_variant = self
             .variant
@@ -156,13 +153,13 @@ impl Asked<'_> {
                 BALANCED_AT.into_iter().map(at).collect()
             }
         };
-        let (equilibria, without) = self.equilibria(through, &speeds, &balanced)?;
+        let (equilibria, without) = self.equilibria(through, values, &speeds, &balanced)?;
         let at_speed = |(speed, equilibrium): &(f64, Arc<Equilibrium>)| {
             let speed = *speed;
             let wheels = 1..=through.wheelsets();
             let wheels = wheels.map(|wheelset| {
                 let wheel = self.case.on_wheelset(equilibrium, wheelset, &sets);
-                wheel.map_err(|error| self.at_speed(speed, &error))
+                wheel.map_err(|error| self.at_speed(speed, values, &error))
             });
             wheels.collect()
         };
@@ -211,6 +208,7 @@ impl Asked<'_> {
     fn equilibria(
         &self,
         through: &ThroughCurve,
+        values: &PartValues,
         speeds: &SpeedDistribution,
         balanced: &[f64],
     ) -> Result<(BalancedAt, Option<Message>), CaseError> {
@@ -225,7 +223,7 @@ impl Asked<'_> {
             match equilibrium {
                 Ok(equilibrium) => found.push((speed, Arc::new(equilibrium))),
                 Err(_) if far && speeds.listed().is_none() => without.push(speed),
-                Err(error) => return Err(self.at_speed(speed, &error)),
+                Err(error) => return Err(self.at_speed(speed, values, &error)),
             }
         }
         let words = (!without.is_empty()).then(|| {
@@ -239,22 +237,26 @@ impl Asked<'_> {
         Ok((found, words))
     }
 
-    fn at_speed(&self, speed: f64, error: &CaseError) -> CaseError {
+    fn at_speed(&self, speed: f64, values: &PartValues, error: &CaseError) -> CaseError {
+        let with = values
+            .settings()
+            .map(|(_, (key, value))| format!(", {key} = {value:.4}"));
         let message = format!(
-            "`{}`: vehicle \"{}\" at {:.1} km/h: {error}",
+            "`{}`: vehicle \"{}\" at {:.1} km/h{}: {error}",
             self.key(".curve"),
             self.name(),
-            3.6 * speed
+            3.6 * speed,
+            with.collect::<String>()
         );
         self.refuse(".curve", &message)
     }
 
     /// The wheels of all parts, by a rule of quadrature for each spread, each with the share of its part.
-    fn parts(&self, rules: [Option<usize>; 3]) -> Result<Vec<(f64, WheelsOfVehicle)>, CaseError> {
+    fn parts(&self, rules: &[Option<usize>]) -> Result<Vec<(f64, WheelsOfVehicle)>, CaseError> {
         let parts = self.spreads().parts(rules);
         let parts = parts.into_par_iter();
         parts
-            .map(|(share, values)| Ok((share, self.wheels(values)?)))
+            .map(|(share, values)| Ok((share, self.wheels(&values)?)))
             .collect()
     }
 
@@ -311,27 +313,26 @@ impl Asked<'_> {
     ) -> Result<(VehicleGrowth, WheelsOfVehicle), CaseError> {
         let spread = self.spreads().spread_values();
         let (rules, error) = self.rules(&spread, bands)?;
-        let mut parts = self.parts(rules)?;
+        let mut parts = self.parts(&rules)?;
         let mut growth = self.growth(&parts, bands)?;
         growth.growth.rate_error += error;
         let middle = parts.len() / 2;
         Ok((growth, parts.swap_remove(middle).1))
     }
 
-    fn rules(
-        &self,
-        spread: &[usize],
-        bands: &[ThirdOctave],
-    ) -> Result<([Option<usize>; 3], f64), CaseError> {
-        let mut rules = [None; 3];
+    fn rules(&self, spread: &[usize], bands: &[ThirdOctave]) -> Result<(Rules, f64), CaseError> {
+        let mut rules = self.spreads().means();
         let mut errors = 0.0;
         for &place in spread {
             let along = |rule: usize| {
-                let mut rules = [None; 3];
+                let mut rules = self.spreads().means();
                 rules[place] = Some(rule);
-                Ok::<_, CaseError>(self.growth(&self.parts(rules)?, bands)?.growth.rates)
+                Ok::<_, CaseError>(self.growth(&self.parts(&rules)?, bands)?.growth.rates)
             };
-            if matches!(self.spreads().value(place), Some(Distribution::Shares(_))) {
+            if matches!(
+                self.spreads().of_keys[place].distribution,
+                Distribution::Shares(_)
+            ) {
                 rules[place] = Some(0);
                 continue;
             }
@@ -418,10 +419,10 @@ impl Traffic {
             let rates = &on.growth.vehicles()[index].growth.rates;
             let with = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
             let traction = vehicle.traction_share.map_or(1.0, |share| share.si());
-            let mut tell = |what: &'static str, without: f64| {
+            let mut tell = |what: &str, without: f64| {
                 effects.push(SpreadEffect {
                     vehicle: vehicle.name.clone(),
-                    what,
+                    what: what.to_owned(),
                     reduction: (with > 0.0).then(|| traction * without / with),
                 });
             };
@@ -435,20 +436,20 @@ impl Traffic {
                     speeds: Some(&mean),
                     ..asked
                 };
-                tell("speed", asked.fastest(&at_mean.parts(rules)?));
+                tell("speed", asked.fastest(&at_mean.parts(&rules)?));
             }
             for &place in &spread {
-                let mut others = rules;
+                let mut others = rules.clone();
                 others[place] = None;
-                let growth = asked.growth(&asked.parts(others)?, bands)?;
+                let growth = asked.growth(&asked.parts(&others)?, bands)?;
                 let rates = growth.growth.rates.into_iter();
                 tell(
-                    Spreads::VALUES[place],
+                    asked.spreads().of_keys[place].name(),
                     rates.fold(f64::NEG_INFINITY, f64::max),
                 );
             }
             if asked.spreads().lateral_position.is_some() {
-                let mut parts = asked.parts(rules)?;
+                let mut parts = asked.parts(&rules)?;
                 let wheels = parts.iter_mut().flat_map(|part| &mut part.1.wheels);
                 wheels.for_each(|wheel| wheel.covering = None);
                 let rates = asked.growth(&parts, bands)?.growth.rates.into_iter();

@@ -2,7 +2,7 @@
 
 use riffel::forecast::{MeanGrowth, SpeedDistribution};
 use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
-use riffel_case::{Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
+use riffel_case::{BHASKAR_TRACK_CASE, Case, METRO_CURVE_CASE, NOMINAL_CASE, Variant};
 use riffel_keys::CaseError;
 
 /// Closed laws: the bogie by Shen, Hedrick & Elkins, the loop by Polach.
@@ -212,12 +212,43 @@ fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
     let bands = bands_of(&case);
     let on = traffic.on(&case, &bands, &Variant::none(""), &|_| {})?;
     let effects = traffic.spread_effects(&case, &bands, &on)?;
-    let names: Vec<&str> = effects.iter().map(|effect| effect.what).collect();
+    let names: Vec<&str> = effects.iter().map(|effect| &*effect.what).collect();
     assert_eq!(names, ["speed", "friction"]);
     assert!(
         effects[0].reduction.is_some_and(|factor| factor > 1.0),
         "{effects:?}"
     );
+    Ok(())
+}
+
+/// Any key of the case may be spread, as the stiffness of pads along the track: growth is the mean of runs with each value.
+#[test]
+fn a_spread_of_a_key_is_the_mean_of_its_values() -> Result<(), CaseError> {
+    let case = Case::parse("c.toml", BHASKAR_TRACK_CASE, &[])?;
+    let bands = bands_of(&case);
+    let rates = |keys: &str| {
+        let text =
+            format!("[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = {{ mean = 30 }}\n{keys}\n");
+        let on = Traffic::parse("t.toml", &text)?.on(&case, &bands, &Variant::none(""), &|_| {})?;
+        Ok::<_, CaseError>(on.growth.rates().to_vec())
+    };
+    let [soft, stiff] = [
+        rates("set.track.pad.stiffness = \"150 MN/m\"")?,
+        rates("set.track.pad.stiffness = 4e8")?,
+    ];
+    // The key as it stands in a case, and as one word.
+    for key in ["track.pad.stiffness", "\"track.pad.stiffness\""] {
+        let spread = rates(&format!(
+            "spread.{key} = [{{ value = \"150 MN/m\", share = 0.25 }}, {{ value = 4e8, share = \"75 %\" }}]"
+        ))?;
+        for ((soft, stiff), spread) in soft.iter().zip(&stiff).zip(spread) {
+            let mean = 0.25 * soft + 0.75 * stiff;
+            assert!(
+                (spread - mean).abs() <= 1e-12 * mean.abs(),
+                "{spread:e} {mean:e}"
+            );
+        }
+    }
     Ok(())
 }
 
@@ -240,6 +271,26 @@ fn what_is_no_spread_is_refused_with_its_key() {
         ),
         ("friction = { min = 0.5, max = 0.3 }", "vehicle[0].friction"),
         ("wheel_radius = \"0.4 m\"", "vehicle[0].wheel_radius"),
+        (
+            "spread.contact.frition = { min = 0.3, max = 0.5 }",
+            "vehicle[0].spread.contact.frition",
+        ),
+        (
+            "spread.contact.friction = { min = \"0.3 m\", max = 0.5 }",
+            "vehicle[0].spread.contact.friction.min",
+        ),
+        (
+            "spread.contact.friction = 0.3",
+            "vehicle[0].spread.contact.friction",
+        ),
+        (
+            "spread.contact.friction = { min = -0.3, max = 0.5 }",
+            "vehicle[0].spread.contact.friction",
+        ),
+        (
+            "friction = { min = 0.3, max = 0.5 }\nspread.contact.friction = { min = 0.3, max = 0.5 }",
+            "vehicle[0].spread.contact.friction",
+        ),
         ("curve = true", "curve"),
         ("curve = \"no-such-file.toml\"", "no-such-file.toml"),
     ];
