@@ -5,6 +5,7 @@ use riffel::{Axis, Error, Loop};
 use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::Case;
+use crate::build::validity::shorter_than_patch;
 
 /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
 const BAND: (f64, f64) = (1.0, 10e3);
@@ -32,6 +33,18 @@ impl Case {
             .cloned()
             .chain(own)
             .collect()
+    }
+
+    /// The same where one wavelength \[m\] is asked about as well, which may lie outside the map.
+    pub fn remarks_at_point(&self, wavelength: f64, speed: f64) -> Vec<Message> {
+        let mut remarks = self.remarks_at(speed);
+        let short = shorter_than_patch(self.hertz, wavelength);
+        let short = short.filter(|short| {
+            self.file.contact.wave_geometry == Some(true)
+                && remarks.iter().all(|remark| remark.id() != short.id())
+        });
+        remarks.extend(short);
+        remarks
     }
 
     /// The speeds \[m/s\] of the map at which the loop is judged, with what it is there.

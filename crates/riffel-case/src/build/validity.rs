@@ -174,6 +174,13 @@ pub(crate) fn of_contact(
     remarks
 }
 
+/// That the geometry of a wave \[m\] is beyond what is known of it.
+pub(crate) fn shorter_than_patch(hertz: HertzContact, wavelength: f64) -> Option<Message> {
+    let shortest = 3.0 * hertz.semi_axis_longitudinal();
+    (wavelength < shortest)
+        .then(|| say!(wave_shorter_than_patch, shortest = fixed(1e3 * shortest, 0)))
+}
+
 /// What the wave's own geometry would take where the case does not speak of it, and where it leaves its range.
 fn of_waves(
     keys: &CheckedKeys,
@@ -181,20 +188,14 @@ fn of_waves(
     hertz: HertzContact,
     [wavelength, speed]: [Axis; 2],
 ) -> Vec<Message> {
-    let (a, amplitude) = (hertz.semi_axis_longitudinal(), feedback.amplitude());
+    let amplitude = feedback.amplitude();
     let curvature = |wavelength: f64| {
         let wavenumber = TAU / wavelength;
         hertz.longitudinal_radius() * wavenumber * wavenumber
     };
     let mut remarks = Vec::new();
     if keys.feels_waves() {
-        let shortest = 3.0 * a;
-        if wavelength.min() < shortest {
-            remarks.push(say!(
-                wave_shorter_than_patch,
-                shortest = fixed(1e3 * shortest, 0)
-            ));
-        }
+        remarks.extend(shorter_than_patch(hertz, wavelength.min()));
         // Growth does not depend on an amplitude that nobody chose.
         let chosen = keys.text.is_written("corrugation.amplitude");
         if chosen && amplitude * curvature(wavelength.min()) >= 1.0 {

@@ -52,6 +52,26 @@ fn what_is_left_out_is_told() {
     assert_eq!(said(&case(&["contact.wave_geometry=true"])), 0);
 }
 
+/// Below three half-lengths of the patch, 18 mm here, the geometry of a wave is a rough estimate, in the map or beside it.
+#[test]
+fn a_wave_shorter_than_the_patch_is_told() {
+    let says = |case: &Case, wavelength: f64| {
+        let remarks = case.remarks_at_point(wavelength, 30.0);
+        let said = remarks
+            .iter()
+            .filter(|it| it.to_string().contains("three half-lengths"));
+        said.count()
+    };
+    let waves = case(&["contact.wave_geometry=true"]);
+    assert_eq!(
+        [0.012, 0.017, 0.0185].map(|wavelength| says(&waves, wavelength)),
+        [1, 1, 0]
+    );
+    let short = case(&["contact.wave_geometry=true", "map.wavelength=10-80 mm"]);
+    assert_eq!(says(&short, 0.012), 1);
+    assert_eq!(says(&case(&[]), 0.012), 0);
+}
+
 /// Troughs that the wheel bridges are refused with amplitude and wavelength.
 #[test]
 fn a_wave_as_curved_as_the_wheel_is_refused() {

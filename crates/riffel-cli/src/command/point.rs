@@ -50,7 +50,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
             print(&sensitivities(sensitivity))?;
         }
     }
-    print_remarks(&case.remarks_at(speed));
+    print_remarks(&case.remarks_at_point(wavelength, speed));
     Ok(())
 }
 
