@@ -36,6 +36,11 @@ def test_a_dict_is_the_case_of_its_file() -> None:
     assert again.growth_map().equals(by_dict.growth_map())
 
 
+def test_a_path_is_no_case() -> None:
+    with pytest.raises(TypeError, match=r"takes no str: .*Case.from_toml\(path\)"):
+        riffel.Case("cases/nominal.toml")  # type: ignore[arg-type]
+
+
 def test_overrides_of_every_kind(nominal: riffel.Case) -> None:
     slow = nominal.with_({"map.speed": {"min": "20 km/h", "max": 10, "points": np.int64(5)}}, title="slow")
     assert slow.title == "slow"

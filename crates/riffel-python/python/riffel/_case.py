@@ -34,6 +34,11 @@ class Case:
     __slots__ = ("_case", "_given", "_window_map")
 
     def __init__(self, case: _riffel.Case, given: Mapping[str, Any] | None = None) -> None:
+        if not isinstance(case, _riffel.Case):
+            raise TypeError(
+                f"Case takes no {type(case).__name__}: make a case with Case.from_toml(path), "
+                "Case.from_dict(keys) or Case.parse(text)"
+            )
         self._case = case
         # Receptances of track and wheel that were given, to take along when it is pickled.
         self._given = dict(given or {})
