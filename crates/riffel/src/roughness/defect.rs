@@ -15,8 +15,10 @@ const OUTSTANDING: f64 = 6.0;
 const REACHES: f64 = 2.5;
 /// Length of calm rail at which it ends \[m\].
 const CALM: f64 = 0.1;
-/// Length between two defects that are one \[m\]: filters ring beside a deep one.
+/// Length beside a defect in which parts of the wavelengths show the same, and its filters ring \[m\].
 const APART: f64 = 0.5;
+/// Share of a neighbour's height below which a defect is the ringing of its filter.
+const RINGING: f64 = 0.1;
 /// Longest defect \[m\]: a dipped weld has a metre or two.
 const LONGEST: f64 = 3.0;
 /// Most turns of half its height that a defect has; a wave has more.
@@ -32,6 +34,8 @@ pub struct RailDefect {
     pub from: f64,
     /// Where it ends \[m\].
     pub to: f64,
+    /// Length of it that stands out with all wavelengths together \[m\].
+    pub length: f64,
     /// Largest height over the line from its beginning to its end \[m\]; negative for a dip.
     pub height: f64,
 }
@@ -39,7 +43,7 @@ pub struct RailDefect {
 impl RailDefect {
     /// Whether it is as short as a squat; else it is a weld or a joint.
     pub fn is_short(&self) -> bool {
-        self.to - self.from < SHORTEST_WELD
+        self.length < SHORTEST_WELD
     }
 }
 
@@ -56,30 +60,55 @@ impl Profile {
         let bands = BANDS
             .iter()
             .flat_map(|band| WavelengthBand::new(band.0, band.1));
-        let bands: Vec<_> = bands
-            .filter(|band| band.fits_into(self.length()) && BandPass::resolves(*band, spacing))
-            .collect();
+        let bands: Vec<_> = bands.filter(|band| band.fits_into(self.length())).collect();
         let Ok(bank) = BandPass::new(spacing, self.heights.len(), &bands) else {
             return Vec::new();
         };
         let filtered = bank.filter(self);
-        let mut places: Vec<Range<usize>> = filtered
-            .iter()
-            .flat_map(|waves| outstanding(waves, spacing))
+        let Some(all) = filtered.first().map(|waves| Waves::new(waves, spacing)) else {
+            return Vec::new();
+        };
+        // What stands out with all wavelengths together, and all that is bridged of it.
+        let mut places: Vec<[Range<usize>; 2]> = all
+            .outstanding()
+            .into_iter()
+            .map(|place| [place.clone(), place])
             .collect();
-        places.sort_by_key(|place| place.start);
         let (apart, longest) = ((APART / spacing) as usize, (LONGEST / spacing) as usize);
-        let mut joined: Vec<Range<usize>> = Vec::new();
-        for place in places {
-            let near = joined
-                .last_mut()
-                .filter(|last| place.start < last.end + apart);
-            match near.filter(|last| place.end <= last.start + longest) {
-                Some(last) => last.end = last.end.max(place.end),
-                None => joined.push(place),
+        let beside = |one: &Range<usize>, other: &Range<usize>| {
+            one.start < other.end + apart && other.start < one.end + apart
+        };
+        for waves in &filtered[1..] {
+            for place in Waves::new(waves, spacing).outstanding() {
+                match places.iter_mut().find(|known| beside(&known[1], &place)) {
+                    Some([_, known]) => {
+                        let both = known.start.min(place.start)..known.end.max(place.end);
+                        if both.len() <= longest {
+                            *known = both;
+                        }
+                    }
+                    // The ends of a patch of waves stand out of the longer wavelengths.
+                    None if all.is_single(&all.around(all.top(&place))) => {
+                        places.push([place.clone(), place]);
+                    }
+                    None => {}
+                }
             }
         }
-        joined.into_iter().map(|place| self.bridge(place)).collect()
+        let height = |place: &Range<usize>| all.heights[all.top(place)].abs();
+        let rings = |[_, place]: &[Range<usize>; 2]| {
+            let mut others = places.iter();
+            others.any(|[_, other]| beside(place, other) && height(place) < RINGING * height(other))
+        };
+        let mut single: Vec<_> = places.iter().filter(|place| !rings(place)).collect();
+        single.sort_by_key(|[_, place]| place.start);
+        single
+            .into_iter()
+            .map(|[own, place]| RailDefect {
+                length: own.len() as f64 * spacing,
+                ..self.bridge(place.clone())
+            })
+            .collect()
     }
 
     /// Replace the heights between two positions \[m\] by a straight line.
@@ -111,32 +140,70 @@ impl Profile {
         RailDefect {
             from: self.position(first),
             to: self.position(last),
+            length: self.position(last) - self.position(first),
             height,
         }
     }
 }
 
-/// The samples that stand out of filtered heights, and are no waves.
-fn outstanding(waves: &[f64], spacing: f64) -> Vec<Range<usize>> {
-    let deviations = deviations(waves, spacing);
-    let ratio = |index: usize| waves[index].abs() / deviations[index / cell(spacing)];
-    let mut places = Vec::new();
-    let mut index = 0;
-    while index < waves.len() {
-        if ratio(index) <= OUTSTANDING {
-            index += 1;
-            continue;
-        }
-        let samples = reach(index, waves.len(), spacing, ratio);
-        index = samples.end;
-        let long = samples.len() as f64 * spacing > LONGEST;
-        // What the record cuts off cannot be told from how a filter begins.
-        let cut = samples.start == 0 || samples.end == waves.len();
-        if !long && !cut && turns(&waves[samples.clone()]) <= MOST_TURNS {
-            places.push(samples);
+/// Filtered heights with how far the rail around them scatters.
+struct Waves<'a> {
+    heights: &'a [f64],
+    spacing: f64,
+    deviations: Vec<f64>,
+}
+
+impl<'a> Waves<'a> {
+    fn new(heights: &'a [f64], spacing: f64) -> Self {
+        Self {
+            heights,
+            spacing,
+            deviations: deviations(heights, spacing),
         }
     }
-    places
+
+    fn ratio(&self, index: usize) -> f64 {
+        self.heights[index].abs() / self.deviations[index / cell(self.spacing)]
+    }
+
+    /// The samples that stand out, and are no waves.
+    fn outstanding(&self) -> Vec<Range<usize>> {
+        let mut places = Vec::new();
+        let mut index = 0;
+        while index < self.heights.len() {
+            if self.ratio(index) <= OUTSTANDING {
+                index += 1;
+                continue;
+            }
+            let samples = self.around(index);
+            index = samples.end;
+            // What the record cuts off cannot be told from how a filter begins.
+            let cut = samples.start == 0 || samples.end == self.heights.len();
+            if !cut && self.is_single(&samples) {
+                places.push(samples);
+            }
+        }
+        places
+    }
+
+    /// The samples about one, to where the rail is calm.
+    fn around(&self, index: usize) -> Range<usize> {
+        reach(index, self.heights.len(), self.spacing, |index| {
+            self.ratio(index)
+        })
+    }
+
+    /// Whether this is too short and turns too seldom for waves.
+    fn is_single(&self, samples: &Range<usize>) -> bool {
+        samples.len() as f64 * self.spacing <= LONGEST
+            && turns(&self.heights[samples.clone()]) <= MOST_TURNS
+    }
+
+    /// The highest sample of a place.
+    fn top(&self, place: &Range<usize>) -> usize {
+        let by = |a: &usize, b: &usize| self.heights[*a].abs().total_cmp(&self.heights[*b].abs());
+        place.clone().max_by(by).unwrap_or(place.start)
+    }
 }
 
 /// Samples of a cell, a metre, that has one standard deviation.
