@@ -13,6 +13,7 @@ mod point_in_rail;
 mod roughness;
 mod shakedown;
 mod simulate;
+mod stability;
 mod study;
 
 use std::path::{Path, PathBuf};
@@ -41,6 +42,7 @@ use point_in_rail::PointInRail;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
+pub(crate) use stability::Stability;
 pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
 
 /// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
@@ -153,6 +155,8 @@ pub(crate) enum Command {
     Noise(Noise),
     /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
     Shakedown(Shakedown),
+    /// Where over speed and friction the loop oscillates without any profile, as in squeal, how fast and at what frequency.
+    Stability(Stability),
     /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
     Study(Study),
     /// What measurements say of the uncertain values of a case.

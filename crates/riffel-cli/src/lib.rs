@@ -132,6 +132,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Receptance(arguments) => command::receptance::run(&arguments)?,
         Command::Noise(arguments) => command::noise::run(&arguments)?,
         Command::Shakedown(arguments) => command::shakedown::run(&arguments)?,
+        Command::Stability(arguments) => command::stability::run(&arguments)?,
         Command::Wheelset(arguments) => command::wheelset::run(&arguments)?,
         Command::Simulate(arguments) => return command::simulate::run(&arguments),
         Command::Contact(arguments) => command::contact::run(&arguments)?,

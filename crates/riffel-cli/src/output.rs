@@ -3,7 +3,7 @@
 use std::borrow::Cow;
 use std::fmt::{self, Display};
 use std::io::{self, Write};
-use std::time::{Duration, Instant};
+use std::time::Duration;
 
 use comfy_table::{CellAlignment, ContentArrangement, Row, TableStyle, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -172,31 +172,35 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
     }
 }
 
-/// A progress bar on standard error that appears only where the work takes longer than a second,
-/// and only on a terminal, unless `--quiet` was given.
+/// A progress bar on standard error that appears once the work has taken a second, and only on a terminal, unless
+/// `--quiet` was given.
 pub(crate) struct Progress {
     bar: ProgressBar,
-    begun: Instant,
 }
 
 impl Progress {
     pub(crate) fn new(what: &'static str, length: usize) -> Self {
         let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::hidden());
-        if let Ok(style) = ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {eta}") {
+        if let Ok(style) =
+            ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}")
+        {
             bar.set_style(style);
         }
         bar.set_message(in_language(what));
-        Self {
-            bar,
-            begun: Instant::now(),
-        }
+        let waiting = bar.clone();
+        // Work in one long step never advances.
+        std::thread::spawn(move || {
+            std::thread::sleep(Duration::from_secs(1));
+            if !waiting.is_finished() && !is_quiet() {
+                waiting.set_draw_target(ProgressDrawTarget::stderr());
+                waiting.enable_steady_tick(Duration::from_secs(1));
+            }
+        });
+        Self { bar }
     }
 
     pub(crate) fn advance(&self, by: usize) {
         self.bar.inc(by as u64);
-        if self.bar.is_hidden() && !is_quiet() && self.begun.elapsed() > Duration::from_secs(1) {
-            self.bar.set_draw_target(ProgressDrawTarget::stderr());
-        }
     }
 }
 

@@ -182,6 +182,20 @@ ellipse-too-wide = die Kontaktellipse ist { $width } mm breit: darüber hat kein
 loop-not-judged = ob der Kreis bei { $speed } km/h stabil ist, ist nicht zu erkennen: seine Phase springt, wie an einer Resonanz ohne Dämpfung oder außerhalb gemessener Frequenzen; Radsatz, Schiene und Zwischenlagen einen Verlustfaktor geben
 loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz schwingt er ohne jedes Profil (Quietschen, Haften und Gleiten){ $growth }, und Wachstumsraten bedeuten dort nichts
 loop-unstable-growth = , wächst e-fach in { $time }
+stability-title = Schwingung ohne jedes Profil
+stability-caption = Durchgezogen: die Grenze, in der eine Schwingung der genannten Frequenz von selbst wächst, auf einen halben Schritt des Rasters genau. Gepunktet und gestrichelt: ihr Wachstum, die Amplitude so viele Male in der Sekunde e-fach. Zeichen: wo sie am schnellsten wächst. Wo mehrere wachsen, zählt die höchste Frequenz.
+stability-of-one-axis = ein Rad, das sich nur senkt und dreht, schwingt nicht von selbst; ihm Schlupf oder Bewegung quer zur Schiene geben, wie contact.from oder [wheelset]
+stability-unknown = { $points } Punkte sind nicht zu erkennen: die Phase des Kreises springt dort, wie an einer Resonanz ohne Dämpfung; Radsatz, Schiene und Zwischenlagen einen Verlustfaktor geben
+no-mean-state = bei einer Reibung von { $friction } finden die Räder keinen mittleren Zustand; diese Punkte bleiben weg
+stable-everywhere = der Kreis ist von { $slowest } bis { $fastest } km/h bis zu einer Reibung von { $highest } stabil
+unstable-from = ab einer Reibung von { $least } wächst irgendwo von { $slowest } bis { $fastest } km/h eine Schwingung von selbst
+unstable-from-the-least = schon bei der kleinsten betrachteten Reibung, { $least }, wächst irgendwo von { $slowest } bis { $fastest } km/h eine Schwingung von selbst
+branch-from = von Hz
+branch-to = bis Hz
+least-friction = kleinste Reibung
+fastest-growth-in-time = schnellstes Wachstum 1/s
+at-speed-column = bei km/h
+at-friction-column = bei Reibung
 wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: contact.longitudinal_radius angeben
 track-moves-downward-only = dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr
 
@@ -300,8 +314,11 @@ grew-in-a-million-within = { $wavelength } mm ist um { $rate } dB je 10⁶ Über
 ## Schweißungen, Stöße und Squats
 
 defect-at = { $place } m ({ $height } µm)
-defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } (--keep-defects behält sie)
-many-defects-left-out = Schiene { $rail }: { $count } einzelne Fehler, Schweißungen, Stöße oder Squats, bleiben aus den Spektren weg: { $places } und { $more } weitere (--keep-defects behält sie)
+one-defect = Schiene { $rail } hat eine Schweißung, einen Stoß oder Squat: { $places }
+some-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places }
+many-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places } und { $more } weitere
+defects-left-out = { $found }; aus den Spektren weggelassen (--keep-defects behält sie)
+defects-judged = { $found }; sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln
 
 grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
 grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben

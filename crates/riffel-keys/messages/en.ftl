@@ -190,6 +190,20 @@ ellipse-too-wide = the ellipse of the contact is { $width } mm wide: over that n
 loop-not-judged = whether the loop is stable at { $speed } km/h cannot be told: its phase jumps, as at a resonance without damping or beyond measured frequencies; give wheelset, rail and pads a loss factor
 loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz it oscillates without any profile (squeal, stick and slip){ $growth }, and growth rates mean nothing there
 loop-unstable-growth = , growing e-fold in { $time }
+stability-title = Oscillation without any profile
+stability-caption = Solid: the boundary within which an oscillation of the named frequency grows by itself, known to half a step of the grid. Dotted and dashed: its growth, the amplitude e-fold so many times a second. Mark: where it grows fastest. Where several grow, the highest frequency counts.
+stability-of-one-axis = a wheel that only moves down and turns does not oscillate by itself; give it creepage or motion across the rail, as contact.from or a [wheelset] does
+stability-unknown = { $points } points cannot be told: the phase of the loop jumps there, as at a resonance without damping; give wheelset, rail and pads a loss factor
+no-mean-state = at a friction of { $friction } the wheels find no mean state; those points are left out
+stable-everywhere = the loop is stable from { $slowest } to { $fastest } km/h up to a friction of { $highest }
+unstable-from = an oscillation grows by itself from a friction of { $least } on, somewhere from { $slowest } to { $fastest } km/h
+unstable-from-the-least = an oscillation grows by itself even at the least friction looked at, { $least }, somewhere from { $slowest } to { $fastest } km/h
+branch-from = from Hz
+branch-to = to Hz
+least-friction = least friction
+fastest-growth-in-time = fastest growth 1/s
+at-speed-column = at km/h
+at-friction-column = at friction
 wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give contact.longitudinal_radius
 track-moves-downward-only = this track moves downward alone; along and across the rail it is taken as rigid
 
@@ -308,8 +322,11 @@ grew-in-a-million-within = { $wavelength } mm has grown by { $rate } dB per 10�
 ## Welds, joints and squats
 
 defect-at = { $place } m ({ $height } µm)
-defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } (--keep-defects keeps them)
-many-defects-left-out = rail { $rail }: { $count } single defects, welds, joints or squats, are left out of the spectra: { $places } and { $more } more (--keep-defects keeps them)
+one-defect = rail { $rail } has a weld, joint or squat: { $places }
+some-defects = rail { $rail } has { $count } welds, joints or squats: { $places }
+many-defects = rail { $rail } has { $count } welds, joints or squats: { $places } and { $more } more
+defects-left-out = { $found }; left out of the spectra (--keep-defects keeps them)
+defects-judged = { $found }; they count in levels and limits, but are no corrugation
 
 grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
 grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given

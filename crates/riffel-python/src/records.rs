@@ -139,7 +139,8 @@ pub(crate) fn places_of_both(
     let (GivenRoughness::File(before), GivenRoughness::File(now)) = (&earlier.1, &later.1) else {
         return Ok(None);
     };
-    let (before, now) = (read(py, before, layout)?, read(py, now, layout)?);
+    let growing = |path| Ok::<_, PyErr>(read(py, path, layout)?.without_defects());
+    let (before, now) = (growing(before)?, growing(now)?);
     let names = (earlier.0.clone(), later.0.clone());
     let places = interruptible(py, move || {
         Survey::at_same_places((&names.0, &before), (&names.1, &now))
@@ -156,7 +157,7 @@ pub(crate) fn survey(
     let survey = match given {
         GivenRoughness::File(path) => {
             let (name, file) = (name.clone(), read(py, path, layout)?);
-            interruptible(py, move || Survey::of(&name, file))?
+            interruptible(py, move || Survey::of(&name, file.without_defects()))?
         }
         GivenRoughness::Spectra(spectra) => Survey::new(name, labelled(spectra)?, Vec::new()),
         GivenRoughness::Profile(_) => {

@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 28] = [
+const COMMANDS: [&str; 29] = [
     "init",
     "point",
     "map",
@@ -33,6 +33,7 @@ const COMMANDS: [&str; 28] = [
     "compare",
     "noise",
     "shakedown",
+    "stability",
     "study",
     "calibrate",
     "figures",

@@ -4,6 +4,7 @@ use riffel::diagnosis::Candidate;
 use serde::Serialize;
 
 use super::{Diagnosis, Finding};
+use crate::defect_document::DefectDocument;
 
 /// A diagnosis with keys and units, to be serialised.
 #[derive(Serialize)]
@@ -46,17 +47,6 @@ struct Dominant {
     summary: String,
     candidates: Vec<CandidateDocument>,
     measurements: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct DefectDocument {
-    rail: String,
-    /// weld-or-joint | squat
-    kind: &'static str,
-    from_m: f64,
-    to_m: f64,
-    /// Over the line from its beginning to its end; negative for a dip.
-    height_m: f64,
 }
 
 #[derive(Serialize)]
@@ -122,16 +112,7 @@ impl DiagnosisDocument {
             defects: diagnosis
                 .defects
                 .iter()
-                .map(|(rail, defect)| DefectDocument {
-                    rail: rail.clone(),
-                    kind: match defect.is_short() {
-                        true => "squat",
-                        false => "weld-or-joint",
-                    },
-                    from_m: defect.from,
-                    to_m: defect.to,
-                    height_m: defect.height,
-                })
+                .map(|(rail, defect)| DefectDocument::new(rail, defect))
                 .collect(),
             warnings: diagnosis.warnings.clone(),
         }

@@ -216,6 +216,15 @@ impl ForecastAnswer {
         Some(passages / self.on.passages_per_day? / DAYS_PER_MONTH)
     }
 
+    /// Months from grinding until the limit is reached, where the forecast begins with a ground rail.
+    pub fn months_between_grindings(&self) -> Option<f64> {
+        self.ground.as_ref()?;
+        match self.leading().reach? {
+            Reach::After(passages) => self.months(passages),
+            Reach::BeyondLinearRange | Reach::Never => None,
+        }
+    }
+
     /// The date after some passages, if it is before the year 10000.
     fn date_after(&self, passages: f64) -> Option<Date> {
         let days = (passages / self.on.passages_per_day?).round();

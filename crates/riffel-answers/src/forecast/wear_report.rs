@@ -89,12 +89,17 @@ impl WearReport {
         WearSpread::of_interval(self.fit.interval?)
     }
 
+    /// Whether the model does not explain the growth that was measured.
+    pub fn is_unexplained(&self) -> bool {
+        self.fit.verdict == WearVerdict::Unexplained
+    }
+
     /// Growth as it was measured, in place of that of a model that does not explain it.
     pub(super) fn measured_growth(&self, model: &TrafficGrowth) -> Option<TrafficGrowth> {
         let bands = self.fit.bands.iter();
         let changes: Vec<_> = bands.map(|band| (band.band, band.measured)).collect();
-        let is_unexplained = self.fit.verdict == WearVerdict::Unexplained;
-        is_unexplained.then(|| model.clone().as_measured(&changes, self.passages))
+        self.is_unexplained()
+            .then(|| model.clone().as_measured(&changes, self.passages))
     }
 
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.

@@ -1,5 +1,6 @@
 //! The report of a rail: other answers on one printable page.
 
+mod grinding_cost;
 mod inputs;
 mod mechanism;
 mod noise;
@@ -7,6 +8,7 @@ mod outlook;
 mod page;
 mod roughness;
 mod site;
+mod strip_map;
 
 use std::path::Path;
 
@@ -25,7 +27,7 @@ use crate::AnswerError;
 use crate::capital;
 use crate::compare::CompareAnswer;
 use crate::diagnose::Diagnosis;
-use crate::forecast::ForecastAnswer;
+use crate::forecast::{ForecastAnswer, WearReport};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer};
@@ -135,11 +137,16 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         inputs,
     } = request;
     let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let (mut map, mut to_grind, mut interval) = (String::new(), None, None);
     let mut diagnosis = Err(NO_ROUGHNESS);
     match rail {
         Some(rail) => {
             let diagnosed = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
             diagnosis = diagnosed.ok_or(NO_DIAGNOSIS);
+            if let MeasuredRoughness::Profile { answer, .. } = &rail.roughness {
+                map = strip_map::strip_map(answer, rail.diagnosis);
+                to_grind = Some(answer.line_to_grind().0).filter(|length| *length > 0.0);
+            }
             let (own, words) = measured(rail.path, rail.roughness, limits)?;
             sections.extend(own);
             brief.extend(labelled("How bad, and where", words));
@@ -166,6 +173,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                     let file = path.display().to_string();
                     sections.push(map.section);
                     sections.push(mechanism::diagnosis(&file, diagnosis)?);
+                    brief.extend(labelled("Since when", since(diagnosis)));
                     brief.extend(labelled("Why, and how sure", dominant(diagnosis)));
                     warnings.extend(diagnosis.warnings.iter().cloned());
                 }
@@ -176,6 +184,13 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             }
             warnings.extend(case.remarks.iter().map(ToString::to_string));
             let of_growth = doubt(forecast.ok(), compare.ok());
+            // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
+            let by_measured = forecast
+                .is_ok_and(|answer| answer.wear.as_ref().is_some_and(WearReport::is_unexplained));
+            interval = forecast
+                .ok()
+                .and_then(ForecastAnswer::months_between_grindings);
+            interval = interval.filter(|_| of_growth.is_none());
             let forecast = match forecast {
                 Ok(answer) => outlook::forecast(case, answer)?,
                 Err(why) => Outlook::left_out("Forecast", why),
@@ -200,6 +215,11 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 // No dates of a growth that nobody has seen.
                 if doubt.is_some() {
                     outlook.brief.clear();
+                } else if by_measured && label == "What helps" {
+                    let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
+                    outlook.brief = labelled(label, vec![unknown.to_owned()]);
+                } else if by_measured && label == "What is heard" {
+                    outlook.brief.truncate(1);
                 }
                 outlook.put(&mut sections, &mut brief, &mut warnings);
             }
@@ -218,6 +238,10 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             sections.extend(all.map(|heading| Section::left_out(heading, NO_CASE)));
         }
     }
+    if let (Some(cost), Some(length)) = (&site.cost, to_grind) {
+        let words = escape(&cost.words(length, interval));
+        brief.extend(labelled("What it costs", vec![words]));
+    }
     sections.push(inputs_section(inputs, limits, case.map(|(case, _)| case)));
     // Readings of the roughness warn of the same defects, and vehicles of the same limits at their own
     // frequencies, which stand in brackets.
@@ -232,6 +256,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         facts: site.facts(),
         remarks: site.remarks.as_deref(),
         brief,
+        map,
     };
     Ok(page::page(&head, &sections))
 }
@@ -270,6 +295,24 @@ fn measured(
             (sections, brief.collect())
         }
     })
+}
+
+/// What the records say of the course of each dominant wavelength, a sentence each.
+fn since(diagnosis: &Diagnosis) -> Vec<String> {
+    let findings = diagnosis.findings.iter();
+    let courses = findings.filter_map(|finding| Some((finding, finding.measured.course.as_ref()?)));
+    courses
+        .filter_map(|(finding, course)| {
+            let (first, last) = (course.points.first()?, course.points.last()?);
+            Some(format!(
+                "<b>{:.1} mm</b>, {} to {}: {}.",
+                1e3 * finding.measured.peak.wavelength,
+                escape(&first.label),
+                escape(&last.label),
+                escape(&course.words())
+            ))
+        })
+        .collect()
 }
 
 /// The dominant wavelengths, a sentence each.

@@ -33,6 +33,8 @@ pub(super) struct Head<'a> {
     pub(super) title: &'a str,
     pub(super) facts: Vec<(&'a str, &'a str)>,
     pub(super) remarks: Option<&'a str>,
+    /// The strip map, or nothing.
+    pub(super) map: String,
     /// Sentences of HTML that a reader in a hurry takes away.
     pub(super) brief: Vec<String>,
 }
@@ -52,7 +54,9 @@ pub(super) fn page(head: &Head, sections: &[Section]) -> String {
     if let Some(remarks) = head.remarks {
         let _ = writeln!(body, "<p>{}</p>", escape(remarks));
     }
-    body += "<section class=\"brief\">\n<h2>In brief</h2>\n<ul>\n";
+    body += "<section class=\"brief\">\n<h2>In brief</h2>\n";
+    body += &head.map;
+    body += "<ul>\n";
     for sentence in &head.brief {
         let _ = writeln!(body, "<li>{sentence}</li>");
     }
@@ -147,6 +151,7 @@ mod tests {
             facts: vec![("Line", "\"U2\" & co")],
             remarks: Some("</main>"),
             brief: Vec::new(),
+            map: String::new(),
         };
         let page = page(&head, &[Section::left_out("Map", "there is no case.")]);
         assert!(!page.contains("<script>") && page.contains("a&lt;script&gt;"));

@@ -270,8 +270,16 @@ pub(super) fn total(report: &ProfileAnswer) -> String {
     if sections == 0 {
         return "No length is over the RMS limits: nothing to grind.".to_owned();
     }
+    let at_defects = report.sections().into_iter().filter(|(rail, section)| {
+        let mut defects = rail.analysis.defects.iter();
+        defects.any(|defect| section.from < defect.to && defect.from < section.to)
+    });
+    let at_defects = match at_defects.count() {
+        0 => String::new(),
+        count => format!(" Sections with a weld, joint or squat among them: {count}."),
+    };
     format!(
-        "{} to grind, {}.",
+        "{} to grind, {}.{at_defects}",
         counted(sections, "section"),
         report.total()
     )

@@ -6,8 +6,10 @@ use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile};
 use serde::Deserialize;
 
+use super::grinding_cost::GrindingCost;
+
 /// What a report says of its site; every key is optional.
-#[derive(Debug, Clone, PartialEq, Eq, Default, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Default, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct Site {
     /// Title of the report.
@@ -30,13 +32,18 @@ pub struct Site {
     pub date: Option<String>,
     /// What else the reader should know.
     pub remarks: Option<String>,
+    /// What grinding costs: the table `[cost]` beside `[site]`.
+    #[serde(skip)]
+    pub cost: Option<GrindingCost>,
 }
 
-/// The file: one table.
+/// The file: two tables.
 #[derive(Deserialize)]
 #[serde(deny_unknown_fields)]
 struct SiteFile {
+    #[serde(default)]
     site: Site,
+    cost: Option<GrindingCost>,
 }
 
 impl Site {
@@ -53,8 +60,11 @@ impl Site {
     /// # Errors
     /// [`CaseError`] with the key, the line and the rule.
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
-        let written: SiteFile = KeyFile::parse(name, text)?.deserialize()?;
-        Ok(written.site)
+        let file = KeyFile::parse(name, text)?;
+        let SiteFile { mut site, cost } = file.deserialize()?;
+        cost.as_ref().map_or(Ok(()), |cost| cost.check(&file))?;
+        site.cost = cost;
+        Ok(site)
     }
 
     /// What there is, each with its name, in the order of the report; title and remarks aside.
@@ -85,5 +95,20 @@ mod tests {
         assert_eq!(site.facts(), [("Line", "U2")]);
         let wrong = Site::parse("site", "[site]\nlien = \"U2\"\n").unwrap_err();
         assert!(wrong.to_string().contains("lien"), "{wrong}");
+        let cost = |shift: &str| {
+            let text = format!(
+                "[cost]\ncurrency = \"EUR\"\ngrinding_shift = {shift}\nlength_a_shift = \"800 m\"\n"
+            );
+            Site::parse("site", &text)
+        };
+        assert_eq!(
+            cost("15000").unwrap().cost.unwrap().length_a_shift.si(),
+            800.0
+        );
+        let wrong = cost("-3").unwrap_err().to_string();
+        assert!(
+            wrong.contains("`cost.grinding_shift`: must be above 0"),
+            "{wrong}"
+        );
     }
 }

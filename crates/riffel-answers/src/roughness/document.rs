@@ -5,6 +5,7 @@ use riffel_rail::ReaderFormat;
 use serde::Serialize;
 
 use super::{ProfileAnswer, RailAnswer, Verdict};
+use crate::defect_document::DefectDocument;
 
 /// What `riffel roughness --json` prints.
 #[derive(Serialize)]
@@ -95,6 +96,8 @@ pub(super) struct RailDocument {
     spectrum: Vec<Level>,
     bands: Vec<Band>,
     removed: Removed,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    defects: Vec<DefectDocument>,
     verdicts: Vec<Verdict>,
     grind_total_m: f64,
     grind_share_of_length: f64,
@@ -112,6 +115,7 @@ impl RailDocument {
                 spikes: analysis.spikes,
                 pits: analysis.pits,
             },
+            defects: DefectDocument::all(&rail.name, &analysis.defects),
             verdicts: rail.verdicts.clone(),
             grind_total_m: rail.sections.iter().map(GrindSection::length).sum(),
             grind_share_of_length: line_length(analysis.measured_within(&rail.sections))

@@ -9,7 +9,7 @@ use riffel::roughness::{
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_plot::{LineFigure, LinePanel};
-use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Record, Survey};
+use riffel_rail::{DefectsAre, Limit, LimitTable, Record, defects_in_words};
 
 use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
 use super::figure;
@@ -173,6 +173,10 @@ impl ProfileAnswer {
             .flat_map(|rail| rail.analysis.bands.iter().copied())
             .collect();
         let mut warnings = std::mem::take(&mut record.warnings);
+        let defects = rails.iter().flat_map(|rail| {
+            defects_in_words(&rail.name, &rail.analysis.defects, DefectsAre::Judged)
+        });
+        warnings.extend(defects.map(|said| said.to_string()));
         warnings.extend(remarks(&bands, &settings, record.spacing));
         Ok(Self {
             rails,
@@ -209,7 +213,7 @@ impl ProfileAnswer {
     }
 
     /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
-    pub(super) fn line_to_grind(&self) -> (f64, f64) {
+    pub(crate) fn line_to_grind(&self) -> (f64, f64) {
         let sections = self.rails.iter().flat_map(|rail| &rail.sections);
         let total = line_length(sections.map(|section| (section.from, section.to)));
         let rails = || self.rails.iter();
@@ -222,17 +226,6 @@ impl ProfileAnswer {
     pub fn knows_what_to_grind(&self) -> bool {
         let mut bands = self.rails.iter().flat_map(|rail| &rail.analysis.bands);
         bands.any(|band| band.limit.is_some())
-    }
-
-    /// The levels of the rails, to be forecast.
-    ///
-    /// # Errors
-    /// [`CaseError::Data`] where there is no rail.
-    pub fn survey(&self, path: &Path) -> Result<Survey, CaseError> {
-        let rails = self.rails.iter();
-        let records =
-            rails.map(|rail| LabelledSpectrum::of_rail(&rail.name, rail.analysis.spectrum.clone()));
-        Survey::new(path, records.collect(), self.warnings.clone())
     }
 
     /// What was taken out of all rails.

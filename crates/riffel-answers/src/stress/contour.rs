@@ -1,7 +1,7 @@
 //! Lines of equal value through a grid.
 
 /// Pieces of the line where values over a grid have a level, parted by what is no number. `values` run along x first.
-pub(super) fn contour(x: &[f64], y: &[f64], values: &[f64], level: f64) -> (Vec<f64>, Vec<f64>) {
+pub(crate) fn contour(x: &[f64], y: &[f64], values: &[f64], level: f64) -> (Vec<f64>, Vec<f64>) {
     let mut line = (Vec::new(), Vec::new());
     let mut put = |place: [f64; 2]| {
         line.0.push(place[0]);

@@ -1,6 +1,8 @@
 //! Stress in the rail under a rolling and sliding contact.
 
 mod contour;
+
+pub(crate) use contour::contour;
 mod figure;
 mod tables;
 

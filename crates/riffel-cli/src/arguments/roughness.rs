@@ -33,6 +33,11 @@ pub(crate) struct Layout {
 
     #[command(flatten)]
     pub(crate) part: Part,
+
+    /// Keep welds, joints and squats in the spectra of a profile that are diagnosed, forecast or heard [default: they are
+    /// listed and left out; limits and marches in time always have them].
+    #[arg(long)]
+    pub(crate) keep_defects: bool,
 }
 
 /// One rail, or a place along the line.
@@ -59,6 +64,7 @@ impl Layout {
             ("--spacing", self.spacing.is_some()),
             ("--height-unit", self.height_unit.is_some()),
             ("--position-unit", self.position_unit.is_some()),
+            ("--keep-defects", self.keep_defects),
         ];
         let first = given.into_iter().find(|(_, is)| *is);
         first.map(|(name, _)| name).or_else(|| self.part.given())
@@ -217,10 +223,6 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "COLUMN")]
     pub(crate) by: Option<String>,
 
-    /// Keep welds, joints and squats in the spectra of a profile [default: they are listed and left out].
-    #[arg(long)]
-    pub(crate) keep_defects: bool,
-
     /// Speeds of the traffic, as "80 km/h" or a range "60 km/h..90 km/h"; may be repeated [default: those
     /// of the map of the case].
     #[arg(long, value_name = "SPEED")]
@@ -254,7 +256,7 @@ impl DiagnosisArguments {
             ("--earlier", !self.earlier.is_empty()),
             ("--where", !self.choose.is_empty()),
             ("--by", self.by.is_some()),
-            ("--keep-defects", self.keep_defects),
+            ("--keep-defects", self.layout.keep_defects),
             ("--speed", !self.speed.is_empty()),
             ("--traffic", self.traffic.is_some()),
             ("--torsion", !self.torsion.is_empty()),

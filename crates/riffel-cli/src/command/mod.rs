@@ -26,6 +26,7 @@ pub(crate) mod schema;
 pub(crate) mod serve;
 pub(crate) mod shakedown;
 pub(crate) mod simulate;
+pub(crate) mod stability;
 pub(crate) mod study;
 pub(crate) mod validate;
 mod wheels;

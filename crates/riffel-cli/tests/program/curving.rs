@@ -1,6 +1,6 @@
 //! Bogies in curves, from the command line to the files.
 
-use crate::sandbox::Sandbox;
+use crate::sandbox::{Sandbox, number};
 
 const CASE: &str = "cases/bogie.toml";
 
@@ -397,5 +397,40 @@ fn profiles_that_cannot_be_are_refused() {
     assert_eq!(
         sandbox.list("."),
         ["cases", "swapped.csv", "upside-down.csv", "words.csv"]
+    );
+}
+
+/// The loop of the curve is stable at a friction of 0.1 and not at 0.3, at each speed as a point says it.
+#[test]
+fn stability_over_speed_and_friction() {
+    let sandbox = Sandbox::new();
+    let document = sandbox.json("stability cases/curve.toml --friction 0.3,0.1 --json");
+    let points = document["points"].as_array().unwrap();
+    let (low, high) = points.split_at(points.len() / 2);
+    assert!(
+        low.iter()
+            .all(|point| number(&point["friction"]) == 0.1 && point["unstable_roots"] == 0)
+    );
+    assert!(
+        high.iter()
+            .all(|point| number(&point["friction"]) == 0.3 && point["unstable_roots"] == 2)
+    );
+    let last = &high[high.len() - 1];
+    let speed = number(&last["speed_m_per_s"]);
+    let point = sandbox.json(&format!(
+        "point cases/curve.toml --wavelength 0.08 --speed {speed} --set contact.friction=0.3 --json"
+    ));
+    assert_eq!(point["stability"]["frequency_hz"], last["frequency_hz"]);
+    assert_eq!(
+        point["stability"]["growth_rate_per_s"],
+        last["growth_rate_per_s"]
+    );
+    assert_eq!(document["branches"].as_array().unwrap().len(), 1);
+    let outcome = sandbox.riffel("stability cases/curve.toml --friction 0.3");
+    assert_eq!(outcome.status, Some(2));
+    assert!(
+        outcome.text.contains("two different values"),
+        "{}",
+        outcome.text
     );
 }

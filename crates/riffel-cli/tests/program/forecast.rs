@@ -739,3 +739,36 @@ fn two_records_claim_no_coefficient() {
     let fallen = sentence(-3.0);
     assert!(fallen.contains("have fallen"), "{fallen}");
 }
+
+/// Two welds are no roughness that grows: forecast and noise leave them out and say so, unless they are kept.
+#[test]
+fn welds_do_not_grow() {
+    let sandbox = Sandbox::new();
+    let mut text = "position [m],height [um]\n".to_owned();
+    let mut random = 1u32;
+    for sample in 0..30_000u32 {
+        random = random.wrapping_mul(1_664_525).wrapping_add(1_013_904_223);
+        let x = 2e-3 * f64::from(sample);
+        let noise = f64::from(random >> 16) / 65_536.0 - 0.5;
+        let slow = 2.0 * (x / 0.11).sin() * (x / 0.7).cos();
+        let dips = [17.0, 41.0].map(|at| (1.0 - (x - at).abs() / 0.1).max(0.0));
+        text += &format!("{x:.3},{:.3}\n", noise + slow - 300.0 * (dips[0] + dips[1]));
+    }
+    fs::write(sandbox.path("welds.csv"), text).unwrap();
+    let level = |kept: &str| {
+        let document = sandbox.json(&format!(
+            "forecast cases/metro.toml --traffic cases/traffic.toml --spectrum welds.csv --json {kept}"
+        ));
+        let bands = document["bands"].as_array().unwrap();
+        let near = |band: &&Value| (number(&band["wavelength_m"]) - 0.16).abs() < 0.01;
+        number(&bands.iter().find(near).unwrap()["level_now_db"])
+    };
+    assert!(level("--keep-defects") > level("") + 6.0);
+    let outcome =
+        sandbox.riffel("noise cases/metro.toml --speed \"80 km/h\" --roughness welds.csv");
+    assert!(
+        outcome.text.contains("2 welds, joints or squats: 17.1 m"),
+        "{}",
+        outcome.text
+    );
+}

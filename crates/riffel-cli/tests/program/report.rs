@@ -375,3 +375,33 @@ fn noise_is_that_of_its_own_command() {
         "{level}"
     );
 }
+
+/// Without a table of costs none is told; with one, whole shifts. The strip map has a bar for what is to be ground.
+#[test]
+fn a_cost_is_told_where_it_is_given() {
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    let cost = "[cost]\ncurrency = \"CHF\"\ngrinding_shift = 7000\nlength_a_shift = \"10 km\"\n";
+    fs::write(sandbox.path("site.toml"), cost).unwrap();
+    for (option, told) in [("", false), ("--site site.toml", true)] {
+        let outcome = sandbox.riffel(&format!(
+            "report --roughness profile.csv {option} -o report.html"
+        ));
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+        let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
+        assert_eq!(page.contains("takes 1 shift and 7000 CHF."), told);
+        let brief = page.split("</section>").next().unwrap();
+        assert!(brief.contains("fill=\"#c8442c\"") && brief.contains("The line: red"));
+        stands_alone(&page);
+    }
+    fs::write(sandbox.path("site.toml"), cost.replace("7000", "-7000")).unwrap();
+    let outcome = sandbox.riffel("report --roughness profile.csv --site site.toml -o report.html");
+    assert_eq!(outcome.status, Some(2));
+    assert!(
+        outcome
+            .text
+            .contains("`cost.grinding_shift`: must be above 0"),
+        "{}",
+        outcome.text
+    );
+}

@@ -2,11 +2,10 @@
 
 use jiff::civil::Date;
 use riffel::diagnosis::{CleanRail, Course, CoursePoint, LocatedWavelength, WINDOW};
-use riffel::roughness::RailDefect;
-use riffel_keys::{CaseError, Value, fixed, say};
+use riffel_keys::CaseError;
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
-use crate::{Rail, RailRecord, RailRoughness};
+use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words};
 
 /// The history of rails whose heights were measured.
 pub(super) fn history(
@@ -35,7 +34,8 @@ pub(super) fn history(
     for (rail, clean) in rails.iter().zip(&clean) {
         let own = clean.defects().iter();
         defects.extend(own.map(|defect| (rail.name.clone(), *defect)));
-        warnings.extend(left_out(&rail.name, clean.defects()));
+        let left_out = defects_in_words(&rail.name, clean.defects(), DefectsAre::LeftOut);
+        warnings.extend(left_out.map(|said| said.to_string()));
     }
     let mut found: Vec<(usize, Vec<LocatedWavelength>)> = Vec::new();
     for (index, rail) in clean.iter().enumerate() {
@@ -180,36 +180,6 @@ fn clean_rail(rail: &Rail, choice: SpectraChoice<'_>) -> CleanRail {
         true => CleanRail::with_defects(stretches),
         false => CleanRail::new(stretches),
     }
-}
-
-/// What to say of the defects that the spectra of a rail leave out.
-fn left_out(rail: &str, defects: &[RailDefect]) -> Option<String> {
-    /// More are counted.
-    const NAMED: usize = 6;
-    let places = defects.iter().take(NAMED).map(|defect| {
-        let middle = 0.5 * (defect.from + defect.to);
-        let height = fixed(1e6 * defect.height, 0);
-        say!(defect_at, place = fixed(middle, 1), height = height)
-    });
-    let places: Value = places.collect();
-    let (rail, count) = (rail.to_owned(), defects.len());
-    let said = match count {
-        0 => return None,
-        1..=NAMED => say!(
-            defects_left_out,
-            rail = rail,
-            count = count,
-            places = places
-        ),
-        _ => say!(
-            many_defects_left_out,
-            rail = rail,
-            count = count,
-            places = places,
-            more = count - NAMED
-        ),
-    };
-    Some(said.to_string())
 }
 
 /// The rail of an earlier record that is this one: that of the same name, or where no name agrees the one at the

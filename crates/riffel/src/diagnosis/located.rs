@@ -109,6 +109,11 @@ impl CleanRail {
         &self.defects
     }
 
+    /// The stretches of the rail itself, so cleaned.
+    pub fn into_stretches(self) -> Vec<Profile> {
+        self.on_rail
+    }
+
     /// Length of rail \[m\].
     pub fn length(&self) -> f64 {
         self.on_wheel.iter().map(Profile::length).sum()
@@ -142,7 +147,8 @@ impl CleanRail {
     /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
     /// length. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
-    /// power over three waves is a quarter of its mean or more on half of the place. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
+    /// power over three waves is a quarter of its mean or more on half of the place, and it must stand out of a place longer than a
+    /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
     /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
     /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
     ///
@@ -316,7 +322,11 @@ impl CleanRail {
             });
         }
         let there = self.spectrum_between(highest.from, highest.to)?;
-        let own = peak_near(&there, peak).unwrap_or_else(|| peak.clone());
+        let own = peak_near(&there, peak);
+        if own.is_none() && highest.to - highest.from > WINDOW {
+            return None;
+        }
+        let own = own.unwrap_or_else(|| peak.clone());
         Some(LocatedWavelength {
             peak: DominantWavelength {
                 level: highest.level,
@@ -557,6 +567,44 @@ mod tests {
             for one in found {
                 assert!((one.peak.wavelength / 0.07 - 1.0).abs() < 0.02, "{one:?}");
                 assert!((one.places[0].from - 5030.0).abs() < 1.5, "{one:?}");
+            }
+        }
+    }
+
+    /// One dip or twelve, 50 to 300 mm long and 0.1 to 0.6 mm deep, on long rails and short ones: the wavelength found is that of
+    /// the corrugation, all along or on a third, or there is none.
+    #[test]
+    fn dips_make_no_wavelength() {
+        for (seed, length, count) in [
+            (11, 60.0, 1),
+            (12, 120.0, 2),
+            (13, 250.0, 5),
+            (14, 120.0, 12),
+        ] {
+            for (amplitude, from, to) in [(0.0, 0.0, 1.0), (4e-6, 0.0, 1.0), (15e-6, 0.5, 0.83)] {
+                let waves = (0.047, amplitude, from * length, to * length);
+                let profile = rail(length, seed, &[waves]).on_rail.swap_remove(0);
+                let mut heights = profile.heights().to_vec();
+                for dip in 0..count {
+                    let share = f64::from(dip) / f64::from(count);
+                    let (at, long) = (
+                        length * (share + 0.31 / f64::from(count)),
+                        0.05 + 0.25 * share,
+                    );
+                    for (index, height) in heights.iter_mut().enumerate() {
+                        let u = (index as f64 * 2e-3 - at) / long;
+                        let shape = (1.0 - 2.0 * u.abs()).max(0.0);
+                        *height -= (100e-6 + 500e-6 * (1.0 - share)) * shape;
+                    }
+                }
+                let profile = Profile::new(5000.0, 2e-3, heights).unwrap();
+                let found = CleanRail::new(vec![profile]).dominant().unwrap();
+                let expected = usize::from(amplitude > 0.0);
+                assert_eq!(found.len(), expected, "{seed} {amplitude}: {found:?}");
+                for one in found {
+                    assert!((one.peak.wavelength / 0.047 - 1.0).abs() < 0.02, "{one:?}");
+                    assert_eq!(one.all_along, to == 1.0, "{one:?}");
+                }
             }
         }
     }

@@ -2,8 +2,8 @@
 
 use super::{
     BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile,
-    RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand, grind_sections,
-    level, mean_square, method_a::RecordLevels,
+    RailDefect, RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
+    grind_sections, level, mean_square, method_a::RecordLevels,
 };
 use crate::Error;
 
@@ -48,6 +48,9 @@ pub struct RailAnalysis {
     pub spikes: usize,
     /// Number of pits that the wheel bridges.
     pub pits: usize,
+    /// Welds, joints and squats ([`Profile::bridge_defects`]), which stay in levels and statistics; none are looked for where no
+    /// band is asked for, nor in what a wheel has felt.
+    pub defects: Vec<RailDefect>,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
     /// Length of a segment for the longest wavelengths \[m\].
@@ -119,7 +122,7 @@ impl RailAnalysis {
         let (mut spikes, mut pits) = (0, 0);
         let mut statistics = vec![Vec::new(); settings.bands.len()];
         let mut blocks = Vec::new();
-        let mut over_limit = Vec::new();
+        let (mut over_limit, mut defects) = (Vec::new(), Vec::new());
         let end = |stretch: &Profile| stretch.start() + stretch.length();
         let ends: Vec<(f64, f64)> = stretches
             .iter()
@@ -140,6 +143,9 @@ impl RailAnalysis {
             }
             if settings.felt.is_none() {
                 pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
+                if !settings.bands.is_empty() {
+                    defects.extend(stretch.clone().bridge_defects());
+                }
             }
             progress();
         }
@@ -150,6 +156,7 @@ impl RailAnalysis {
         Ok(Self {
             spikes,
             pits,
+            defects,
             spectrum: known(levels.spectrum, settings)?,
             segment_length: levels.segment_length,
             segments: levels.segments,
@@ -176,6 +183,7 @@ impl RailAnalysis {
         let mut joined = Self {
             spikes,
             pits,
+            defects: Vec::new(),
             spectrum,
             segment_length,
             segments,
@@ -185,6 +193,7 @@ impl RailAnalysis {
             stretches: Vec::new(),
         };
         for part in parts {
+            joined.defects.extend(part.defects);
             joined.blocks.extend(part.blocks);
             joined.over_limit.extend(part.over_limit);
             joined.stretches.extend(part.stretches);

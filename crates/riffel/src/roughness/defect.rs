@@ -4,8 +4,9 @@ use std::ops::Range;
 
 use super::{BandPass, Profile, WavelengthBand};
 
-/// Wavelengths between which a defect stands out \[m\].
-const BAND: (f64, f64) = (0.02, 1.0);
+/// Wavelengths between which a defect may stand out \[m\]: all, and parts of them, so that corrugation in one hides no weld in
+/// another.
+const BANDS: [(f64, f64); 4] = [(0.02, 1.0), (0.02, 0.06), (0.06, 0.2), (0.2, 1.0)];
 /// How far around it a defect is compared with the rail \[m\].
 const NEIGHBOURS: f64 = 15.0;
 /// Standard deviations of the rail around it above which a height is no chance: once in a billion.
@@ -14,6 +15,10 @@ const OUTSTANDING: f64 = 6.0;
 const REACHES: f64 = 2.5;
 /// Length of calm rail at which it ends \[m\].
 const CALM: f64 = 0.1;
+/// Length beside a defect in which parts of the wavelengths show the same, and its filters ring \[m\].
+const APART: f64 = 0.5;
+/// Share of a neighbour's height below which a defect is the ringing of its filter.
+const RINGING: f64 = 0.1;
 /// Longest defect \[m\]: a dipped weld has a metre or two.
 const LONGEST: f64 = 3.0;
 /// Most turns of half its height that a defect has; a wave has more.
@@ -29,6 +34,8 @@ pub struct RailDefect {
     pub from: f64,
     /// Where it ends \[m\].
     pub to: f64,
+    /// Length of it that stands out with all wavelengths together \[m\].
+    pub length: f64,
     /// Largest height over the line from its beginning to its end \[m\]; negative for a dip.
     pub height: f64,
 }
@@ -36,7 +43,7 @@ pub struct RailDefect {
 impl RailDefect {
     /// Whether it is as short as a squat; else it is a weld or a joint.
     pub fn is_short(&self) -> bool {
-        self.to - self.from < SHORTEST_WELD
+        self.length < SHORTEST_WELD
     }
 }
 
@@ -44,37 +51,64 @@ impl Profile {
     /// Replace every single defect by a straight line between its ends; returns what was replaced, in order.
     ///
     /// A defect is what stands six standard deviations out of the rail 15 m to either side, between wavelengths of 20 mm
-    /// and 1 m, is no longer than 3 m and has no more than four turns of half its height: waves have more. The standard
-    /// deviation is that of the median, which defects of a tenth of the rail do not move; in strong corrugation a shallow
-    /// weld does not stand out. None are found where heights are more than 8 mm apart or the profile is shorter than 4 m.
-    /// Cost: a band-pass.
+    /// and 1 m or in one of three parts of these, is no longer than 3 m and has no more than four turns of half its height: waves
+    /// have more. The standard deviation is that of the median, which defects of a tenth of the rail do not move; a squat as long
+    /// as the waves of strong corrugation does not stand out. None are found where heights are more than 8 mm apart or the profile
+    /// is shorter than 4 m. Cost: four band-passes.
     pub fn bridge_defects(&mut self) -> Vec<RailDefect> {
         let spacing = self.spacing();
-        let found = WavelengthBand::new(BAND.0, BAND.1)
-            .ok()
-            .filter(|band| band.fits_into(self.length()))
-            .and_then(|band| BandPass::new(spacing, self.heights.len(), &[band]).ok())
-            .map(|bank| bank.filter(self).swap_remove(0));
-        let Some(waves) = found else {
+        let bands = BANDS
+            .iter()
+            .flat_map(|band| WavelengthBand::new(band.0, band.1));
+        let bands: Vec<_> = bands.filter(|band| band.fits_into(self.length())).collect();
+        let Ok(bank) = BandPass::new(spacing, self.heights.len(), &bands) else {
             return Vec::new();
         };
-        let deviations = deviations(&waves, spacing);
-        let ratio = |index: usize| waves[index].abs() / deviations[index / cell(spacing)];
-        let mut defects = Vec::new();
-        let mut index = 0;
-        while index < waves.len() {
-            if ratio(index) <= OUTSTANDING {
-                index += 1;
-                continue;
-            }
-            let samples = reach(index, waves.len(), spacing, ratio);
-            index = samples.end;
-            let long = samples.len() as f64 * spacing > LONGEST;
-            if !long && turns(&waves[samples.clone()]) <= MOST_TURNS {
-                defects.push(self.bridge(samples));
+        let filtered = bank.filter(self);
+        let Some(all) = filtered.first().map(|waves| Waves::new(waves, spacing)) else {
+            return Vec::new();
+        };
+        // What stands out with all wavelengths together, and all that is bridged of it.
+        let mut places: Vec<[Range<usize>; 2]> = all
+            .outstanding()
+            .into_iter()
+            .map(|place| [place.clone(), place])
+            .collect();
+        let (apart, longest) = ((APART / spacing) as usize, (LONGEST / spacing) as usize);
+        let beside = |one: &Range<usize>, other: &Range<usize>| {
+            one.start < other.end + apart && other.start < one.end + apart
+        };
+        for waves in &filtered[1..] {
+            for place in Waves::new(waves, spacing).outstanding() {
+                match places.iter_mut().find(|known| beside(&known[1], &place)) {
+                    Some([_, known]) => {
+                        let both = known.start.min(place.start)..known.end.max(place.end);
+                        if both.len() <= longest {
+                            *known = both;
+                        }
+                    }
+                    // The ends of a patch of waves stand out of the longer wavelengths.
+                    None if all.is_single(&all.around(all.top(&place))) => {
+                        places.push([place.clone(), place]);
+                    }
+                    None => {}
+                }
             }
         }
-        defects
+        let height = |place: &Range<usize>| all.heights[all.top(place)].abs();
+        let rings = |[_, place]: &[Range<usize>; 2]| {
+            let mut others = places.iter();
+            others.any(|[_, other]| beside(place, other) && height(place) < RINGING * height(other))
+        };
+        let mut single: Vec<_> = places.iter().filter(|place| !rings(place)).collect();
+        single.sort_by_key(|[_, place]| place.start);
+        single
+            .into_iter()
+            .map(|[own, place]| RailDefect {
+                length: own.len() as f64 * spacing,
+                ..self.bridge(place.clone())
+            })
+            .collect()
     }
 
     /// Replace the heights between two positions \[m\] by a straight line.
@@ -106,8 +140,69 @@ impl Profile {
         RailDefect {
             from: self.position(first),
             to: self.position(last),
+            length: self.position(last) - self.position(first),
             height,
         }
+    }
+}
+
+/// Filtered heights with how far the rail around them scatters.
+struct Waves<'a> {
+    heights: &'a [f64],
+    spacing: f64,
+    deviations: Vec<f64>,
+}
+
+impl<'a> Waves<'a> {
+    fn new(heights: &'a [f64], spacing: f64) -> Self {
+        Self {
+            heights,
+            spacing,
+            deviations: deviations(heights, spacing),
+        }
+    }
+
+    fn ratio(&self, index: usize) -> f64 {
+        self.heights[index].abs() / self.deviations[index / cell(self.spacing)]
+    }
+
+    /// The samples that stand out, and are no waves.
+    fn outstanding(&self) -> Vec<Range<usize>> {
+        let mut places = Vec::new();
+        let mut index = 0;
+        while index < self.heights.len() {
+            if self.ratio(index) <= OUTSTANDING {
+                index += 1;
+                continue;
+            }
+            let samples = self.around(index);
+            index = samples.end;
+            // What the record cuts off cannot be told from how a filter begins.
+            let cut = samples.start == 0 || samples.end == self.heights.len();
+            if !cut && self.is_single(&samples) {
+                places.push(samples);
+            }
+        }
+        places
+    }
+
+    /// The samples about one, to where the rail is calm.
+    fn around(&self, index: usize) -> Range<usize> {
+        reach(index, self.heights.len(), self.spacing, |index| {
+            self.ratio(index)
+        })
+    }
+
+    /// Whether this is too short and turns too seldom for waves.
+    fn is_single(&self, samples: &Range<usize>) -> bool {
+        samples.len() as f64 * self.spacing <= LONGEST
+            && turns(&self.heights[samples.clone()]) <= MOST_TURNS
+    }
+
+    /// The highest sample of a place.
+    fn top(&self, place: &Range<usize>) -> usize {
+        let by = |a: &usize, b: &usize| self.heights[*a].abs().total_cmp(&self.heights[*b].abs());
+        place.clone().max_by(by).unwrap_or(place.start)
     }
 }
 
@@ -237,6 +332,23 @@ mod tests {
         }
         // Nothing of them is left.
         assert!(profile.bridge_defects().is_empty());
+        Ok(())
+    }
+
+    /// Corrugation of 20 µm at 70 mm hides no weld that is longer than its waves.
+    #[test]
+    fn corrugation_hides_no_weld() -> Result<(), Error> {
+        let dips = [(30.0, 300e-6, 0.25), (66.0, 250e-6, 0.4)];
+        let heights = dipped(rail(3, &[(0.07, 20e-6, 0.0, 120.0)]), &dips);
+        let found = Profile::new(0.0, 2e-3, heights)?.bridge_defects();
+        assert_eq!(found.len(), 2, "{found:?}");
+        for (defect, (at, depth, _)) in found.iter().zip(dips) {
+            assert!(
+                (0.5 * (defect.from + defect.to) - at).abs() < 0.2,
+                "{defect:?}"
+            );
+            assert!((defect.height / -depth - 1.0).abs() < 0.4, "{defect:?}");
+        }
         Ok(())
     }
 

@@ -28,7 +28,7 @@ pub(crate) fn diagnosis(
         spectra: SpectraChoice {
             choose: &arguments.choose,
             by: arguments.by.as_deref(),
-            keep_defects: arguments.keep_defects,
+            keep_defects: arguments.layout.keep_defects,
         },
         torsion: modes("--torsion", &arguments.torsion)?,
         bending: modes("--bending", &arguments.bending)?,

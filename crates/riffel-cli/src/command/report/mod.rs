@@ -299,6 +299,11 @@ fn measured(
         RoughnessFile::Profile(profile) => {
             choose_nothing(path, &record.choose, record.by.as_deref())?;
             let strips = ProfileStrips::new(&profile).map_err(CliError::from)?;
+            let growing = match record.layout.keep_defects {
+                true => profile.clone(),
+                false => profile.clone().without_defects(),
+            };
+            let survey = Survey::of(path, RoughnessFile::Profile(growing))?;
             let statistics = Statistics {
                 block: Quantity::new(block_of_strip(&profile)),
                 ..Statistics::default()
@@ -307,7 +312,7 @@ fn measured(
             Measured {
                 understood: answer.understood().trim().to_owned(),
                 date: None,
-                survey: answer.survey(path)?,
+                survey,
                 before: None,
                 roughness: MeasuredRoughness::Profile {
                     strips,

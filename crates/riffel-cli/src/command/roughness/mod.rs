@@ -95,9 +95,18 @@ pub(crate) fn choose_nothing(
     }
 }
 
+/// What grows of a rail: a file without single defects, unless they are kept.
+fn read_growing(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile> {
+    let file = read(path, layout)?;
+    Ok(match layout.keep_defects {
+        true => file,
+        false => file.without_defects(),
+    })
+}
+
 /// The spectra of a file, those of a profile computed.
 pub(crate) fn survey(path: &Path, layout: &Layout) -> miette::Result<Survey> {
-    Ok(Survey::of(path, read(path, layout)?)?)
+    Ok(Survey::of(path, read_growing(path, layout)?)?)
 }
 
 /// The records of a rail whose profile was measured twice, place by place; `None` for tables, and for what came over
@@ -110,11 +119,11 @@ pub(crate) fn places_of_both(
     if is_standard_input(earlier) || is_standard_input(later) {
         return Ok(None);
     }
-    let before = read(earlier, layout)?;
+    let before = read_growing(earlier, layout)?;
     if !matches!(before, RoughnessFile::Profile(_)) {
         return Ok(None);
     }
-    let now = read(later, layout)?;
+    let now = read_growing(later, layout)?;
     Ok(Survey::at_same_places((earlier, &before), (later, &now))?)
 }
 

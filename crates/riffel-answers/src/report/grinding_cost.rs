@@ -1,0 +1,83 @@
+//! What grinding costs, where the user says what a shift costs.
+
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{CaseError, KeyFile};
+use serde::Deserialize;
+
+/// The table `[cost]` of a site.
+#[derive(Debug, Clone, PartialEq, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct GrindingCost {
+    /// Currency, as EUR.
+    pub currency: String,
+    /// Cost of a grinding shift, possession included.
+    pub grinding_shift: f64,
+    /// Length of line that is ground in a shift.
+    pub length_a_shift: Quantity<Length>,
+}
+
+impl GrindingCost {
+    /// Refuse what is not above zero.
+    pub(super) fn check(&self, file: &KeyFile) -> Result<(), CaseError> {
+        let rule = "must be above 0";
+        if !(self.grinding_shift > 0.0 && self.grinding_shift.is_finite()) {
+            return Err(file.invalid("cost.grinding_shift", rule, "give the cost of one shift"));
+        }
+        if !(self.length_a_shift.si() > 0.0 && self.length_a_shift.si().is_finite()) {
+            let help = "give the length of line that is ground in a shift, as \"800 m\"";
+            return Err(file.invalid("cost.length_a_shift", rule, help));
+        }
+        Ok(())
+    }
+
+    /// What it costs to grind a length of line \[m\]: whole shifts.
+    pub(super) fn of(&self, length: f64) -> f64 {
+        (length / self.length_a_shift.si()).ceil() * self.grinding_shift
+    }
+
+    /// What it costs to grind a length of line \[m\] now, and a year where that is to be done again after so many months.
+    pub(super) fn words(&self, length: f64, months: Option<f64>) -> String {
+        let cost = self.of(length);
+        let shifts = (length / self.length_a_shift.si()).ceil();
+        let shifts = match shifts {
+            1.0 => "1 shift".to_owned(),
+            _ => format!("{shifts:.0} shifts"),
+        };
+        let again = months
+            .filter(|months| *months > 0.0)
+            .map_or_else(String::new, |months| {
+                format!(
+                    ", {:.0} {} a year if repeated every {months:.0} months",
+                    cost * 12.0 / months,
+                    self.currency
+                )
+            });
+        format!(
+            "To grind {length:.0} m of line takes {shifts} and {cost:.0} {}{again}.",
+            self.currency
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1240 m at 800 m a shift are two shifts; twice 15 000 every 18 months are 20 000 a year.
+    #[test]
+    fn shifts_are_whole() {
+        let cost = GrindingCost {
+            currency: "EUR".to_owned(),
+            grinding_shift: 15e3,
+            length_a_shift: Quantity::new(800.0),
+        };
+        assert_eq!(
+            cost.words(1240.0, Some(18.0)),
+            "To grind 1240 m of line takes 2 shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months."
+        );
+        assert_eq!(
+            cost.words(90.0, None),
+            "To grind 90 m of line takes 1 shift and 15000 EUR."
+        );
+    }
+}
