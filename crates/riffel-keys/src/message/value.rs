@@ -55,6 +55,19 @@ pub fn fixed(value: f64, digits: usize) -> Value {
     })
 }
 
+/// A number rounded to so many significant digits: 13.72 is 14 of two, 6,014 is 6,000.
+pub fn significant(value: f64, digits: usize) -> Value {
+    if !value.is_finite() || value == 0.0 {
+        return fixed(value, 0);
+    }
+    // Rounding may add a digit: 9.96 of two is 10.
+    let size = |value: f64| value.abs().log10().floor() as i32;
+    let step = |value: f64| 10f64.powi(size(value) + 1 - digits as i32);
+    let rounded = (value / step(value)).round() * step(value);
+    let decimals = (digits as i32 - 1 - size(rounded)).max(0);
+    fixed(rounded, decimals as usize)
+}
+
 impl From<&str> for Value {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
@@ -119,5 +132,31 @@ impl From<usize> for Value {
 impl<T: Into<Value>> FromIterator<T> for Value {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         Self::List(values.into_iter().map(Into::into).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits_are_those_of_the_rounded_number() {
+        let said = |value, digits| match significant(value, digits) {
+            Value::Number(text) => text,
+            other => panic!("{other:?}"),
+        };
+        for (value, digits, text) in [
+            (13.72, 2, "14"),
+            (6014.0, 2, "6000"),
+            (892_810.0, 2, "890000"),
+            (9.96, 2, "10"),
+            (0.0996, 2, "0.10"),
+            (1.07, 2, "1.1"),
+            (-0.04, 1, "-0.04"),
+            (-0.0, 2, "0"),
+            (65.53, 3, "65.5"),
+        ] {
+            assert_eq!(said(value, digits), text);
+        }
     }
 }
