@@ -312,7 +312,7 @@ export function number(value, digits = 3) {
   const size = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)));
   if (size >= 6 || size < -4) return power(value);
   const decimals = Math.max(0, digits - 1 - size);
-  const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
+  const rounded = Number(value.toPrecision(Math.max(digits, size + 1))) || 0;
   return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
 

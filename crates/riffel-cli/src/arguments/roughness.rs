@@ -345,6 +345,10 @@ pub(crate) struct Report {
     )]
     pub(crate) months: Option<f64>,
 
+    /// Let growth go by the wear coefficient of the case, also where another is fitted to the records; the fit is told.
+    #[arg(long, requires = "case")]
+    pub(crate) keep_coefficient: bool,
+
     /// Axle passages between the last --earlier and --roughness, to fit the wear coefficient to [default: from the dates
     /// and the traffic file].
     #[arg(

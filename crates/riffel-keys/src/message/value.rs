@@ -46,13 +46,18 @@ pub fn number(shown: impl Display) -> Value {
 
 /// A number with so many digits after the decimal mark.
 pub fn fixed(value: f64, digits: usize) -> Value {
+    Value::Number(decimal(value, digits))
+}
+
+/// The same as text.
+pub fn decimal(value: f64, digits: usize) -> String {
     let written = format!("{value:.digits$}");
     // A little below zero is no minus zero.
     let zero = written.bytes().all(|byte| b"-0.".contains(&byte));
-    Value::Number(match zero {
+    match zero {
         true => written.trim_start_matches('-').to_owned(),
         false => written,
-    })
+    }
 }
 
 /// A number rounded to so many significant digits: 13.72 is 14 of two, 6,014 is 6,000.
@@ -158,5 +163,9 @@ mod tests {
         ] {
             assert_eq!(said(value, digits), text);
         }
+        assert_eq!(
+            (decimal(-0.04, 1), decimal(-0.06, 1)),
+            ("0.0".into(), "-0.1".into())
+        );
     }
 }

@@ -135,7 +135,8 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         wear = Some(fit::fit(arguments, &case.case, traffic, before, now)?);
     }
     // From here on the case has the coefficient of this rail.
-    if let Some(Ok(fit)) = &wear
+    if !arguments.keep_coefficient
+        && let Some(Ok(fit)) = &wear
         && let Some(coefficient) = fit.fitted_coefficient()
         && let Some(case) = given.take()
     {
@@ -398,9 +399,9 @@ fn outlook(
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
         Some(Ok(fit)) => {
-            let fitted = fit.spread();
+            // The case goes by the coefficient that was fitted, unless it is to keep its own.
+            let fitted = fit.spread().filter(|_| !arguments.keep_coefficient);
             answer = answer.with_wear(fit);
-            // The case goes by the coefficient that was fitted.
             answer.wear_spread = fitted.or(answer.wear_spread);
         }
         Some(Err(why)) => answer.warnings.push(why),
