@@ -115,7 +115,10 @@ impl LineGrowth {
                 traffic = traffic,
                 slowest = slowest,
                 fastest = fastest,
-                axles = significant(per_day, 3)
+                axles = match per_day < 10.0 {
+                    true => significant(per_day, 2),
+                    false => fixed(per_day, 0),
+                }
             ),
             None => say!(
                 traffic_at_speeds,

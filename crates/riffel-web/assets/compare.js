@@ -230,7 +230,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   /** The window that all maps have, and whose own is another: their highest growth may lie outside. */
   function windowInWords(all, { wavelength_m: wavelength, speed_m_per_s: at }) {
     const window = JSON.stringify(state.keys.map ?? null);
-    const others = all.filter(({ case: keys }) => JSON.stringify(keys.map ?? null) !== window).map(({ name }) => `“${name}”`);
+    const others = all.filter(({ case: keys }) => JSON.stringify(keys.map ?? null) !== window).map(({ name }) => t('quoted', name));
     const mm = [wavelength.min, wavelength.max].map((value) => number(1e3 * value)).join('–');
     return [t('common_window', `${mm} mm, ${speed(at.min).replace(/ .*/, '')}–${speed(at.max)}`), others.length && t('other_windows', others.join(', '))].filter(Boolean).join(' ');
   }

@@ -26,7 +26,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   let file = keptRecord();
   let coming = null;
   let answer = null;
-  /** The question that was answered, and the title of its case. */
+  /** The question that was answered, and the keys of its case. */
   let answered = null;
   /** How the record is laid out, where its columns were chosen. */
   let format = file?.format ?? null;
@@ -200,10 +200,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     tellFile(t('computing'));
     stale(true);
     const asked = question();
-    const title = caseTitle(state.accepted);
+    const keys = state.accepted;
     line.ask(asked, (given) => {
       answer = given;
-      answered = { question: JSON.stringify(asked), title };
+      answered = { question: JSON.stringify(asked), keys };
       banner.clear('success');
       tellFile();
       stale(line.pending || !state.current);
@@ -258,7 +258,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     along.show(answer?.roughness ?? null, answer?.limits);
     noise.show(answer);
     if (!answer) return;
-    against.textContent = t('measured_against', answered.title);
+    against.textContent = t('measured_against', caseTitle(answered.keys));
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));

@@ -51,9 +51,9 @@ export function startMotion({ state, listen, banner, labels, save }) {
     const asked = JSON.stringify(question);
     if (asked === passage.asked) return;
     passage.asked = asked;
-    const ofWhat = `${caseTitle(state.accepted)}: ${number(1e3 * question.wavelength_m)} mm, `;
+    const keys = state.accepted;
     const shown = (answer, fault) => {
-      Object.assign(passage, { answer, fault, of: asked, at: () => ofWhat + speed(question.speed_m_per_s) });
+      Object.assign(passage, { answer, fault, of: asked, at: () => `${caseTitle(keys)}: ${number(1e3 * question.wavelength_m)} mm, ${speed(question.speed_m_per_s)}` });
       showPassage();
       paleIfOld();
     };
@@ -138,10 +138,9 @@ export function startMotion({ state, listen, banner, labels, save }) {
     const asked = JSON.stringify(state.accepted);
     if (asked === modes.asked) return;
     modes.asked = asked;
-    const title = caseTitle(state.accepted);
+    const keys = state.accepted;
     const shown = (answer, fault) => {
-      wheelOf.textContent = title;
-      Object.assign(modes, { answer, fault, of: asked, chosen: Math.max(0, Math.min(modes.chosen, (answer?.modes.length ?? 1) - 1)) });
+      Object.assign(modes, { answer, fault, keys, of: asked, chosen: Math.max(0, Math.min(modes.chosen, (answer?.modes.length ?? 1) - 1)) });
       showModes();
       paleIfOld();
     };
@@ -160,6 +159,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
 
   function showModes() {
     const { answer, fault } = modes;
+    wheelOf.textContent = modes.keys ? caseTitle(modes.keys) : '';
     picture.hidden = list.hidden = play.hidden = wheelHead.querySelector('.take').hidden = !answer;
     if (!answer) {
       if (fault || !modes.asked) tell(wheelWords, fault);

@@ -54,10 +54,11 @@ export class Traffic {
   setUsual({ speeds_m_per_s: speeds, passages_per_day }) {
     const [from_km_per_h, to_km_per_h] = speeds.map((speed) => Number((3.6 * speed).toPrecision(6)));
     const usual = { ...USUAL, from_km_per_h, to_km_per_h, passages_per_day };
-    const changes = !this.given && JSON.stringify(usual) !== JSON.stringify(this.usual);
+    if (JSON.stringify(usual) === JSON.stringify(this.usual)) return false;
     this.usual = usual;
-    if (!this.troubles.length) this.show(this.given);
-    return changes;
+    // What is being written stays.
+    if (!this.place.contains(document.activeElement) && !this.troubles.length) this.show(this.given);
+    return !this.given;
   }
 
   /** Show a traffic; null is the usual one. */

@@ -31,7 +31,7 @@ const WORDS = {
     sweep: 'Sweep', sweep_pads: 'Pad stiffness 50–500 MN/m', sweep_friction: 'Friction 0.1–0.6', sweep_tractive: 'Tractive ratio 0.15–0.9', sweep_speeds: 'Speed', sweep_keep: 'Keep these six as variants',
     sweep_columns: ['highest growth rate per passage', 'wavelength there', 'frequency there', 'to double'], at_speed: (v) => `at ${v}`, nothing_grows_here: 'nothing grows', at_edge: 'at the edge of the window', take_figure: 'Save',
     compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the strongest branch', 'passages to double', 'time to double', 'gross tonnes to double', 'creepage', 'contact stiffness'],
-    less: 'less growth', more: 'more growth', untitled: 'case without a title', measured_against: (title) => `Held against the case: ${title}`,
+    less: 'less growth', more: 'more growth', quoted: (name) => `“${name}”`, untitled: 'case without a title', measured_against: (title) => `Held against the case ${title}.`,
     common_window: (window) => `Growth is the highest in the window of the case at hand: ${window}.`, other_windows: (names) => `The window of ${names} alone is another, and so may be the maximum there.`,
     start: 'Where do you want to begin?', start_line: 'line', start_vehicle: 'vehicle', start_track: 'rail and what it lies on', start_own: 'wheel of the line', start_go: 'Go on with it',
     start_help: 'The map below is that of your choice; everything can be changed on the left, and undone.', 'line_main-line': 'Main line', line_freight: 'Freight line', line_metro: 'Metro', line_tram: 'Tram',
@@ -124,7 +124,7 @@ const WORDS = {
     sweep: 'Durchlauf', sweep_pads: 'Steifigkeit der Zwischenlagen 50–500 MN/m', sweep_friction: 'Reibung 0,1–0,6', sweep_tractive: 'Kraftschlussausnutzung 0,15–0,9', sweep_speeds: 'Geschwindigkeit', sweep_keep: 'Diese sechs als Varianten merken',
     sweep_columns: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Frequenz dort', 'bis zur Verdopplung'], at_speed: (v) => `bei ${v}`, nothing_grows_here: 'nichts wächst', at_edge: 'am Rand des Fensters', take_figure: 'Sichern',
     compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des stärksten Astes', 'Überrollungen bis zur Verdopplung', 'Zeit bis zur Verdopplung', 'Tonnen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
-    less: 'weniger Wachstum', more: 'mehr Wachstum', untitled: 'Fall ohne Titel', measured_against: (title) => `Verglichen mit dem Fall: ${title}`,
+    less: 'weniger Wachstum', more: 'mehr Wachstum', quoted: (name) => `„${name}“`, untitled: 'Fall ohne Titel', measured_against: (title) => `Verglichen mit dem Fall ${title}.`,
     common_window: (window) => `Das Wachstum ist das höchste im Fenster des jetzigen Falls: ${window}.`, other_windows: (names) => `Das eigene Fenster von ${names} ist ein anderes, das Maximum dort vielleicht auch.`,
     start: 'Womit möchten Sie beginnen?', start_line: 'Strecke', start_vehicle: 'Fahrzeug', start_track: 'Schiene und worauf sie liegt', start_own: 'Rad der Strecke', start_go: 'Damit weiter',
     start_help: 'Die Karte unten ist die Ihrer Wahl; alles lässt sich links ändern und rückgängig machen.', 'line_main-line': 'Hauptstrecke', line_freight: 'Güterstrecke', line_metro: 'U-Bahn', line_tram: 'Straßenbahn',
@@ -284,8 +284,8 @@ export function nameOf(key) {
   return names ? names[language === 'de' ? 1 : 0] : key.split('.').at(-1).replaceAll('_', ' ');
 }
 
-/** The title of a case by its keys. */
-export const caseTitle = (keys) => keys.title || t('untitled');
+/** The title of a case by its keys, in quotation marks: it is in no language of the page. */
+export const caseTitle = (keys) => (keys.title ? t('quoted', keys.title) : t('untitled'));
 
 /** A key as a sentence names it: with its group where the name alone would not tell, as in "Wavelengths, points". */
 export function labelOf(key) {

@@ -126,8 +126,8 @@ def test_what_is_of_another_case_is_pale_and_named(page):
     page.until(lambda: kept)
     # What is drawn is that of the case before, and says so.
     assert pale() == 1 and "BR main line" in wave.inner_text()
-    page.page.unroute("**/api/passage")
     for route in kept:
         route.continue_()
+    page.page.unroute("**/api/passage")
     page.until(lambda: "another case" in wave.inner_text() and pale() == 0)
-    assert wheelset.inner_text() == "another case"
+    assert wheelset.inner_text() == "“another case”"
