@@ -179,7 +179,7 @@ impl FastestGrowth {
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
-            wavelengths_m: about(growth, wavelength, 0.5 * rate, told(case)),
+            wavelengths_m: about(growth, wavelength, 0.5 * rate, case.shortest_told()),
             at_edge,
             growth_rate_per_passage: rate,
             doubling_passages: passages,
@@ -231,24 +231,18 @@ fn span(speeds: &SpeedDistribution) -> [f64; 2] {
     [speeds.mean() - half, speeds.mean() + half]
 }
 
-/// The wavelengths of the map of which the contact of a case tells growth; all of the map, where that is none.
-fn told(case: &Case) -> [f64; 2] {
-    let window = case.growth_window().unwrap_or(case.wavelength);
-    [window.min(), window.max()]
-}
-
-/// The wavelength of the map that grows fastest under a traffic, its growth rate, and whether it sits at an edge.
+/// The wavelength of the bands of a case that grows fastest under a traffic, its growth rate, and whether it sits at an edge: of those that
+/// the contact does not average out; of all, where it averages out all.
 pub(crate) fn fastest_of(growth: &TrafficGrowth, case: &Case) -> Option<(f64, f64, bool)> {
-    let told = growth.fastest(told(case));
-    // A narrow window may lie between two lines.
-    told.or_else(|| growth.fastest([0.0, f64::INFINITY]))
+    let told = growth.fastest(case.shortest_told());
+    told.or_else(|| growth.fastest(0.0))
 }
 
 /// The wavelengths about one, of those that are told, that grow at a rate and more without a gap.
-fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, told: [f64; 2]) -> [f64; 2] {
+fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, shortest: f64) -> [f64; 2] {
     let lines = growth.wavelengths();
     let middle = lines.partition_point(|&line| line < wavelength);
-    let grows = |&(line, own): &(f64, f64)| own >= rate && (told[0]..=told[1]).contains(&line);
+    let grows = |&(line, own): &(f64, f64)| own >= rate && line >= shortest;
     let line = |place: usize| (lines[place], growth.rates()[place]);
     let above = (middle..lines.len()).map(line).take_while(grows).last();
     let below = (0..middle).rev().map(line).take_while(grows).last();

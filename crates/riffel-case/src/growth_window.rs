@@ -22,7 +22,7 @@ impl Case {
     }
 
     /// The shortest wavelength \[m\] of which the fastest growth is told; zero where the response of the contact has the filter.
-    fn shortest_told(&self) -> f64 {
+    pub fn shortest_told(&self) -> f64 {
         match self.file.contact.response {
             ContactDynamics::NonSteady => 0.0,
             _ => shortest_not_averaged(self.hertz),

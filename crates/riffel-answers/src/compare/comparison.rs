@@ -230,7 +230,7 @@ impl Outcome {
 }
 
 impl FastestLine {
-    /// Of the wavelengths of the map that the contact of a case does not average out; of all, where it averages out all.
+    /// Of the bands of the case.
     fn of(growth: &TrafficGrowth, case: &Case) -> Self {
         // Every traffic has a line.
         let (wavelength, rate, at_edge) = fastest_of(growth, case).unwrap_or_default();

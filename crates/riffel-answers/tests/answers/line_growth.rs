@@ -89,7 +89,7 @@ fn at_one_speed_it_is_the_highest_growth_there() {
 fn an_edge_is_told_as_an_edge() {
     for (window, side) in [
         ("map.wavelength.max=50 mm", "longer waves may grow faster"),
-        ("map.wavelength.min=70 mm", "shorter waves may grow faster"),
+        ("map.wavelength.min=75 mm", "shorter waves may grow faster"),
     ] {
         let growth = LineGrowth::new(&case(NOMINAL_CASE, &[window]), None).unwrap();
         assert!(growth.fastest.unwrap().at_edge);
@@ -111,10 +111,10 @@ fn growth_that_nobody_has_seen_is_remarked() {
         words.contains("faster than any growth known") && words.contains("days (80 %"),
         "{words}"
     );
-    let calm = case(NOMINAL_CASE, &["map.wavelength.max=40 mm"]);
+    let calm = case(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
     let growth = LineGrowth::new(&calm, None).unwrap();
     assert!(growth.fastest.is_none());
     assert!(
-        in_words(&growth).starts_with("nothing from 20 to 40 mm grows under the usual traffic")
+        in_words(&growth).starts_with("nothing from 20 to 30 mm grows under the usual traffic")
     );
 }
