@@ -8,6 +8,9 @@ use riffel_case::{
     Case, FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
 };
 
+/// Its map goes from 5 to 15 m/s.
+const CURVE: &str = include_str!("../../../../cases/curve.toml");
+
 fn case(text: &str, overrides: &[&str]) -> Case {
     let window = ["map.wavelength.points=21", "map.speed.points=5"];
     let overrides = window.iter().chain(overrides).map(|&it| it.to_owned());
@@ -31,6 +34,7 @@ fn a_line_has_traffic_of_its_kind() {
         (FREIGHT_CASE, heavy, LineKind::HeavyHaul, [40.0, 70.0]),
         (TRAM_CASE, &[], LineKind::Tram, [20.0, 50.0]),
         (METRO_CURVE_CASE, &[], LineKind::Curve, [40.5, 49.5]),
+        (CURVE, &[], LineKind::Curve, [32.4, 39.6]),
         (NOMINAL_CASE, heavy, LineKind::HeavyHaul, [40.0, 70.0]),
         (
             NOMINAL_CASE,

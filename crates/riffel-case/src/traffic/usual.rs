@@ -67,7 +67,8 @@ impl LineKind {
         /// Half of 18 t: passenger coaches and multiple units are lighter \[N\].
         const HEAVIEST_COACH: f64 = 88e3;
         let file = &case.file;
-        if case.unfilled.keys.has("contact.from") {
+        // A wheel that slides across the rail stands in a curve.
+        if case.unfilled.keys.has("contact.from") || case.steady.creepages.lateral != 0.0 {
             return Self::Curve;
         }
         let load = case.steady.normal_force;
@@ -87,7 +88,8 @@ impl LineKind {
 }
 
 impl UsualTraffic {
-    /// Chosen: what such lines run, in whole numbers. In a curve all trains run within a tenth of the speed of the curve.
+    /// Chosen: what such lines run, in whole numbers. In a curve all trains run within a tenth of its speed, or of the middle of the
+    /// map where the case does not say it.
     pub fn of(case: &Case) -> Self {
         let line = LineKind::of(case);
         let (km_per_h, passages_per_day) = match line {
