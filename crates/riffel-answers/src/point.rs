@@ -2,8 +2,9 @@
 
 use riffel::LoopState;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
+use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, DrawnSupports, Point, Sensitivity};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 
 use crate::WearLimitDocument;
@@ -39,6 +40,9 @@ pub struct PointAnswer {
     /// Whether the loop oscillates without any profile at the speed; none for one wheel and one axis.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<StabilityDocument>,
+    /// That growth is faster than any seen on a railway, under as many axles as usually run on such a line.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub reported_growth: Option<Message>,
     /// What growth answers to, the strongest first; none where it was not asked.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub sensitivity: Option<Vec<Sensitivity>>,
@@ -198,6 +202,11 @@ impl PointAnswer {
         Ok(Self {
             quantities: Point::new(case, &state),
             wear_limit: WearLimitDocument::new(case.feedback.mean_wear(), Some(state.growth_rate)),
+            reported_growth: reported_growth(
+                wavelength,
+                state.growth_rate,
+                UsualTraffic::of(case).passages_per_day,
+            ),
             state,
             stability: case.stability(speed).map(StabilityDocument::from),
             sensitivity,

@@ -393,6 +393,10 @@ pub(crate) struct Map {
     #[arg(long, value_name = "CSV")]
     pub(crate) observations: Option<PathBuf>,
 
+    /// Traffic file, for growth under the traffic [default: the usual traffic of a line of this kind].
+    #[arg(long, value_name = "FILE", conflicts_with = "wheels")]
+    pub(crate) traffic: Option<PathBuf>,
+
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) position: Option<Quantity<Length>>,

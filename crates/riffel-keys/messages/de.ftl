@@ -259,6 +259,34 @@ right = rechts
 
 growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und wear.coefficient prüfen
 
+## Wachstum unter dem Verkehr einer Strecke
+
+traffic-of-main-line = dem üblichen Verkehr einer Hauptstrecke
+traffic-of-freight-line = dem üblichen Verkehr einer Güterstrecke
+traffic-of-heavy-haul = dem üblichen Verkehr einer Schwerlaststrecke
+traffic-of-metro = dem üblichen Verkehr einer U-Bahn
+traffic-of-tram = dem üblichen Verkehr einer Straßenbahn
+traffic-of-curve = dem üblichen Verkehr dieses Bogens
+traffic-given = dem angegebenen Verkehr
+traffic-at-speeds = { $traffic } ({ $slowest }–{ $fastest } km/h)
+traffic-at-speeds-a-day = { $traffic } ({ $slowest }–{ $fastest } km/h, { $axles } Achsen am Tag)
+shorter-waves = kürzere
+longer-waves = längere
+one-wavelength = { $wavelength } mm
+wavelengths-between = { $shortest }–{ $longest } mm
+grows-fastest-under = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time }
+grows-fastest-under-within = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time } (80 %: der Verschleißbeiwert ist unsicher)
+fastest-at-edge = { $wavelength } mm liegt am Rand und ist kein Maximum: { $beyond } Wellen können schneller wachsen
+nothing-grows-under = nichts von { $shortest } bis { $longest } mm wächst unter { $traffic }
+days-of = { $days } Tagen
+days-between = { $early } bis { $late } Tagen
+months-of = { $months } Monaten
+months-between = { $early } bis { $late } Monaten
+years-of = { $years } Jahren
+years-between = { $early } bis { $late } Jahren
+million-axles = { $axles } Millionen Achsen
+million-axles-between = { $early } bis { $late } Millionen Achsen
+
 ## Noise
 
 rigid-wheel = das Rad ist hier ein starrer Körper: über etwa 1,6 kHz strahlen die Moden von Steg und Kranz, die fehlen, so viel ab wie die Schiene und mehr

@@ -267,6 +267,34 @@ right = right
 
 growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and wear.coefficient
 
+## Growth under the traffic of a line
+
+traffic-of-main-line = the usual traffic of a main line
+traffic-of-freight-line = the usual traffic of a freight line
+traffic-of-heavy-haul = the usual traffic of a heavy-haul line
+traffic-of-metro = the usual traffic of a metro
+traffic-of-tram = the usual traffic of a tramway
+traffic-of-curve = the usual traffic of this curve
+traffic-given = the traffic given
+traffic-at-speeds = { $traffic } ({ $slowest }–{ $fastest } km/h)
+traffic-at-speeds-a-day = { $traffic } ({ $slowest }–{ $fastest } km/h, { $axles } axles a day)
+shorter-waves = shorter
+longer-waves = longer
+one-wavelength = { $wavelength } mm
+wavelengths-between = { $shortest }–{ $longest } mm
+grows-fastest-under = { $range } grows fastest under { $traffic }; { $wavelength } mm leads and doubles in { $time }
+grows-fastest-under-within = { $range } grows fastest under { $traffic }; { $wavelength } mm leads and doubles in { $time } (80 %: the wear coefficient is uncertain)
+fastest-at-edge = { $wavelength } mm is at the edge and no maximum: { $beyond } waves may grow faster
+nothing-grows-under = nothing from { $shortest } to { $longest } mm grows under { $traffic }
+days-of = { $days } days
+days-between = { $early } to { $late } days
+months-of = { $months } months
+months-between = { $early } to { $late } months
+years-of = { $years } years
+years-between = { $early } to { $late } years
+million-axles = { $axles } million axles
+million-axles-between = { $early } to { $late } million axles
+
 ## Noise
 
 rigid-wheel = the wheel is a rigid body here: above some 1.6 kHz the modes of its web and tyre, which are left out, radiate as much as the rail and more

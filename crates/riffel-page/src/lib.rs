@@ -17,12 +17,14 @@ mod case_text;
 mod compare;
 mod fault;
 mod figure;
+mod line;
 mod map;
 mod note;
 mod passage;
 mod point;
 mod reply;
 mod table;
+mod traffic;
 mod vocabulary;
 mod wheelset;
 
@@ -32,6 +34,7 @@ pub use case_text::{CaseText, LARGEST_CASE};
 pub use fault::Fault;
 pub use note::Note;
 pub use reply::Reply;
+pub use traffic::{TRAFFIC_FILE, Traffic};
 pub use vocabulary::{VOCABULARY, vocabulary_of};
 
 /// What a module of the answers holds, so that the release it is of can be told: [`RELEASE_BEGINS`], a version and `;`.
@@ -59,9 +62,10 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 9] = [
+pub const QUESTIONS: [(&str, Reader); 10] = [
     ("/api/case", reader::<case::Question>),
     ("/api/map", reader::<map::Question>),
+    ("/api/line", reader::<line::Question>),
     ("/api/point", reader::<point::Question>),
     ("/api/compare", reader::<compare::Question>),
     ("/api/growth", reader::<compare::CurvesQuestion>),

@@ -5,6 +5,7 @@ use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
+use riffel_case::traffic::UsualTraffic;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
@@ -36,6 +37,25 @@ pub(crate) struct Head {
     /// Keys and tables that this case does not use.
     idle: Vec<&'static str>,
     remarks: Vec<Note>,
+    usual_traffic: Usual,
+}
+
+/// The usual traffic of the line, for the form.
+#[derive(Serialize)]
+struct Usual {
+    line: &'static str,
+    speeds_m_per_s: [f64; 2],
+    passages_per_day: f64,
+}
+
+impl From<UsualTraffic> for Usual {
+    fn from(usual: UsualTraffic) -> Self {
+        Self {
+            line: usual.line.name(),
+            speeds_m_per_s: usual.speeds,
+            passages_per_day: usual.passages_per_day,
+        }
+    }
 }
 
 /// The axes, equally spaced, both ends included.
@@ -178,6 +198,7 @@ impl Computed {
                 complete: case.file.clone(),
                 idle: idle(case),
                 remarks: case.remarks.iter().map(Note::from).collect(),
+                usual_traffic: UsualTraffic::of(case).into(),
             },
             values: map
                 .rows()

@@ -2,11 +2,12 @@
 
 use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
+use riffel_case::traffic::reported_growth;
 use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Growth;
-use crate::{CaseText, Fault, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply, Wanted};
 
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
@@ -18,11 +19,15 @@ pub(crate) struct Question {
     case: CaseText,
     wavelength_m: f64,
     speed_m_per_s: f64,
+    /// Axles a day on the line.
+    passages_per_day: f64,
 }
 
 #[derive(Serialize)]
 struct Answer {
     state: Turn,
+    /// That growth is faster than any seen on a railway.
+    reported_growth: Option<Note>,
     /// Over frequency at the speed of the point.
     spectrum: Spectrum,
     /// Over wavelength at the speed of the point.
@@ -112,7 +117,9 @@ impl crate::Question for Question {
         if !wanted() {
             return Err(Fault::superseded());
         }
+        let reported = reported_growth(wavelength, state.growth_rate, self.passages_per_day);
         Reply::json(&Answer {
+            reported_growth: reported.as_ref().map(Note::from),
             state: Turn {
                 point: Point::new(&case, &state),
                 amplitude_m: case.feedback.amplitude(),

@@ -19,6 +19,7 @@ mod errors;
 mod forecast;
 mod given;
 mod interrupt;
+mod line_growth;
 mod models;
 mod network;
 mod noise;
@@ -49,6 +50,8 @@ mod _riffel {
     use crate::forecast::{compare, fit_wear, forecast};
     #[pymodule_export]
     use crate::given::Universal;
+    #[pymodule_export]
+    use crate::line_growth::line_growth;
     #[pymodule_export]
     use crate::models::compare_models;
     #[pymodule_export]

@@ -152,3 +152,15 @@ def test_presets_have_sources() -> None:
     rail = next(preset for preset in presets if preset["name"] == "BS113A")
     assert rail["kind"] == "rail"
     assert all(entry["source"] for entry in rail["values"].values())
+
+
+def test_growth_of_a_line_is_that_of_the_program():
+    case = riffel.Case.from_toml("cases/metro.toml").with_({"map.speed.points": 3, "map.wavelength.points": 21})
+    usual, given = case.line_growth(), case.line_growth("cases/traffic.toml")
+    assert usual["usual_traffic_of"] == "metro" and given["usual_traffic_of"] is None
+    assert [round(3.6 * speed) for speed in usual["speeds_m_per_s"]] == [40, 70]
+    assert usual["remarks"][0].split("; ")[0].endswith("grows fastest under the usual traffic of a metro (40–70 km/h, 6000 axles a day)")
+    early, late = usual["fastest"]["doubling_months_banded"]["band_80"]
+    assert early < usual["fastest"]["doubling_months"] < late
+    with pytest.raises(ValueError, match="vehicle"):
+        case.line_growth({"line": {"passages_per_day": 10}})

@@ -16,8 +16,8 @@ const STRETCH = 10;
 
 const millimetres = ([from, to]) => `${number(1e3 * from, 4)}–${number(1e3 * to, 4)} mm`;
 
-/** A place on the line with as many digits as a metre takes, or a part of one where there is room. */
-export const metres = (position) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
+/** A place on the line with as many digits as a metre takes, or a part of one where there is room; what is left of a zero is one. */
+export const metres = (place, position = Math.round(1e3 * place) / 1e3 || 0) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
 
 export class Along {
   /** `question` gives the name of the record and how it is laid out. */

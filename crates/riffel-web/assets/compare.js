@@ -65,7 +65,8 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   const curvesPanel = element('article', { className: 'panel wide', hidden: true }, curvesHead, curvesPlace);
   offer(curvesHead, () => ({ name: 'compare-growth', plot: curvesPlace }), save);
   const table = element('table', { className: 'comparison' });
-  const tablePanel = element('article', { className: 'panel wide', hidden: true }, element('div', { className: 'sideways' }, table));
+  const common = element('p', { className: 'fine', id: 'compare-window' });
+  const tablePanel = element('article', { className: 'panel wide', hidden: true }, common, element('div', { className: 'sideways' }, table));
   const sweep = new Sweep({ state, traffic, complain, save, onKeep: (variants) => setVariants(variants) });
   place.append(bar, ...panels.map(({ panel }) => panel), curvesPanel, tablePanel, sweep.panel);
 
@@ -226,6 +227,14 @@ export function startCompare({ state, traffic, listen, complain, record, replace
     return texts.find((given) => new Set(given).size === count) ?? texts.at(-1);
   }
 
+  /** The window that all maps have, and whose own is another: their highest growth may lie outside. */
+  function windowInWords(all, { wavelength_m: wavelength, speed_m_per_s: at }) {
+    const window = JSON.stringify(state.keys.map ?? null);
+    const others = all.filter(({ case: keys }) => JSON.stringify(keys.map ?? null) !== window).map(({ name }) => t('quoted', name));
+    const mm = [wavelength.min, wavelength.max].map((value) => number(1e3 * value)).join('–');
+    return [t('common_window', `${mm} mm, ${speed(at.min).replace(/ .*/, '')}–${speed(at.max)}`), others.length && t('other_windows', others.join(', '))].filter(Boolean).join(' ');
+  }
+
   function rows(all) {
     const heads = all.map(({ key }) => known.get(key).head);
     const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
@@ -235,6 +244,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
       const { time, mass } = traffic.words(count, si(complete, 'contact.normal_load'));
       return [passages(count), time, mass];
     };
+    common.textContent = windowInWords(all, heads[0].window);
     const columns = heads.map((head) => {
       const high = head.highest;
       return [

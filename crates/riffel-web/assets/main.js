@@ -7,6 +7,7 @@ import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
 import { Form } from './form.js';
+import { said } from './german.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
@@ -63,9 +64,10 @@ const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point
 view.onZoom = (zoomed) => ($('whole-map').hidden = !zoomed);
 $('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
+const lines = new Line('/api/line', json);
 const points = new Line('/api/point', json);
 
-maps.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+maps.onCancel = lines.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -93,6 +95,8 @@ function caseChanged() {
 function showMap({ head, values }, keys) {
   state.head = head;
   state.map = toMap(head, values);
+  const otherTraffic = traffic.setUsual(head.usual_traffic);
+  state.map.highest = highestOfTraffic();
   state.accepted = keys;
   form.clear();
   banner.clear('case');
@@ -110,7 +114,9 @@ function showMap({ head, values }, keys) {
   view.show(state.map);
   speedHandle();
   mapWords();
+  askLine();
   askPoint();
+  if (otherTraffic) for (const listener of listeners) listener('traffic');
   for (const listener of listeners) listener('map');
   performance.mark('riffel-map-shown');
 }
@@ -119,14 +125,31 @@ function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
-  const high = head.highest;
-  const place = high && { lambda: number(1e3 * high.wavelength_m), speed: inUnit(high.speed_m_per_s), hertz: number(high.frequency_hz), n: inWords(Math.LN2 / high.growth_rate_per_passage) };
-  const sentences = high ? [t(high.at_edge ? 'highest_edge' : 'highest', place)] : [t('no_growth')];
-  if (head.branches.length) sentences.push(sentence(speedsIn(head.branches_in_words[currentLanguage()])));
+  const sentences = [...(state.line ?? []), head.branches_in_words].map((note) => sentence(speedsIn(note[currentLanguage()])));
   $('verdict').textContent = sentences.join(' ');
   announce(sentences.join(' '));
   $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
   $('notes-panel').hidden = !head.remarks.length;
+}
+
+/** What grows fastest under the traffic of the line, asked when its map is shown: that takes longer. */
+function askLine() {
+  $('verdict').classList.add('pale');
+  const show = (notes) => {
+    state.line = notes;
+    $('verdict').classList.toggle('pale', lines.pending || !state.current);
+    mapWords();
+  };
+  lines.ask({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }, ({ notes }) => show(notes), (fault) => show([{ en: fault.message, de: said(fault.message).text }]));
+}
+
+/** The highest growth of the map at the speeds of the traffic; that of the whole map, where nothing grows at these. */
+function highestOfTraffic() {
+  const { ridge, highest } = state.head;
+  const { from, to } = band();
+  const inside = ridge.speed_m_per_s.flatMap((speed, k) => (speed >= from * (1 - 1e-9) && speed <= to * (1 + 1e-9) ? [k] : []));
+  const k = inside.reduce((most, one) => (most === null || ridge.growth_rate_per_passage[one] > ridge.growth_rate_per_passage[most] ? one : most), null);
+  return k === null ? highest : { wavelength_m: ridge.wavelength_m[k], speed_m_per_s: ridge.speed_m_per_s[k] };
 }
 
 /** Passages with the time and the gross tonnes that they take. */
@@ -152,7 +175,7 @@ function movePoint(point, pinned) {
 function askPoint() {
   const { wavelength, speed } = state.point;
   view.label = t('map_label', `${number(1e3 * wavelength)} mm, ${inUnit(speed)}`);
-  points.ask({ case: { keys: state.accepted }, wavelength_m: wavelength, speed_m_per_s: speed }, (at) => {
+  points.ask({ case: { keys: state.accepted }, wavelength_m: wavelength, speed_m_per_s: speed, passages_per_day: traffic.values.passages_per_day }, (at) => {
     if (state.current) fresh('point');
     showPoint(at);
     // A cursor that was moved by hand or key is told of.
@@ -165,7 +188,7 @@ function showPoint(at) {
   state.at = at;
   drawPhasors($('phasors'), $('amplitudes'), at.state, inWords);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
-  $('why').textContent = words(at.state, inWords) + (parts ? ` ${t('parts')}` : '');
+  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(at.reported_growth[currentLanguage()])].filter(Boolean).join(' ');
   $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = inUnit(at.state.speed_m_per_s);
   curves();
@@ -235,8 +258,11 @@ const band = () => ({ from: traffic.values.from_km_per_h / 3.6, to: traffic.valu
 function trafficChanged() {
   view.band = band();
   view.draw();
-  if (state.map) mapWords();
-  if (state.at) showPoint(state.at);
+  if (state.map) {
+    state.map.highest = highestOfTraffic();
+    askLine();
+    askPoint();
+  }
   for (const listener of listeners) listener('traffic');
   saveAddress();
 }

@@ -12,7 +12,7 @@ import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
 import { inWords, said } from './german.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
-import { currentLanguage, fileSize, number, power, t, translate } from './words.js';
+import { caseTitle, currentLanguage, fileSize, number, power, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
 const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
@@ -26,6 +26,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   let file = keptRecord();
   let coming = null;
   let answer = null;
+  /** The question that was answered, and the keys of its case. */
+  let answered = null;
   /** How the record is laid out, where its columns were chosen. */
   let format = file?.format ?? null;
   /** The record that the program has, with its columns. */
@@ -51,11 +53,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   const status = element('span', { className: 'aside', id: 'record-state' });
   const traffics = element('button', { type: 'button', className: 'plain', id: 'to-traffic' });
   traffics.addEventListener('click', () => leadTo(document.getElementById('traffic-daily')));
+  const against = element('p', { className: 'aside', id: 'measured-against', hidden: true });
   const report = worded('button', 'save_report', { type: 'button', className: 'plain', hidden: true, id: 'report' });
   const drop = element('div', { className: 'panel wide drop', id: 'drop' },
     element('div', { className: 'buttons' }, input, choose, sample, hint, bar, stop, status),
     source, columns.place, earlier.place,
-    element('div', { className: 'settings' }, traffics, report));
+    element('div', { className: 'settings' }, traffics, report), against);
 
   // What is answered -----------------------------------------------------------------------------------
 
@@ -196,8 +199,11 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     }
     tellFile(t('computing'));
     stale(true);
-    line.ask(question(), (given) => {
+    const asked = question();
+    const keys = state.accepted;
+    line.ask(asked, (given) => {
       answer = given;
+      answered = { question: JSON.stringify(asked), keys };
       banner.clear('success');
       tellFile();
       stale(line.pending || !state.current);
@@ -248,10 +254,11 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   function show() {
     for (const one of panels) one.hidden = !answer;
-    report.hidden = !answer;
+    report.hidden = against.hidden = !answer;
     along.show(answer?.roughness ?? null, answer?.limits);
     noise.show(answer);
     if (!answer) return;
+    against.textContent = t('measured_against', caseTitle(answered.keys));
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
@@ -343,7 +350,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       along.drawPlace();
     } else if (what === 'view') {
       if (answer) show();
-      else ask();
+      if (!answer || answered.question !== JSON.stringify(question())) ask();
+      else stale(!state.current);
     } else if (what === 'case') {
       if (answer) stale(true);
     } else if (what === 'traffic') {

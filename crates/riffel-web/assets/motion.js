@@ -8,7 +8,7 @@ import { said } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';
-import { currentLanguage, number, speed, t, translate } from './words.js';
+import { caseTitle, currentLanguage, number, speed, t, translate } from './words.js';
 
 /** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
 const SWING = 1800;
@@ -21,7 +21,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
 
   // The wheel over a wave ------------------------------------------------------------------------------
 
-  const passage = { line: new Line('/api/passage', json), answer: null, fault: null, asked: '' };
+  const passage = { line: new Line('/api/passage', json), answer: null, fault: null, asked: '', of: '' };
   /** The amplitude [m] that was written; none, and it is that of the case. */
   let written = null;
   const amplitude = new NumberField({
@@ -40,17 +40,22 @@ export function startMotion({ state, listen, banner, labels, save }) {
   const waveNotes = element('ul', { className: 'fine', id: 'wave-notes' });
   offer(waveHead, () => passage.answer && { name: 'passage', plot: wave }, save);
 
+  /** What the case and the cursor ask now. */
+  const passageNow = () => ({ case: { keys: state.accepted }, wavelength_m: state.point?.wavelength, speed_m_per_s: state.point?.speed, amplitude_m: written ?? state.at?.state.amplitude_m });
+
   function askPassage() {
+    paleIfOld();
     if (state.view !== 'motion' || !state.accepted || !state.point) return;
-    const amplitude_m = written ?? state.at?.state.amplitude_m;
-    if (amplitude.isWrong || !amplitude_m) return;
-    const question = { case: { keys: state.accepted }, wavelength_m: state.point.wavelength, speed_m_per_s: state.point.speed, amplitude_m };
+    const question = passageNow();
+    if (amplitude.isWrong || !question.amplitude_m) return;
     const asked = JSON.stringify(question);
     if (asked === passage.asked) return;
     passage.asked = asked;
+    const keys = state.accepted;
     const shown = (answer, fault) => {
-      Object.assign(passage, { answer, fault });
+      Object.assign(passage, { answer, fault, of: asked, at: () => `${caseTitle(keys)}: ${number(1e3 * question.wavelength_m)} mm, ${speed(question.speed_m_per_s)}` });
       showPassage();
+      paleIfOld();
     };
     passage.line.ask(question, (answer) => shown(answer, null), (fault) => {
       passage.asked = '';
@@ -64,7 +69,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
 
   function showPassage() {
     const { answer, fault } = passage;
-    document.getElementById('wave-at').textContent = state.point ? `${number(1e3 * state.point.wavelength)} mm, ${speed(state.point.speed)}` : '';
+    document.getElementById('wave-at').textContent = passage.at?.() ?? '';
     showAmplitude();
     wave.hidden = waveNotes.hidden = waveHead.querySelector('.take').hidden = !answer;
     if (!answer) {
@@ -117,8 +122,9 @@ export function startMotion({ state, listen, banner, labels, save }) {
 
   // The wheelset ---------------------------------------------------------------------------------------
 
-  const modes = { line: new Line('/api/wheelset', json), answer: null, fault: null, asked: '', chosen: 0, drawing: null, playing: !still.matches, begun: 0 };
-  const wheelHead = element('header', {}, worded('h2', 'wheelset_modes'));
+  const modes = { line: new Line('/api/wheelset', json), answer: null, fault: null, asked: '', of: '', chosen: 0, drawing: null, playing: !still.matches, begun: 0 };
+  const wheelOf = element('span', { className: 'aside', id: 'wheelset-of' });
+  const wheelHead = element('header', {}, worded('h2', 'wheelset_modes'), wheelOf);
   const wheelWords = element('p', { className: 'why', id: 'wheelset-words' });
   const picture = element('div', { id: 'wheelset-drawing' });
   const play = element('button', { type: 'button', className: 'plain small', id: 'wheelset-play' });
@@ -127,13 +133,16 @@ export function startMotion({ state, listen, banner, labels, save }) {
   offer(wheelHead, () => modes.answer && { name: 'wheelset', drawing: picture, table }, save);
 
   function askModes() {
+    paleIfOld();
     if (state.view !== 'motion' || !state.accepted) return;
     const asked = JSON.stringify(state.accepted);
     if (asked === modes.asked) return;
     modes.asked = asked;
+    const keys = state.accepted;
     const shown = (answer, fault) => {
-      Object.assign(modes, { answer, fault, chosen: Math.max(0, Math.min(modes.chosen, (answer?.modes.length ?? 1) - 1)) });
+      Object.assign(modes, { answer, fault, keys, of: asked, chosen: Math.max(0, Math.min(modes.chosen, (answer?.modes.length ?? 1) - 1)) });
       showModes();
+      paleIfOld();
     };
     // A lone wheel has no modes to ask for.
     if (!state.accepted.wheelset) return shown(null, null);
@@ -150,6 +159,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
 
   function showModes() {
     const { answer, fault } = modes;
+    wheelOf.textContent = modes.keys ? caseTitle(modes.keys) : '';
     picture.hidden = list.hidden = play.hidden = wheelHead.querySelector('.take').hidden = !answer;
     if (!answer) {
       if (fault || !modes.asked) tell(wheelWords, fault);
@@ -210,16 +220,23 @@ export function startMotion({ state, listen, banner, labels, save }) {
     Object.assign(words, { textContent: labels(short.replace(/^--sinusoid: /, '').replace(/(?<=\d) um\b/g, ' µm')), lang: language });
   }
 
-  place.append(
-    element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, amplitude.row), waveWords, wave, waveNotes),
-    element('article', { className: 'panel half' }, wheelHead, wheelWords, picture, element('div', { className: 'settings' }, play), list),
-  );
+  const wavePanel = element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, amplitude.row), waveWords, wave, waveNotes);
+  const wheelPanel = element('article', { className: 'panel half' }, wheelHead, wheelWords, picture, element('div', { className: 'settings' }, play), list);
+  place.append(wavePanel, wheelPanel);
+
+  /** What is not of the case, cursor and amplitude at hand is pale. */
+  function paleIfOld() {
+    const isOld = (of, now) => !state.current || of !== JSON.stringify(now);
+    wavePanel.classList.toggle('stale', passage.of !== '' && isOld(passage.of, passageNow()));
+    wheelPanel.classList.toggle('stale', modes.of !== '' && isOld(modes.of, state.accepted));
+  }
   listen((what) => {
     if (what === 'words') {
       translate(place);
       showPassage();
       showModes();
-    } else if (what === 'view' || what === 'point' || what === 'map') {
+    } else if (what === 'case') paleIfOld();
+    else if (what === 'view' || what === 'point' || what === 'map') {
       askPassage();
       askModes();
       if (what === 'view' && state.view === 'motion') {

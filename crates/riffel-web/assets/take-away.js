@@ -11,7 +11,7 @@ export function save(blob, name) {
 
 const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
 
-export function startTakeAway({ state, banner, complain, replace, measure }) {
+export function startTakeAway({ state, traffic, banner, complain, replace, measure }) {
   const menu = document.getElementById('take-away');
   const actions = {
     link: async (button) => {
@@ -31,7 +31,7 @@ export function startTakeAway({ state, banner, complain, replace, measure }) {
     // Of the measured rail if there is one, else of the case alone.
     report: async () => {
       if (await measure.saveReport()) return;
-      const answer = await askOnce('/api/report/case', { case: { keys: state.keys } });
+      const answer = await askOnce('/api/report/case', { case: { keys: state.keys }, traffic: traffic.given && traffic.question, language: currentLanguage() });
       save(await answer.blob(), `${fileName(state)}-report.html`);
     },
     nominal: async () => replace({ case: structuredClone(state.vocabulary.nominal), point: null, tab: state.view }, t('started_over')),

@@ -1,17 +1,18 @@
-// The traffic: what turns passages into months and gross tonnes. Until one is given, a default stands in and says so.
+// The traffic: what turns passages into months and gross tonnes. Until one is given, the usual one of the line stands in and says so.
 
 import { element, worded } from './elements.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Vehicles, meanLoad, readVehicles } from './vehicles.js';
 import { number, passages, t } from './words.js';
 
-export const DEFAULT = { from_km_per_h: 60, to_km_per_h: 100, passages_per_day: 6000, months: 12 };
+/** Of the usual traffic, before the program has told that of the line. */
+const USUAL = { from_km_per_h: 60, to_km_per_h: 100, passages_per_day: 6000, months: 12 };
 /** What the program takes: lowest and highest value. */
 const FIELDS = [
   ['passages_per_day', 'traffic-daily', 'passages_daily', 'daily', 0.01, 1e6], ['from_km_per_h', 'traffic-from', 'speed_from', 'speed', 0.1, 700],
   ['to_km_per_h', 'traffic-to', 'speed_to', 'speed', 0.1, 700], ['months', 'traffic-months', 'months_ahead', 'none', 0.1, 1200],
 ];
-const DAYS_OF_MONTH = 365.25 / 12;
+const DAYS_OF_MONTH = 365.2425 / 12;
 const GRAVITY = 9.80665;
 
 const speeds = (from, to) => ({ slowest_m_per_s: from / 3.6, fastest_m_per_s: to / 3.6 });
@@ -27,15 +28,15 @@ function withVehicles({ vehicles: _, ...traffic }, vehicles) {
 export function readTraffic(given) {
   if (!given || typeof given !== 'object') return null;
   const vehicles = readVehicles(given.vehicles);
-  const whole = { ...DEFAULT, ...given };
+  const whole = { ...USUAL, ...given };
   const good = FIELDS.every(([name, , , , low, high]) => whole[name] >= low && whole[name] <= high) && whole.from_km_per_h <= whole.to_km_per_h;
-  return good && vehicles ? withVehicles(Object.fromEntries(Object.keys(DEFAULT).map((name) => [name, whole[name]])), vehicles) : null;
+  return good && vehicles ? withVehicles(Object.fromEntries(Object.keys(USUAL).map((name) => [name, whole[name]])), vehicles) : null;
 }
 
 export class Traffic {
   /** `onChange` is told of a traffic that is accepted, `onTrouble` that a field is not, or is again. */
   constructor(place, { onChange, onTrouble }) {
-    Object.assign(this, { place, onChange, onTrouble, given: null });
+    Object.assign(this, { place, onChange, onTrouble, given: null, usual: USUAL });
     const summary = element('summary', {}, worded('span', 'traffic'), (this.short = element('small', { className: 'aside' })));
     this.fields = FIELDS.map(([name, id, word, units, low, high]) => Object.assign(new NumberField({
       id, word, units: UNITS[units], low, high, onTrouble, accept: (value) => this.#accept(name, value),
@@ -46,15 +47,26 @@ export class Traffic {
   }
 
   get values() {
-    return this.given ?? DEFAULT;
+    return this.given ?? this.usual;
   }
 
-  /** Show a traffic; null is the default. */
+  /** The usual traffic of the line, as the program tells it; whether that changes the traffic. */
+  setUsual({ speeds_m_per_s: speeds, passages_per_day }) {
+    const [from_km_per_h, to_km_per_h] = speeds.map((speed) => Number((3.6 * speed).toPrecision(6)));
+    const usual = { ...USUAL, from_km_per_h, to_km_per_h, passages_per_day };
+    if (JSON.stringify(usual) === JSON.stringify(this.usual)) return false;
+    this.usual = usual;
+    // What is being written stays.
+    if (!this.place.contains(document.activeElement) && !this.troubles.length) this.show(this.given);
+    return !this.given;
+  }
+
+  /** Show a traffic; null is the usual one. */
   show(given) {
     this.given = given;
     const vehicles = given?.vehicles ?? [];
     for (const field of this.fields) {
-      field.show(given ? given[field.name] : null, DEFAULT[field.name]);
+      field.show(given ? given[field.name] : null, this.usual[field.name]);
       // Vehicles have speeds of their own.
       if (field.name.endsWith('_km_per_h')) {
         field.row.hidden = vehicles.length > 0;
@@ -67,9 +79,9 @@ export class Traffic {
   }
 
   #accept(name, value) {
-    const next = { ...this.values, [name]: value ?? DEFAULT[name] };
+    const next = { ...this.values, [name]: value ?? this.usual[name] };
     if (next.from_km_per_h > next.to_km_per_h) return t('must_rise');
-    const isDefault = value === undefined && !next.vehicles && FIELDS.every(([other]) => next[other] === DEFAULT[other]);
+    const isDefault = value === undefined && !next.vehicles && FIELDS.every(([other]) => next[other] === this.usual[other]);
     this.#take(isDefault ? null : next);
     return '';
   }

@@ -20,9 +20,7 @@ const WORDS = {
     troughs: (d) => `mostly in the troughs (${d}° from the crests)`, crests: (d) => `mostly on the crests (${d}° from them)`,
     doubles: (n) => `the troughs deepen: corrugation grows and doubles in ${n}.`,
     halves: (n) => `the crests wear off: corrugation decays and halves in ${n}.`,
-    highest: (p) => `Highest growth at ${p.lambda} mm and ${p.speed}, ${p.hertz} Hz: doubles in ${p.n}.`,
-    highest_edge: (p) => `Growth is highest at the edge of the window, ${p.lambda} mm and ${p.speed}.`,
-    no_growth: 'Nothing grows in this window.', notes: 'Notes', stale: 'the map is that of the last case without an error',
+    notes: 'Notes', stale: 'the map is that of the last case without an error',
     gone: 'The program does not answer. Is riffel serve still running?',
     no_pads: 'this track model has no pads', no_turning: 'not used: the wheel turns in a limit',
     from_preset: 'from preset or default', none: '—', sources: 'Sources', measured: 'measured', typical: 'typical', assumed: 'assumed',
@@ -33,7 +31,8 @@ const WORDS = {
     sweep: 'Sweep', sweep_pads: 'Pad stiffness 50–500 MN/m', sweep_friction: 'Friction 0.1–0.6', sweep_tractive: 'Tractive ratio 0.15–0.9', sweep_speeds: 'Speed', sweep_keep: 'Keep these six as variants',
     sweep_columns: ['highest growth rate per passage', 'wavelength there', 'frequency there', 'to double'], at_speed: (v) => `at ${v}`, nothing_grows_here: 'nothing grows', at_edge: 'at the edge of the window', take_figure: 'Save',
     compare_rows: ['highest growth rate per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the strongest branch', 'passages to double', 'time to double', 'gross tonnes to double', 'creepage', 'contact stiffness'],
-    less: 'less growth', more: 'more growth',
+    less: 'less growth', more: 'more growth', quoted: (name) => `“${name}”`, untitled: 'case without a title', measured_against: (title) => `Held against the case ${title}.`,
+    common_window: (window) => `All maps have the window of the case at hand, and the highest growth is that in it: ${window}.`, other_windows: (names) => `The window of ${names} alone is another, and so may be the maximum there.`,
     start: 'Where do you want to begin?', start_line: 'line', start_vehicle: 'vehicle', start_track: 'rail and what it lies on', start_own: 'wheel of the line', start_go: 'Go on with it',
     start_help: 'The map below is that of your choice; everything can be changed on the left, and undone.', 'line_main-line': 'Main line', line_freight: 'Freight line', line_metro: 'Metro', line_tram: 'Tram',
     tour_sliders: 'Move a slider: the map follows at once. Below are all keys of the case, each with its unit and source.', tour_map: 'A click on the map says why corrugation grows or decays there. The wheel zooms, a drag shows a part, arrow keys move the cursor.',
@@ -92,8 +91,8 @@ const WORDS = {
     course: (p) => `${p.points}: ${p.change} dB in all, ${p.slope} ± ${p.scatter} dB ${p.isYear ? 'a year' : 'from record to record'}`, fit_between: (n) => `Fitted to what has changed between the last two dated records, over ${n} axle passages:`, use_coefficient: 'Use it in the case', coefficient_used: (value) => `The wear coefficient of the case is now ${value} kg/J.`,
     add_vehicle: 'Add a vehicle', vehicle_n: (n) => `vehicle ${n}`, vehicle_name: 'vehicle', vehicle_share: 'share of axle passages', vehicle_load: 'wheel load P₀', vehicle_traction: 'tractive ratio τ', as_the_case: 'as the case', vehicle_needs_name: 'A vehicle needs a name.', vehicle_twice: (name) => `“${name}” is another vehicle already.`, vehicle_needs: (what) => `A vehicle needs its own: ${what}.`,
     shares_sum: (sum) => `The shares of axle passages sum to ${sum} %, but must sum to 100 %.`, no_unit: (p) => `“${p.text}” has no unit of this field, which are ${p.units}.`,
-    traffic: 'Traffic', traffic_default: (n) => `default: ${n} axle passages a day`, traffic_given: (n) => `${n} axle passages a day`, traffic_is_default: 'This traffic is a default: put in that of the line.',
-    passages_word: 'passages', speed_unit: 'Unit of speeds', whole_map: 'Whole map', band: 'traffic', band_default: 'default traffic', gross_tonnes: (n) => `${n} MGT`, growth_time: (p) => `${p.time} or ${p.mass}${p.isDefault ? ' with the default traffic' : ''}`, time_months: (n) => `${n} months`, time_days: (n) => `${n} days`, time_years: (n) => `${n} years`,
+    traffic: 'Traffic', traffic_default: (n) => `usual: ${n} axle passages a day`, traffic_given: (n) => `${n} axle passages a day`, traffic_is_default: 'This is the usual traffic of such a line: put in that of yours.',
+    passages_word: 'passages', speed_unit: 'Unit of speeds', whole_map: 'Whole map', band: 'traffic', band_default: 'usual traffic', gross_tonnes: (n) => `${n} MGT`, growth_time: (p) => `${p.time} or ${p.mass}${p.isDefault ? ' with the usual traffic' : ''}`, time_months: (n) => `${n} months`, time_days: (n) => `${n} days`, time_years: (n) => `${n} years`,
   },
   de: {
     explore: 'Erkunden', compare: 'Vergleichen', measure: 'Messen', motion: 'Bewegung', paper: 'Aufsatz', take_away: 'Mitnehmen',
@@ -114,9 +113,7 @@ const WORDS = {
     troughs: (d) => `vor allem in den Tälern (${d}° von den Bergen)`, crests: (d) => `vor allem auf den Bergen (${d}° von ihnen)`,
     doubles: (n) => `Die Täler werden tiefer, die Riffel wächst und verdoppelt sich in ${n}.`,
     halves: (n) => `Die Berge verschleißen, die Riffel klingt ab und halbiert sich in ${n}.`,
-    highest: (p) => `Stärkstes Wachstum bei ${p.lambda} mm und ${p.speed}, ${p.hertz} Hz: verdoppelt sich in ${p.n}.`,
-    highest_edge: (p) => `Am stärksten ist das Wachstum am Rand des Fensters, bei ${p.lambda} mm und ${p.speed}.`,
-    no_growth: 'In diesem Fenster wächst nichts.', notes: 'Hinweise', stale: 'die Karte ist die des letzten Falls ohne Fehler',
+    notes: 'Hinweise', stale: 'die Karte ist die des letzten Falls ohne Fehler',
     gone: 'Das Programm antwortet nicht. Läuft riffel serve noch?',
     no_pads: 'dieses Gleismodell hat keine Zwischenlagen', no_turning: 'ohne Wirkung: das Rad dreht in einem Grenzfall',
     from_preset: 'aus Vorgabe', none: '—', sources: 'Quellen', measured: 'gemessen', typical: 'typisch', assumed: 'angenommen',
@@ -127,7 +124,8 @@ const WORDS = {
     sweep: 'Durchlauf', sweep_pads: 'Steifigkeit der Zwischenlagen 50–500 MN/m', sweep_friction: 'Reibung 0,1–0,6', sweep_tractive: 'Kraftschlussausnutzung 0,15–0,9', sweep_speeds: 'Geschwindigkeit', sweep_keep: 'Diese sechs als Varianten merken',
     sweep_columns: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Frequenz dort', 'bis zur Verdopplung'], at_speed: (v) => `bei ${v}`, nothing_grows_here: 'nichts wächst', at_edge: 'am Rand des Fensters', take_figure: 'Sichern',
     compare_rows: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des stärksten Astes', 'Überrollungen bis zur Verdopplung', 'Zeit bis zur Verdopplung', 'Tonnen bis zur Verdopplung', 'Schlupf', 'Kontaktsteifigkeit'],
-    less: 'weniger Wachstum', more: 'mehr Wachstum',
+    less: 'weniger Wachstum', more: 'mehr Wachstum', quoted: (name) => `„${name}“`, untitled: 'Fall ohne Titel', measured_against: (title) => `Verglichen mit dem Fall ${title}.`,
+    common_window: (window) => `Alle Karten haben das Fenster des jetzigen Falls, und das höchste Wachstum ist das darin: ${window}.`, other_windows: (names) => `Das eigene Fenster von ${names} ist ein anderes, das Maximum dort vielleicht auch.`,
     start: 'Womit möchten Sie beginnen?', start_line: 'Strecke', start_vehicle: 'Fahrzeug', start_track: 'Schiene und worauf sie liegt', start_own: 'Rad der Strecke', start_go: 'Damit weiter',
     start_help: 'Die Karte unten ist die Ihrer Wahl; alles lässt sich links ändern und rückgängig machen.', 'line_main-line': 'Hauptstrecke', line_freight: 'Güterstrecke', line_metro: 'U-Bahn', line_tram: 'Straßenbahn',
     tour_sliders: 'Einen Regler bewegen: Die Karte folgt sofort. Darunter stehen alle Werte des Falls, jeder mit Einheit und Quelle.', tour_map: 'Ein Klick auf die Karte sagt, warum Riffeln dort wachsen oder abklingen. Das Mausrad zoomt, Ziehen zeigt einen Teil, Pfeiltasten bewegen den Zeiger.',
@@ -186,8 +184,8 @@ const WORDS = {
     course: (p) => `${p.points}: zusammen ${p.change} dB, ${p.slope} ± ${p.scatter} dB ${p.isYear ? 'im Jahr' : 'von Messung zu Messung'}`, fit_between: (n) => `Angepasst an das, was sich zwischen den letzten beiden datierten Messungen über ${n} Achsüberrollungen geändert hat:`, use_coefficient: 'Im Fall verwenden', coefficient_used: (value) => `Der Verschleißbeiwert des Falls ist jetzt ${value} kg/J.`,
     add_vehicle: 'Fahrzeug hinzufügen', vehicle_n: (n) => `Fahrzeug ${n}`, vehicle_name: 'Fahrzeug', vehicle_share: 'Anteil der Achsüberrollungen', vehicle_load: 'Radlast P₀', vehicle_traction: 'Kraftschluss\u00adausnutzung τ', as_the_case: 'wie im Fall', vehicle_needs_name: 'Ein Fahrzeug braucht einen Namen.', vehicle_twice: (name) => `„${name}“ ist schon ein anderes Fahrzeug.`, vehicle_needs: (what) => `Ein Fahrzeug braucht eigene Werte: ${what}.`,
     shares_sum: (sum) => `Die Anteile der Achsüberrollungen ergeben ${sum} %, müssen aber 100 % ergeben.`, no_unit: (p) => `„${p.text}“ hat keine Einheit dieses Feldes; diese sind ${p.units}.`,
-    traffic: 'Verkehr', traffic_default: (n) => `Annahme: ${n} Achsüberrollungen am Tag`, traffic_given: (n) => `${n} Achsüberrollungen am Tag`, traffic_is_default: 'Dieser Verkehr ist eine Annahme: hier steht besser der der Strecke.',
-    passages_word: 'Überrollungen', speed_unit: 'Einheit der Geschwindigkeiten', whole_map: 'Ganze Karte', band: 'Verkehr', band_default: 'angenommener Verkehr', gross_tonnes: (n) => `${n} Mio. t`, growth_time: (p) => `${p.time} oder ${p.mass}${p.isDefault ? ' beim angenommenen Verkehr' : ''}`, time_months: (n) => `${n} Monate`, time_days: (n) => `${n} Tage`, time_years: (n) => `${n} Jahre`,
+    traffic: 'Verkehr', traffic_default: (n) => `üblich: ${n} Achsüberrollungen am Tag`, traffic_given: (n) => `${n} Achsüberrollungen am Tag`, traffic_is_default: 'Dies ist der übliche Verkehr einer solchen Strecke: hier steht besser der eigene.',
+    passages_word: 'Überrollungen', speed_unit: 'Einheit der Geschwindigkeiten', whole_map: 'Ganze Karte', band: 'Verkehr', band_default: 'üblicher Verkehr', gross_tonnes: (n) => `${n} Mio. t`, growth_time: (p) => `${p.time} oder ${p.mass}${p.isDefault ? ' beim üblichen Verkehr' : ''}`, time_months: (n) => `${n} Monate`, time_days: (n) => `${n} Tage`, time_years: (n) => `${n} Jahre`,
   },
 };
 
@@ -286,6 +284,9 @@ export function nameOf(key) {
   return names ? names[language === 'de' ? 1 : 0] : key.split('.').at(-1).replaceAll('_', ' ');
 }
 
+/** The title of a case by its keys, in quotation marks: it is in no language of the page. */
+export const caseTitle = (keys) => (keys.title ? t('quoted', keys.title) : t('untitled'));
+
 /** A key as a sentence names it: with its group where the name alone would not tell, as in "Wavelengths, points". */
 export function labelOf(key) {
   const parts = key.split('.');
@@ -311,7 +312,7 @@ export function number(value, digits = 3) {
   const size = value === 0 ? 0 : Math.floor(Math.log10(Math.abs(value)));
   if (size >= 6 || size < -4) return power(value);
   const decimals = Math.max(0, digits - 1 - size);
-  const rounded = Number(value.toPrecision(Math.max(digits, size + 1)));
+  const rounded = Number(value.toPrecision(Math.max(digits, size + 1))) || 0;
   return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
 
@@ -358,5 +359,5 @@ export const fileSize = (bytes) => (bytes < 1000 ? `${bytes} B` : bytes < 100_00
 export function passages(count) {
   if (!Number.isFinite(count)) return '–';
   const [unit, word] = [[1e9, { en: 'billion', de: 'Milliarden' }], [1e6, { en: 'million', de: 'Millionen' }], [1, { en: '', de: '' }]].find(([unit]) => count >= unit) ?? [1, { en: '', de: '' }];
-  return `${number(count / unit, 2)} ${word[language]}`.trim();
+  return `${number(Number((count / unit).toPrecision(2)), 2)} ${word[language]}`.trim();
 }

@@ -210,3 +210,17 @@ def test_variants_fit_a_phone(open_page, locale):
     assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 360
     assert ("Now" if locale == "en-GB" else "Jetzt") in page.text("#compare-first")
     page.close()
+
+
+@pytest.mark.without_curves
+def test_the_common_window_is_named(page):
+    """All maps have the window of the case at hand; a variant kept with another one is told apart."""
+    page.page.click("#tab-compare")
+    keep_with(page, wheel__mass="500")
+    settled(page, 3)
+    words = page.text("#compare-window")
+    assert "20–80 mm, 18–216 km/h" in words and "is another" not in words
+    page.set("map.wavelength.max", "60 mm")
+    settled(page, 3)
+    words = page.text("#compare-window")
+    assert "20–60 mm, 18–216 km/h" in words and "“A” alone is another" in words

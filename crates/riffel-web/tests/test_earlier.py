@@ -256,11 +256,11 @@ def test_a_link_says_that_it_holds_no_record(open_page):
 
 @pytest.mark.without_curves
 def test_vehicles_make_a_traffic_or_say_why_not(page):
-    growth = lambda: page.page.evaluate("() => window.riffel.state.head.highest.growth_rate_per_passage")
+    growth = lambda: page.page.evaluate("() => window.riffel.state.at.state.growth_rate_per_passage")
     add_vehicles(page, change)
     # Two wheels of an axle: seven tenths of the passages with the 50 kN of the case, three with 55 kN.
     megatonnes = math.log(2) / growth() * 2 * (0.7 * 50e3 + 0.3 * 55e3) / 9.80665 / 1e9
-    page.until(lambda: f"{megatonnes:.2g} MGT" in page.text("#verdict"))
+    page.until(lambda: f"{megatonnes:.2g} MGT" in page.text("#why"))
     # The band on the map spans the speeds of all.
     page.until(lambda: page.page.evaluate(BAND) == pytest.approx([20 / 3.6, 70 / 3.6]))
     trouble = page.page.locator("#trouble [data-field]")

@@ -15,7 +15,7 @@ ENGLISH = re.compile(
     r"limit|left|right|now|length|wavelength|choose|give|stiff|soft|pads?|sleepers?|ballast|half|driven|typical|chosen)\b"
 )
 # So do keys and names of a case file.
-KEPT = re.compile(r"\b[a-z_]+(?:\.[a-z_]+)+|\b[a-z]+ = |\b[a-z]+(?:-[a-z]+)+|Grassie, Saxon & Smith|Shock and Vibration|Figure \d|\(?\w+ \(?20\d\d\)?.*?;|`[^`]*`|\"[^\"]*\"|riffel [a-z-]+|--[a-z-]+")
+KEPT = re.compile(r"\b[a-z_]+(?:\.[a-z_]+)+|\b[a-z]+ = |\b[a-z]+(?:-[a-z]+)+|Grassie, Saxon & Smith|Shock and Vibration|Figure \d|\(?\w+ \(?20\d\d\)?.*?;|`[^`]*`|\"[^\"]*\"|„[^“]*“|riffel [a-z-]+|--[a-z-]+")
 
 
 def english(text):

@@ -1,6 +1,12 @@
 """The map as an instrument: what stands under the pointer, closer looks, the speeds of the traffic, units of speed."""
 
+import json
+import re
+import subprocess
+import tempfile
+
 import pytest
+from conftest import PROGRAM, ROOT
 
 pytestmark = pytest.mark.without_curves
 
@@ -127,22 +133,25 @@ def test_two_fingers_zoom(open_page):
 
 
 def test_the_speeds_of_the_traffic_lie_on_the_map(page):
-    assert "default traffic" in [word["words"] for word in page.page.evaluate(f"() => {VIEW}.taken")]
+    assert "usual traffic" in [word["words"] for word in page.page.evaluate(f"() => {VIEW}.taken")]
     page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
     page.page.fill("#traffic-to", "50 m/s")
     page.page.press("#traffic-to", "Tab")
     page.until(lambda: page.page.evaluate(f"() => {VIEW}.band.to") == pytest.approx(50))
     words = [word["words"] for word in page.page.evaluate(f"() => {VIEW}.taken")]
-    assert "traffic" in words and "default traffic" not in words
+    assert "traffic" in words and "usual traffic" not in words
 
 
 @pytest.mark.parametrize(("unit", "size"), [("m/s", 1), ("mph", 0.44704)])
 def test_speeds_in_other_units(page, unit, size):
     page.page.select_option("#speed-unit", unit)
     page.settle()
-    speed = page.page.evaluate("() => window.riffel.state.head.highest.speed_m_per_s")
-    for place in ["#verdict", "#why"]:
-        assert f"{speed / size:.1f} {unit}" in page.text(place) and "km/h" not in page.text(place)
+    cursor = page.page.evaluate("() => window.riffel.state.point.speed")
+    # The usual traffic of a main line begins at 80 km/h.
+    for place, speed in [("#verdict", 80 / 3.6), ("#why", cursor)]:
+        words = page.text(place)
+        told = [float(number) for number in re.findall(r"\d+\.\d+|\d+", words)]
+        assert any(abs(number - speed / size) <= 0.051 for number in told) and unit in words and "km/h" not in words
     assert page.page.locator("#key-map-speed-max-unit").text_content() == unit
     # A bare number is in the unit beside the field.
     page.set("map.speed.max", "50")
@@ -158,3 +167,36 @@ def test_speeds_in_other_units(page, unit, size):
     page.settle()
     assert page.page.locator("#key-map-speed-max").input_value() == f"50 {unit}"
     assert page.page.evaluate("() => window.riffel.state.head.window.speed_m_per_s.max") == pytest.approx(50 * size)
+
+
+def test_the_headline_is_growth_under_the_traffic(page):
+    """The sentence and the numbers of the program, at speeds at which trains run; other wear than any seen is said to be so."""
+    with tempfile.TemporaryDirectory() as folder:
+        command = [PROGRAM, "map", "cases/nominal.toml", "--json", "--set", "map.speed.points=5", "-o", folder]
+        told = json.loads(subprocess.run(command, cwd=ROOT, check=True, capture_output=True, text=True).stdout)["under_traffic"]
+    assert told["usual_traffic_of"] == "main-line"
+    sentence = told["remarks"][0]
+    assert page.text("#verdict").startswith(sentence[0].upper() + sentence[1:])
+    # The cursor begins where growth is highest at these speeds, not at the edge of the window.
+    assert 80 / 3.6 <= page.page.evaluate("() => window.riffel.state.point.speed") <= 140 / 3.6
+    assert "faster than any growth known" not in page.text("#verdict") + page.text("#why")
+    page.set("wear.coefficient", "2.5e-7 kg/J")
+    page.settle()
+    for place in ["#verdict", "#why"]:
+        assert "faster than any growth known" in page.text(place)
+    page.page.locator("#traffic-group summary").click()
+    page.page.fill("#traffic-daily", "40")
+    page.page.press("#traffic-daily", "Tab")
+    page.settle()
+    assert page.text("#verdict").split(";")[0].endswith("under the traffic given (80–140 km/h, 40 axles a day)")
+    for place in ["#verdict", "#why"]:
+        assert "faster than any growth known" not in page.text(place)
+
+
+def test_a_line_has_its_own_usual_traffic(open_page):
+    page = open_page(visited=None)
+    for line, speeds in [("metro", "40–70 km/h, 6000"), ("freight", "60–100 km/h, 3000"), ("tram", "20–50 km/h, 2400")]:
+        page.page.select_option("#start-line", line)
+        page.settle()
+        assert f"({speeds} axles a day)" in page.text("#verdict")
+    page.close()

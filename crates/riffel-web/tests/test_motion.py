@@ -105,3 +105,29 @@ def test_who_asks_for_no_motion_sees_none(open_page):
     page.page.click("#wheelset-play")
     page.until(lambda: shape() != still)
     page.close(complaints=len(page.complaints))
+
+
+@pytest.mark.without_curves
+def test_what_is_of_another_case_is_pale_and_named(page):
+    """As long as the answer to a changed case is not there, and at once when the view is opened again."""
+    page.page.click("#tab-motion")
+    wave, wheelset = page.page.locator("#wave-at"), page.page.locator("#wheelset-of")
+    page.until(lambda: "BR main line" in wave.inner_text())
+    pale = lambda: page.page.locator("#view-motion .stale").count()
+    page.settle()
+    assert pale() == 0
+    page.page.click("#tab-explore")
+    kept = []
+    page.page.route("**/api/passage", lambda route: kept.append(route))
+    page.set("title", "another case")
+    page.set("wheel.mass", "500 kg")
+    page.until(lambda: page.page.evaluate("() => window.riffel.state.current"))
+    page.page.click("#tab-motion")
+    page.until(lambda: kept)
+    # What is drawn is that of the case before, and says so.
+    assert pale() == 1 and "BR main line" in wave.inner_text()
+    for route in kept:
+        route.continue_()
+    page.page.unroute("**/api/passage")
+    page.until(lambda: "another case" in wave.inner_text() and pale() == 0)
+    assert wheelset.inner_text() == "“another case”"

@@ -306,18 +306,18 @@ def test_a_record_that_the_program_has_lost_is_asked_for(open_page):
 
 
 def test_growth_is_told_in_time_and_tonnes(page):
-    assert "with the default traffic" in page.text("#verdict")
-    before = page.page.evaluate("() => Math.LN2 / window.riffel.state.head.highest.growth_rate_per_passage")
+    assert "with the usual traffic" in page.text("#why") and "usual traffic of a main line" in page.text("#verdict")
+    before = page.page.evaluate("() => Math.LN2 / window.riffel.state.at.state.growth_rate_per_passage")
     page.page.locator("#traffic-group").evaluate("(group) => (group.open = true)")
     # So many passages in a day that doubling takes just ten.
     page.page.fill("#traffic-daily", f"{before / 10:.0f}")
     page.page.press("#traffic-daily", "Tab")
-    page.until(lambda: "10 days" in page.text("#verdict"))
+    page.until(lambda: "10 days" in page.text("#why"))
     # An axle has two wheels of 50 kN each.
     megatonnes = before * 100e3 / 9.80665 / 1e9
-    assert f"{megatonnes:.2g}" in page.text("#verdict") and "MGT" in page.text("#verdict")
+    assert f"{megatonnes:.2g}" in page.text("#why") and "MGT" in page.text("#why")
     for place in ["#verdict", "#why"]:
-        assert "default" not in page.text(place)
+        page.until(lambda place=place: "usual" not in page.text(place))
 
 
 @pytest.mark.parametrize("width", [360, 1280])

@@ -93,6 +93,7 @@ const LEFT: &[(&str, &[&str])] = &[
         &["is too long", "cannot be written"],
     ),
     ("riffel-page/src/table.rs", &["cannot be written"]),
+    ("riffel-page/src/traffic.rs", &["cannot be written"]),
     ("riffel-plot/src/drawing/collision.rs", &["{said:?}"]),
     (
         "riffel-plot/src/error.rs",
@@ -108,7 +109,6 @@ const LEFT: &[(&str, &[&str])] = &[
         "riffel-web/src/api/roughness.rs",
         &["cannot be written", "cannot be stored"],
     ),
-    ("riffel-web/src/api/traffic.rs", &["cannot be written"]),
     (
         "riffel-web/src/program.rs",
         &["printed something else", "cannot be run", "is not known"],

@@ -9,6 +9,7 @@ use riffel_keys::{CaseError, Message};
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
+use crate::line_growth::fastest_of;
 use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
@@ -229,12 +230,10 @@ impl Outcome {
 }
 
 impl FastestLine {
-    /// Of the wavelengths that the contact of a case does not average out; of all, where it averages out all.
+    /// Of the bands of the case.
     fn of(growth: &TrafficGrowth, case: &Case) -> Self {
-        let told = growth.fastest(case.shortest_told());
-        let fastest = told.or_else(|| growth.fastest(0.0));
         // Every traffic has a line.
-        let (wavelength, rate, at_edge) = fastest.unwrap_or_default();
+        let (wavelength, rate, at_edge) = fastest_of(growth, case).unwrap_or_default();
         Self {
             wavelength,
             rate,

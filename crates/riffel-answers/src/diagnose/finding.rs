@@ -1,6 +1,7 @@
 //! A finding: one dominant wavelength with its candidates, in words.
 
 use riffel::diagnosis::{Candidate, MechanismKind, TrafficSpeeds};
+use riffel_keys::decimal;
 use riffel_rail::history::Measured;
 
 /// A dominant wavelength with what may have made it.
@@ -42,7 +43,7 @@ impl Finding {
         };
         let first = places.first().filter(|_| !all_along);
         let where_on = match first {
-            Some(first) => format!(", {:.1}–{:.1} m", first.from, first.to),
+            Some(first) => format!(", {}–{} m", decimal(first.from, 1), decimal(first.to, 1)),
             // A table of levels has no places.
             None if places.is_empty() => String::new(),
             None => ", all along".to_owned(),

@@ -278,7 +278,7 @@ impl ForecastAnswer {
     /// Passages in every unit that is known.
     pub fn amount(&self, passages: f64) -> String {
         let mgt = self.growth().mgt(passages);
-        let mut text = format!("{passages:.3e} axle passages = {} MGT", number(mgt));
+        let mut text = format!("{passages:.2e} axle passages = {} MGT", number(mgt));
         if let Some(months) = self.months(passages) {
             text += &format!(" = {} months", number(months));
         }

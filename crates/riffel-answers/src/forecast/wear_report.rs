@@ -103,9 +103,12 @@ impl WearReport {
     }
 
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
-    pub fn sentences_of_forecast(&self) -> Vec<String> {
+    pub fn sentences_of_forecast(&self, case: &Case) -> Vec<String> {
         let mut sentences = self.sentences();
-        if let (Some(coefficient), Some(bounds)) = (self.fitted_coefficient(), self.fit.interval) {
+        // To the digits to which it was taken.
+        let taken = |fitted: &f64| (case.file.wear.coefficient.si() / fitted - 1.0).abs() < 1e-3;
+        let fitted = self.fitted_coefficient().filter(taken);
+        if let (Some(coefficient), Some(bounds)) = (fitted, self.fit.interval) {
             sentences[0] = format!(
                 "growth goes by the wear coefficient of this rail, {coefficient:.2e} kg/J, {}: it is fitted to what has \
                  changed over {:.2e} axle passages, and the case says {:.2e} kg/J",

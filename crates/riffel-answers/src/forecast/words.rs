@@ -31,6 +31,8 @@ pub fn reached(reach: Reach) -> String {
 pub fn number(value: f64) -> String {
     match value.abs() {
         size if size >= 1e5 => format!("{value:.2e}"),
+        size if size >= 1e4 => format!("{:.0}", 100.0 * (value / 100.0).round()),
+        size if size >= 1e3 => format!("{:.0}", 10.0 * (value / 10.0).round()),
         size if size >= 100.0 => format!("{value:.0}"),
         size if size >= 10.0 => format!("{value:.1}"),
         _ => format!("{value:.2}"),

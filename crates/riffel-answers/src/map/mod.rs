@@ -12,9 +12,9 @@ use riffel_keys::Message;
 use riffel_plot::{MapFigure, Observation};
 use serde::Serialize;
 
-use crate::WearLimitDocument;
 use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_of};
 use crate::stability::StabilityAtSpeed;
+use crate::{LineGrowth, WearLimitDocument};
 
 pub use bay::{BayDocument, BayGrowth};
 pub use panel::{Shown, map_figure, panel};
@@ -30,6 +30,8 @@ pub struct MapAnswer {
     pub branches: Vec<BranchDocument>,
     /// Growth over the sleeper bay, where it was asked for.
     pub bay: Option<BayGrowth>,
+    /// What grows fastest under the traffic of the line, where it was asked for.
+    pub under_traffic: Option<LineGrowth>,
     /// How many observations were laid over the map, where there were any.
     pub observations: Option<ObservationCount>,
 }
@@ -78,6 +80,8 @@ pub struct MapDocument<'a> {
     /// The case after presets, defaults and overrides; reads back as a case.
     inputs: &'a CaseFile,
     derived: DerivedDocument,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    under_traffic: Option<&'a LineGrowth>,
     ridge: RidgeSummary<'a>,
     /// For the highest growth of the ridge, of one wheel of this kind on one line of the rail.
     #[serde(flatten)]
@@ -147,6 +151,7 @@ impl MapAnswer {
             map,
             ridge,
             bay: None,
+            under_traffic: None,
             observations: None,
         }
     }
@@ -164,6 +169,7 @@ impl MapAnswer {
             riffel_version: env!("CARGO_PKG_VERSION"),
             inputs: &case.file,
             derived: DerivedDocument::of(case),
+            under_traffic: self.under_traffic.as_ref(),
             ridge: RidgeSummary {
                 best_fit_frequency_hz: best_fit_frequency(ridge),
                 branches: &self.branches,

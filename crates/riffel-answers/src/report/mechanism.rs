@@ -38,27 +38,14 @@ pub(super) fn growth_map(
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
     let picture = drawing.picture()?;
-    let highest = ridge.highest().filter(|point| point.growth_rate > 0.0);
-    let brief = highest.map(|point| {
-        format!(
-            "<b>{:.1} mm</b> at {:.0} km/h, {:.0} Hz, grows fastest and doubles in {:.1e} passages{}.",
-            1e3 * point.wavelength,
-            3.6 * point.speed,
-            point.frequency,
-            std::f64::consts::LN_2 / point.growth_rate,
-            if point.at_edge {
-                ", at the edge of the map"
-            } else {
-                ""
-            }
-        )
-    });
+    let remarks = map.under_traffic.iter().flat_map(|it| &it.remarks);
+    let brief = remarks.map(|remark| format!("{}.", escape(&capital(&remark.to_string()))));
     Ok(Outlook {
         section: Section::There(
             "Growth map",
             format!("<p>{words}</p>\n{}", figure("half", &picture, &caption)),
         ),
-        brief: brief.into_iter().collect(),
+        brief: brief.collect(),
         warnings: Vec::new(),
     })
 }

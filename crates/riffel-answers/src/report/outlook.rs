@@ -61,7 +61,10 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
     }
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
-    findings.extend(wear.into_iter().flat_map(WearReport::sentences_of_forecast));
+    findings.extend(
+        wear.into_iter()
+            .flat_map(|wear| wear.sentences_of_forecast(case)),
+    );
     let title = report
         .traffic
         .file

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
+use riffel_keys::decimal;
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record};
 
@@ -42,8 +43,9 @@ pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
         ..LineFigure::default()
     };
     let caption = format!(
-        "Heights as read, positive upward, {:.1} m to {:.1} m. Lowest and highest of {COLUMNS} lengths each; gaps are gaps.",
-        record.from, record.to
+        "Heights as read, positive upward, {} m to {:.1} m. Lowest and highest of {COLUMNS} lengths each; gaps are gaps.",
+        decimal(record.from, 1),
+        record.to
     );
     Ok(Section::There(
         "Profile",

@@ -3,6 +3,7 @@
 use riffel::roughness::{
     BandSummary, JUDGED_LENGTH, JudgedSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand,
 };
+use riffel_keys::decimal;
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
@@ -182,10 +183,10 @@ impl Verdict {
                 "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and none of {all} sections is more"
             ),
             (_, Some(worst)) => format!(
-                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and {} of {all} sections are more, at worst {:.0}–{:.0} m \
+                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and {} of {all} sections are more, at worst {}–{:.0} m \
                  with {:.0} % at {} mm, up to {:.1} times the limit",
                 over.len(),
-                worst.from,
+                decimal(worst.from, 0),
                 worst.to,
                 100.0 * worst.share,
                 millimetres(worst.band),

@@ -1,6 +1,7 @@
 //! What was computed of a profile, in words.
 
 use riffel::roughness::{BandSummary, GrindSection, WavelengthBand};
+use riffel_keys::decimal;
 
 use super::{ProfileAnswer, RailAnswer};
 
@@ -91,7 +92,7 @@ pub fn grind_row(index: usize, rail: &str, section: &GrindSection) -> [String; 7
     [
         format!("{}", index + 1),
         rail.to_owned(),
-        format!("{:.2}", section.from),
+        decimal(section.from, 2),
         format!("{:.2}", section.to),
         format!("{:.2}", section.length()),
         name(&section.band),

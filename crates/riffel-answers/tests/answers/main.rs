@@ -5,5 +5,6 @@ mod axlebox;
 mod branches;
 mod comparison;
 mod forecast;
+mod line_growth;
 mod motions;
 mod shakedown;

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use riffel::forecast::SpeedDistribution;
-use riffel_keys::quantity::{Dimension, Force, Kind, Quantity, Ratio};
+use riffel_keys::quantity::{Dimension, Force, Kind, Quantity};
 use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile, Message};
 use toml::Value;
@@ -125,32 +125,22 @@ impl Traffic {
             file: TrafficFile {
                 title: None,
                 line: Line::default(),
-                vehicle: vec![Vehicle {
-                    name: "wheel of the case".to_owned(),
-                    share: Quantity::<Ratio>::new(1.0),
-                    axle_load: None,
-                    wheel_load: None,
-                    wheel_mass: None,
-                    rolling_radius: None,
-                    speed: None,
-                    speeds: None,
-                    tractive_ratio: None,
-                    creepage: None,
-                    traction_share: None,
-                    curve: None,
-                    lateral_position: None,
-                    wheel_radius: None,
-                    load: None,
-                    friction: None,
-                    spread: toml::Table::new(),
-                    set: toml::Table::new(),
-                }],
+                vehicle: vec![Vehicle::named("wheel of the case")],
             },
             speeds: vec![speeds],
             spreads: vec![Spreads::default()],
             folder: PathBuf::new(),
             remarks: Vec::new(),
         }
+    }
+
+    /// Traffic of keys that are not written anywhere; `name` is shown in errors.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn of_keys(name: &str, file: &TrafficFile) -> Result<Self, CaseError> {
+        // Digits hold every bit of a number, and a traffic file has nothing that TOML cannot say.
+        Self::parse(name, &toml::to_string(file).unwrap_or_default())
     }
 }
 

@@ -8,6 +8,7 @@ mod spread;
 mod spreads;
 mod through_curve;
 mod traffic_file;
+mod usual;
 mod wheels_of_vehicle;
 
 use riffel::roughness::ThirdOctave;
@@ -15,10 +16,11 @@ use riffel::roughness::ThirdOctave;
 pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
-pub use reported_growth::is_of_reported_growth;
+pub use reported_growth::{is_of_reported_growth, reported_growth};
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
 pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
+pub use usual::{LineKind, UsualTraffic};
 
 use crate::Case;
 

@@ -3,7 +3,7 @@
 use std::f64::consts::LN_2;
 
 use riffel::forecast::TrafficGrowth;
-use riffel_keys::{Message, fixed, number, say};
+use riffel_keys::{Message, fixed, say, significant};
 
 /// Days in which the amplitude of the fastest growth known here from a railway doubled: +10.1 dB in the 161 days
 /// between the 139th and the 300th after grinding, wavelengths of 4 to 14 cm on the low rail of a metro curve of
@@ -22,19 +22,24 @@ pub fn is_of_reported_growth(remark: &Message) -> bool {
         .id()
 }
 
-/// A remark where a band grows faster than that, of axle passages a day.
+/// A remark where a wavelength \[m\] grows faster than that, at its growth rate per passage \[-\] and so many axle passages a day.
+pub fn reported_growth(wavelength: f64, rate: f64, passages_per_day: f64) -> Option<Message> {
+    let days = LN_2 / (rate * passages_per_day);
+    (rate > 0.0 && days < FASTEST_DOUBLING).then(|| {
+        say!(
+            growth_faster_than_any_seen,
+            wavelength = significant(1e3 * wavelength, 3),
+            days = significant(days, 2),
+            known = fixed(FASTEST_DOUBLING, 0)
+        )
+    })
+}
+
+/// The same of the band that grows fastest.
 pub(super) fn remark(growth: &TrafficGrowth, passages_per_day: f64) -> Option<Message> {
     let bands = growth.bands().iter().enumerate();
     let (band, rate) = bands
         .map(|(place, band)| (band, growth.band_rate(place)))
         .max_by(|a, b| a.1.total_cmp(&b.1))?;
-    let days = LN_2 / (rate * passages_per_day);
-    (rate > 0.0 && days < FASTEST_DOUBLING).then(|| {
-        say!(
-            growth_faster_than_any_seen,
-            wavelength = number(band.nominal_millimetres()),
-            days = fixed(days, 1),
-            known = fixed(FASTEST_DOUBLING, 0)
-        )
-    })
+    reported_growth(1e-3 * band.nominal_millimetres(), rate, passages_per_day)
 }

@@ -101,6 +101,61 @@ pub struct Vehicle {
     pub set: toml::Table,
 }
 
+impl Vehicle {
+    /// All axle passages by the wheel of the case.
+    pub fn named(name: &str) -> Self {
+        Self {
+            name: name.to_owned(),
+            share: Quantity::new(1.0),
+            axle_load: None,
+            wheel_load: None,
+            wheel_mass: None,
+            rolling_radius: None,
+            speed: None,
+            speeds: None,
+            tractive_ratio: None,
+            creepage: None,
+            traction_share: None,
+            curve: None,
+            lateral_position: None,
+            wheel_radius: None,
+            load: None,
+            friction: None,
+            spread: toml::Table::new(),
+            set: toml::Table::new(),
+        }
+    }
+
+    /// The same at speeds spread evenly over a range \[m/s\]: a normal distribution of their mean and standard deviation, or one
+    /// by one where that would reach below standstill.
+    #[must_use]
+    pub fn at_even_speeds(mut self, [slowest, fastest]: [f64; 2]) -> Self {
+        /// Where the standard deviation reaches this share of the mean, no normal distribution stands for the speeds.
+        const WIDEST_NORMAL: f64 = 0.25;
+        /// Speeds that stand for a wide range, each in the middle of an equal part of it.
+        const COUNT: usize = 16;
+        let mean = slowest.midpoint(fastest);
+        // Of an even distribution.
+        let deviation = (fastest - slowest) / 12f64.sqrt();
+        if deviation < WIDEST_NORMAL * mean {
+            let standard_deviation = (deviation > 0.0).then(|| Quantity::new(deviation));
+            self.speed = Some(NormalSpeed {
+                mean: Quantity::new(mean),
+                standard_deviation,
+            });
+            return self;
+        }
+        let share = Quantity::new(1.0 / COUNT as f64);
+        let places = (0..COUNT).map(|place| (place as f64 + 0.5) / COUNT as f64);
+        let speeds = places.map(|place| SpeedShare {
+            speed: Quantity::new(slowest + (fastest - slowest) * place),
+            share,
+        });
+        self.speeds = Some(speeds.collect());
+        self
+    }
+}
+
 /// The curve of a vehicle.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(untagged)]

@@ -228,7 +228,7 @@ pub(crate) struct DiagnosisArguments {
     #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Vec<String>,
 
-    /// Traffic file, for the speeds of its vehicles where no --speed is given, and for the forecast of a report.
+    /// Traffic file, for the speeds of its vehicles where no --speed is given, and for growth and forecast of a report.
     #[arg(long, value_name = "TOML")]
     pub(crate) traffic: Option<PathBuf>,
 
@@ -246,7 +246,7 @@ pub(crate) struct DiagnosisArguments {
 }
 
 impl DiagnosisArguments {
-    /// The first argument given, all of which speak of a rail.
+    /// The first argument given of those that speak of a rail.
     pub(crate) fn given(&self) -> Option<&'static str> {
         let given = [
             ("--format", self.layout.format.is_some()),
@@ -258,7 +258,6 @@ impl DiagnosisArguments {
             ("--by", self.by.is_some()),
             ("--keep-defects", self.layout.keep_defects),
             ("--speed", !self.speed.is_empty()),
-            ("--traffic", self.traffic.is_some()),
             ("--torsion", !self.torsion.is_empty()),
             ("--bending", !self.bending.is_empty()),
             ("--from-vehicle", self.from_vehicle),
@@ -347,6 +346,10 @@ pub(crate) struct Report {
         value_parser = plain_number
     )]
     pub(crate) months: Option<f64>,
+
+    /// Let growth go by the wear coefficient of the case, also where another is fitted to the records; the fit is told.
+    #[arg(long, requires = "case")]
+    pub(crate) keep_coefficient: bool,
 
     /// Axle passages between the last --earlier and --roughness, to fit the wear coefficient to [default: from the dates
     /// and the traffic file].

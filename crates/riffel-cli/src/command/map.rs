@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use riffel_answers::for_whom;
 use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, map_csv, map_netcdf};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
+use riffel_answers::{LineGrowth, capital, for_whom};
 use riffel_case::Case;
+use riffel_case::traffic::Traffic;
 use riffel_plot::Observation;
 
 use crate::arguments::{Map, covering};
@@ -44,6 +45,12 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     let progress = Progress::new("growth map", case.speed.points());
     let mut answer = MapAnswer::new(&case, |rows| progress.advance(rows));
     drop(progress);
+    let traffic = arguments
+        .traffic
+        .as_deref()
+        .map(Traffic::read)
+        .transpose()?;
+    answer.under_traffic = Some(LineGrowth::new(&case, traffic.as_ref())?);
     if arguments.bay {
         let rows = case.speed.points() * BayGrowth::map_count();
         let progress = Progress::new("growth over the bay", rows);
@@ -151,8 +158,12 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     let observations = answer.observations;
     let observations = observations.map_or_else(String::new, |count| count.sentence() + "\n");
+    let remarks = answer.under_traffic.iter().flat_map(|it| &it.remarks);
+    let remarks: String = remarks
+        .map(|remark| capital(&remark.to_string()) + ".\n")
+        .collect();
     format!(
-        "{}\nhighest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}{}: {}\n",
+        "{}\n{remarks}highest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}{}: {}\n",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),

@@ -50,6 +50,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
             print(&sensitivities(sensitivity))?;
         }
     }
+    print_remarks(answer.reported_growth.as_slice());
     print_remarks(&case.remarks_at_point(wavelength, speed));
     Ok(())
 }

@@ -102,3 +102,41 @@ fn what_the_contact_averages_out_leads_no_answer() {
     let highest = &models["models"][0]["highest"];
     assert!(highest.is_null() || number(&highest["wavelength_m"]) >= 1.5 * length * (1.0 - 1e-9));
 }
+
+/// What grows fastest under the traffic of a line is one sentence on the terminal, in the document and in the report, in both languages;
+/// a traffic that is given takes the place of the usual one.
+#[test]
+fn growth_under_the_traffic_is_told_alike() {
+    let sandbox = Sandbox::new();
+    let few = "cases/nominal.toml --set map.speed.points=5 --set map.wavelength.points=21";
+    for (traffic, whose) in [
+        (
+            "",
+            "the usual traffic of a main line (80–140 km/h, 6000 axles a day)",
+        ),
+        (
+            "--traffic cases/traffic.toml",
+            "the traffic given (80–142 km/h, 6000 axles a day)",
+        ),
+    ] {
+        let document = sandbox.json(&format!("map {few} {traffic} --json -o json"));
+        let told = &document["under_traffic"];
+        let sentence = told["remarks"][0].as_str().unwrap();
+        assert!(sentence.contains(whose), "{sentence}");
+        let [early, late] =
+            [0, 1].map(|end| number(&told["fastest"]["doubling_months_banded"]["band_80"][end]));
+        assert!((late / early - 2f64.powf(2.0 * 1.281_551_565_544_600_4)).abs() < 1e-9);
+        let text = sandbox.riffel(&format!("map {few} {traffic} -o text")).text;
+        let report = sandbox.riffel(&format!("report {few} {traffic} -o report.html"));
+        assert_eq!(report.status, Some(0), "{}", report.text);
+        let page = std::fs::read_to_string(sandbox.path("report.html")).unwrap();
+        for words in [text.replace('\n', " "), page] {
+            assert!(words.contains(sentence), "{words}");
+        }
+        let german = format!("report {few} {traffic} --language de -o german.html");
+        assert_eq!(sandbox.riffel(&german).status, Some(0));
+        let page = std::fs::read_to_string(sandbox.path("german.html")).unwrap();
+        assert!(page.contains("am schnellsten wächst") || page.contains("Am schnellsten wächst"));
+        assert!(!page.contains("grows fastest under"), "{page}");
+    }
+}

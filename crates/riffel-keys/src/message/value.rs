@@ -46,13 +46,31 @@ pub fn number(shown: impl Display) -> Value {
 
 /// A number with so many digits after the decimal mark.
 pub fn fixed(value: f64, digits: usize) -> Value {
+    Value::Number(decimal(value, digits))
+}
+
+/// The same as text.
+pub fn decimal(value: f64, digits: usize) -> String {
     let written = format!("{value:.digits$}");
     // A little below zero is no minus zero.
     let zero = written.bytes().all(|byte| b"-0.".contains(&byte));
-    Value::Number(match zero {
+    match zero {
         true => written.trim_start_matches('-').to_owned(),
         false => written,
-    })
+    }
+}
+
+/// A number rounded to so many significant digits: 13.72 is 14 of two, 6,014 is 6,000.
+pub fn significant(value: f64, digits: usize) -> Value {
+    if !value.is_finite() || value == 0.0 {
+        return fixed(value, 0);
+    }
+    // Rounding may add a digit: 9.96 of two is 10.
+    let size = |value: f64| value.abs().log10().floor() as i32;
+    let step = |value: f64| 10f64.powi(size(value) + 1 - digits as i32);
+    let rounded = (value / step(value)).round() * step(value);
+    let decimals = (digits as i32 - 1 - size(rounded)).max(0);
+    fixed(rounded, decimals as usize)
 }
 
 impl From<&str> for Value {
@@ -119,5 +137,35 @@ impl From<usize> for Value {
 impl<T: Into<Value>> FromIterator<T> for Value {
     fn from_iter<I: IntoIterator<Item = T>>(values: I) -> Self {
         Self::List(values.into_iter().map(Into::into).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn significant_digits_are_those_of_the_rounded_number() {
+        let said = |value, digits| match significant(value, digits) {
+            Value::Number(text) => text,
+            other => panic!("{other:?}"),
+        };
+        for (value, digits, text) in [
+            (13.72, 2, "14"),
+            (6014.0, 2, "6000"),
+            (892_810.0, 2, "890000"),
+            (9.96, 2, "10"),
+            (0.0996, 2, "0.10"),
+            (1.07, 2, "1.1"),
+            (-0.04, 1, "-0.04"),
+            (-0.0, 2, "0"),
+            (65.53, 3, "65.5"),
+        ] {
+            assert_eq!(said(value, digits), text);
+        }
+        assert_eq!(
+            (decimal(-0.04, 1), decimal(-0.06, 1)),
+            ("0.0".into(), "-0.1".into())
+        );
     }
 }

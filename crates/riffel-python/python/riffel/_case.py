@@ -653,6 +653,29 @@ class Case:
         )
         return _forecast.forecast(found, limit, self.title)
 
+    def line_growth(self, traffic: Traffic | None = None) -> dict[str, Any]:
+        """What grows fastest under the traffic of the line, and in what time.
+
+        Parameters
+        ----------
+        traffic : path or mapping, optional
+            A traffic file or its keys; without it, the usual traffic of a line of this kind, which the case tells by its curve, its
+            vehicle, or else its wheel and load.
+
+        Returns
+        -------
+        dict
+            ``under_traffic`` of ``riffel map --json``: ``usual_traffic_of``, ``speeds_m_per_s``, ``passages_per_day``, ``fastest``,
+            None where nothing grows, with the band of the wear coefficient, and ``remarks``, the answer in sentences first.
+
+        Examples
+        --------
+        >>> growth = riffel.Case.from_toml("cases/metro.toml").line_growth()
+        >>> growth["usual_traffic_of"], [round(3.6 * speed) for speed in growth["speeds_m_per_s"]]
+        ('metro', [40, 70])
+        """
+        return _riffel.line_growth(self._case, None if traffic is None else _file_or_keys(traffic))
+
     def compare(
         self,
         variants: Sequence[str | os.PathLike[str] | Mapping[str, Any]],

@@ -2,7 +2,7 @@
 
 use jiff::civil::Date;
 use riffel::diagnosis::{CleanRail, Course, CoursePoint, LocatedWavelength, WINDOW};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, decimal};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
 use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words};
@@ -55,7 +55,7 @@ pub(super) fn history(
         let local = peaks.iter().find(|one| !one.all_along);
         curves.extend(local.and_then(|one| {
             let place = one.places.first()?;
-            let label = format!("{name}, {:.0}–{:.0} m", place.from, place.to);
+            let label = format!("{name}, {}–{:.0} m", decimal(place.from, 0), place.to);
             Some((label, clean[*index].spectrum_between(place.from, place.to)?))
         }));
     }

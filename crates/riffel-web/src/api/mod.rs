@@ -8,4 +8,3 @@ pub(crate) mod noise;
 pub(crate) mod questions;
 pub(crate) mod report;
 pub(crate) mod roughness;
-mod traffic;

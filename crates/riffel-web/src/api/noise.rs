@@ -2,11 +2,11 @@
 
 use axum::Json;
 use axum::extract::State;
+use riffel_page::TRAFFIC_FILE;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::roughness::{self, CASE_FILE, fault_as_answer};
-use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};

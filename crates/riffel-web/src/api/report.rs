@@ -4,12 +4,11 @@ use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
 use riffel_keys::Language;
-use riffel_page::CaseText;
+use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::roughness::{self, CASE_FILE};
-use super::traffic::TRAFFIC_FILE;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::program::Program;
@@ -48,6 +47,8 @@ pub(crate) async fn of_rail(
             let mut report = json!({
                 "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE, "months": question.months,
                 "format": question.format, "speed": question.traffic.speed_range(), "output": REPORT,
+                // As on the page, which takes a fitted coefficient only when it is told to.
+                "keep_coefficient": true,
             });
             earlier.add_to_diagnosis(&earlier.put(&files)?, &mut report);
             write(&program, &files, &report, language, wanted)
@@ -59,6 +60,9 @@ pub(crate) async fn of_rail(
 #[derive(Deserialize)]
 pub(crate) struct Question {
     case: CaseText,
+    /// The traffic of the line; none, and it is the usual one.
+    #[serde(default)]
+    traffic: Option<Traffic>,
     #[serde(default)]
     language: Language,
 }
@@ -79,7 +83,12 @@ pub(crate) async fn of_case(
                 folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
             let files = Workspace::within(folder.path())?;
             files.write(CASE_FILE, &question.case.toml()?)?;
-            let report = json!({ "case": CASE_FILE, "output": REPORT });
+            let mut report = json!({ "case": CASE_FILE, "output": REPORT });
+            if let Some(traffic) = &question.traffic {
+                traffic.read()?;
+                files.write(TRAFFIC_FILE, &traffic.toml()?)?;
+                report["traffic"] = TRAFFIC_FILE.into();
+            }
             write(&program, &files, &report, question.language, wanted)
         })
         .await?;

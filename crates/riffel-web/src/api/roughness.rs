@@ -4,13 +4,12 @@ use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::{HeaderMap, header};
-use riffel_page::CaseText;
+use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use riffel_rail::{Limit, LimitTable, ReaderFormat};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::earlier::{Earlier, EarlierRecord};
-use super::traffic::{TRAFFIC_FILE, Traffic};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
@@ -69,7 +68,7 @@ pub(crate) struct Question {
 
 impl Question {
     pub(super) fn check(&self) -> Result<(), Fault> {
-        self.traffic.check()?;
+        self.traffic.read()?;
         let months = self.months;
         if !(months > 0.0 && months <= MOST_MONTHS) {
             return Err(Fault::bad(format!(

@@ -57,6 +57,9 @@ pub struct LocatedWavelength {
     pub all_along: bool,
 }
 
+/// Decibels of a peak over its level on the rail from which the wheel makes it: twice the power.
+const MADE_BY_WHEEL: f64 = 3.0;
+
 /// A rail without spikes and single defects, and what the wheel sees of it after EN 15610.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
@@ -148,7 +151,8 @@ impl CleanRail {
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
     /// length. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
     /// power over three waves is a quarter of its mean or more on half of the place, and it must stand out of a place longer than a
-    /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees: edges of pits have waves of their
+    /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees, at half the
+    /// power there or more: edges of pits have waves of their
     /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
     /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
     ///
@@ -358,11 +362,15 @@ fn peak_near(spectrum: &FineSpectrum, peak: &DominantWavelength) -> Option<Domin
     peaks.into_iter().find(|own| overlap(own, peak))
 }
 
-/// Peaks of what the wheel sees that stand out of the rail as well.
+/// Peaks of what the wheel sees that stand out of the rail as well, and are there at no more than twice the power: what is more, the
+/// wheel makes.
 fn on_both(rail: &FineSpectrum, wheel: &FineSpectrum, spectra: usize) -> Vec<DominantWavelength> {
     let on_rail = rail.dominant_among(spectra);
     let mut peaks = wheel.dominant_among(spectra);
-    peaks.retain(|peak| on_rail.iter().any(|other| overlap(other, peak)));
+    peaks.retain(|peak| {
+        let there = rail.level_between(peak.from, peak.to).0;
+        on_rail.iter().any(|other| overlap(other, peak)) && peak.level <= there + MADE_BY_WHEEL
+    });
     peaks
 }
 
@@ -526,6 +534,31 @@ mod tests {
         let everywhere = near(0.0312);
         assert!(everywhere.all_along, "{everywhere:?}");
         assert_eq!(everywhere.places[0].from, 5000.0);
+    }
+
+    /// Troughs of 150 µm at 40 mm are narrower than the wheel, which makes 20 mm of them, 20 dB over a faint wave that is on the rail.
+    /// That is no finding; a wave of the same length that is as high on the rail is one.
+    #[test]
+    fn a_harmonic_that_the_wheel_makes_is_no_finding() {
+        let strong = (0.04, 150e-6, 0.0, 200.0);
+        let wavelengths = |waves: &[(f64, f64, f64, f64)]| -> Vec<f64> {
+            let found = rail(200.0, 5, waves).dominant().unwrap();
+            let found = found.iter().map(|one| 1e3 * one.peak.wavelength);
+            found.map(f64::round).collect()
+        };
+        let faint = rail(200.0, 5, &[strong, (0.02, 0.3e-6, 0.0, 200.0)]);
+        let [on_rail, on_wheel] = [&faint.on_rail, &faint.on_wheel].map(|profile| {
+            let spectrum = FineSpectrum::of_record(profile).unwrap();
+            let peaks = spectrum.dominant().into_iter();
+            let mut short = peaks.filter(|peak| (peak.wavelength / 0.02 - 1.0).abs() < 0.02);
+            short.next().unwrap().level
+        });
+        assert!(on_wheel > on_rail + 20.0, "{on_wheel} over {on_rail}");
+        assert_eq!(wavelengths(&[strong, (0.02, 0.3e-6, 0.0, 200.0)]), [40.0]);
+        assert_eq!(wavelengths(&[(0.02, 6e-6, 0.0, 200.0)]), [20.0]);
+        let mut both = wavelengths(&[(0.04, 15e-6, 0.0, 200.0), (0.02, 6e-6, 0.0, 200.0)]);
+        both.sort_by(f64::total_cmp);
+        assert_eq!(both, [20.0, 40.0]);
     }
 
     /// Two thirds of a rail are no whole: the place is told, with the level there.

@@ -5,6 +5,7 @@ mod fit;
 use std::path::Path;
 
 use jiff::civil::Date;
+use riffel_answers::LineGrowth;
 use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{ForecastAnswer, WearReport};
@@ -134,14 +135,16 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         wear = Some(fit::fit(arguments, &case.case, traffic, before, now)?);
     }
     // From here on the case has the coefficient of this rail.
-    if let Some(Ok(fit)) = &wear
+    if !arguments.keep_coefficient
+        && let Some(Ok(fit)) = &wear
         && let Some(coefficient) = fit.fitted_coefficient()
         && let Some(case) = given.take()
     {
         given = Some(case.with_wear_coefficient(coefficient)?);
     }
     let case = given.as_ref().map(|given| &given.case);
-    let map = case.map(growth_map).transpose()?;
+    let traffic = record.traffic.as_deref();
+    let map = case.map(|case| growth_map(case, traffic)).transpose()?;
     let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
     let mut noise = Err(NO_ROUGHNESS.to_owned());
     if let Some(given) = &given {
@@ -257,10 +260,13 @@ fn add(inputs: &mut Inputs, role: &str, path: &Path, origin: &str) -> Result<(),
 }
 
 /// The growth map of a case, with a bar of how far it is.
-fn growth_map(case: &Case) -> miette::Result<MapAnswer> {
+fn growth_map(case: &Case, traffic: Option<&Path>) -> miette::Result<MapAnswer> {
     case.check_window()?;
+    let traffic = traffic.map(Traffic::read).transpose()?;
     let progress = Progress::new("growth map", case.speed.points());
-    Ok(MapAnswer::new(case, |rows| progress.advance(rows)))
+    let mut map = MapAnswer::new(case, |rows| progress.advance(rows));
+    map.under_traffic = Some(LineGrowth::new(case, traffic.as_ref())?);
+    Ok(map)
 }
 
 /// `Ok` if there is a case to report on, and nothing is said of a rail.
@@ -398,9 +404,9 @@ fn outlook(
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
         Some(Ok(fit)) => {
-            let fitted = fit.spread();
+            // The case goes by the coefficient that was fitted, unless it is to keep its own.
+            let fitted = fit.spread().filter(|_| !arguments.keep_coefficient);
             answer = answer.with_wear(fit);
-            // The case goes by the coefficient that was fitted.
             answer.wear_spread = fitted.or(answer.wear_spread);
         }
         Some(Err(why)) => answer.warnings.push(why),
@@ -446,7 +452,7 @@ fn what_if(
     if arguments.variants.is_empty() {
         return Ok(Err("no variant was given (--with)."));
     }
-    let traffic = now.and(arguments.record.traffic.clone());
+    let traffic = arguments.record.traffic.clone();
     let asked = Compare {
         case: given.arguments(),
         variants: arguments.variants.clone(),

@@ -1,9 +1,10 @@
 //! The traffic of the page, as a traffic file of the program.
 
-use riffel_case::traffic::Traffic as CheckedTraffic;
-use serde::{Deserialize, Serialize};
+use riffel_case::traffic::{Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys};
+use riffel_keys::quantity::Quantity;
+use serde::Deserialize;
 
-use crate::fault::Fault;
+use crate::Fault;
 
 /// Most vehicles of one traffic.
 const MOST_VEHICLES: usize = 12;
@@ -11,20 +12,16 @@ const MOST_VEHICLES: usize = 12;
 const LONGEST_NAME: usize = 60;
 /// Fastest speed that is taken \[m/s\].
 const FASTEST: f64 = 200.0;
-/// Where the standard deviation of a speed reaches this share of its mean, no normal distribution stands for it.
-const WIDEST_NORMAL: f64 = 0.25;
-/// Speeds that stand for a wide range, each in the middle of an equal part of it.
-const WIDE_RANGE_SPEEDS: usize = 16;
-
-/// File of the traffic beside the record.
-pub(super) const TRAFFIC_FILE: &str = "traffic.toml";
+/// File of the traffic beside the record, and its name in errors.
+pub const TRAFFIC_FILE: &str = "traffic.toml";
 
 /// Speeds of the wheel of the case, or vehicles with speeds of their own.
 #[derive(Deserialize)]
-pub(super) struct Traffic {
+pub struct Traffic {
     slowest_m_per_s: f64,
     fastest_m_per_s: f64,
-    pub(super) passages_per_day: f64,
+    /// Axle passages a day.
+    pub passages_per_day: f64,
     #[serde(default)]
     vehicles: Vec<Vehicle>,
 }
@@ -43,80 +40,12 @@ struct Vehicle {
     tractive_ratio: Option<f64>,
 }
 
-#[derive(Serialize)]
-struct File<'a> {
-    title: &'a str,
-    line: Line,
-    vehicle: Vec<Entry<'a>>,
-}
-
-#[derive(Serialize)]
-struct Line {
-    passages_per_day: f64,
-}
-
-#[derive(Serialize)]
-struct Entry<'a> {
-    name: &'a str,
-    share: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    wheel_load: Option<f64>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tractive_ratio: Option<f64>,
-    #[serde(flatten)]
-    speeds: Speeds,
-}
-
-#[derive(Serialize)]
-#[serde(rename_all = "snake_case")]
-enum Speeds {
-    Speed(Normal),
-    Speeds(Vec<SpeedShare>),
-}
-
-#[derive(Serialize)]
-struct Normal {
-    mean: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    standard_deviation: Option<f64>,
-}
-
-#[derive(Serialize)]
-struct SpeedShare {
-    speed: f64,
-    share: f64,
-}
-
-impl Speeds {
-    /// Speeds spread evenly over a range: a normal distribution of their mean and standard deviation, or one by one
-    /// where that would reach below standstill.
-    fn even([slowest, fastest]: [f64; 2]) -> Self {
-        let mean = f64::midpoint(slowest, fastest);
-        // Of an even distribution.
-        let deviation = (fastest - slowest) / 12f64.sqrt();
-        if deviation < WIDEST_NORMAL * mean {
-            let standard_deviation = (deviation > 0.0).then_some(deviation);
-            return Self::Speed(Normal {
-                mean,
-                standard_deviation,
-            });
-        }
-        let count = WIDE_RANGE_SPEEDS as f64;
-        let places = (0..WIDE_RANGE_SPEEDS).map(|place| (place as f64 + 0.5) / count);
-        Self::Speeds(
-            places
-                .map(|place| SpeedShare {
-                    speed: slowest + (fastest - slowest) * place,
-                    share: 1.0 / count,
-                })
-                .collect(),
-        )
-    }
-}
-
 impl Traffic {
-    /// Refuse what makes no traffic.
-    pub(super) fn check(&self) -> Result<(), Fault> {
+    /// The traffic as the program reads it.
+    ///
+    /// # Errors
+    /// A [`Fault`] for what makes no traffic.
+    pub fn read(&self) -> Result<CheckedTraffic, Fault> {
         let own = [self.slowest_m_per_s, self.fastest_m_per_s];
         let ranges = self.vehicles.iter().map(Vehicle::range);
         for [slowest, fastest] in [own].into_iter().chain(ranges) {
@@ -142,37 +71,38 @@ impl Traffic {
             )));
         }
         // Names, shares and all else by the rules of the program.
-        CheckedTraffic::parse(TRAFFIC_FILE, &self.toml()?)?;
-        Ok(())
+        Ok(CheckedTraffic::of_keys(TRAFFIC_FILE, &self.keys())?)
     }
 
     /// The traffic file.
-    pub(super) fn toml(&self) -> Result<String, Fault> {
-        let of_the_case = Entry {
-            name: "the wheel of the case",
-            share: 1.0,
-            wheel_load: None,
-            tractive_ratio: None,
-            speeds: Speeds::even([self.slowest_m_per_s, self.fastest_m_per_s]),
-        };
-        let entries: Vec<Entry<'_>> = self.vehicles.iter().map(Vehicle::entry).collect();
-        let file = File {
-            title: "traffic of the page",
-            line: Line {
-                passages_per_day: self.passages_per_day,
-            },
-            vehicle: if entries.is_empty() {
-                vec![of_the_case]
-            } else {
-                entries
-            },
-        };
-        toml::to_string(&file)
+    ///
+    /// # Errors
+    /// A [`Fault`] for one that cannot be written.
+    pub fn toml(&self) -> Result<String, Fault> {
+        toml::to_string(&self.keys())
             .map_err(|error| Fault::bad(format!("the traffic cannot be written: {error}")))
     }
 
+    fn keys(&self) -> TrafficFile {
+        let own = [self.slowest_m_per_s, self.fastest_m_per_s];
+        let of_the_case = || VehicleKeys::named("the wheel of the case").at_even_speeds(own);
+        let mut vehicle: Vec<VehicleKeys> = self.vehicles.iter().map(Vehicle::keys).collect();
+        if vehicle.is_empty() {
+            vehicle.push(of_the_case());
+        }
+        TrafficFile {
+            title: Some("traffic of the page".to_owned()),
+            line: Line {
+                passages_per_day: Some(self.passages_per_day),
+                mgt_per_year: None,
+            },
+            vehicle,
+        }
+    }
+
     /// Mean speed of the axle passages \[m/s\].
-    pub(super) fn mean_speed(&self) -> f64 {
+    #[must_use]
+    pub fn mean_speed(&self) -> f64 {
         let mean = |[slowest, fastest]: [f64; 2]| f64::midpoint(slowest, fastest);
         if self.vehicles.is_empty() {
             return mean([self.slowest_m_per_s, self.fastest_m_per_s]);
@@ -187,7 +117,8 @@ impl Traffic {
 
     /// The range of speeds of the wheel of the case, for a diagnosis or a report; without one the program takes those of the
     /// vehicles of the traffic file.
-    pub(super) fn speed_range(&self) -> Option<String> {
+    #[must_use]
+    pub fn speed_range(&self) -> Option<String> {
         let [slowest, fastest] = [self.slowest_m_per_s, self.fastest_m_per_s];
         let range = || format!("{slowest} m/s..{fastest} m/s");
         self.vehicles.is_empty().then(range)
@@ -199,14 +130,14 @@ impl Vehicle {
         [self.slowest_m_per_s, self.fastest_m_per_s]
     }
 
-    fn entry(&self) -> Entry<'_> {
+    fn keys(&self) -> VehicleKeys {
         let end = self.name.char_indices().nth(LONGEST_NAME);
-        Entry {
-            name: end.map_or(&self.name, |(end, _)| &self.name[..end]),
-            share: self.share,
-            wheel_load: self.wheel_load_n,
-            tractive_ratio: self.tractive_ratio,
-            speeds: Speeds::even(self.range()),
+        let name = end.map_or(&*self.name, |(end, _)| &self.name[..end]);
+        VehicleKeys {
+            share: Quantity::new(self.share),
+            wheel_load: self.wheel_load_n.map(Quantity::new),
+            tractive_ratio: self.tractive_ratio.map(Quantity::new),
+            ..VehicleKeys::named(name).at_even_speeds(self.range())
         }
     }
 }
@@ -230,7 +161,7 @@ mod tests {
     #[test]
     fn without_vehicles_it_is_the_wheel_of_the_case_at_even_speeds() {
         let traffic = traffic(json!([]));
-        traffic.check().unwrap();
+        traffic.read().unwrap();
         let read = CheckedTraffic::parse("t", &traffic.toml().unwrap()).unwrap();
         let [only] = &read.file.vehicle[..] else {
             panic!("one vehicle")
@@ -250,7 +181,7 @@ mod tests {
         freight["wheel_load_n"] = json!(80e3);
         freight["tractive_ratio"] = json!(0.03);
         let traffic = traffic(json!([vehicle("unit", 0.75, [30.0, 40.0]), freight]));
-        traffic.check().unwrap();
+        traffic.read().unwrap();
         let read = CheckedTraffic::parse("t", &traffic.toml().unwrap()).unwrap();
         let [unit, freight] = &read.file.vehicle[..] else {
             panic!("two vehicles")
@@ -266,17 +197,18 @@ mod tests {
 
     #[test]
     fn a_wide_range_keeps_the_mean_and_scatter_of_even_speeds() {
-        let Speeds::Speeds(list) = Speeds::even([10.0, 40.0]) else {
-            panic!("speeds one by one")
+        let wide = traffic(json!([vehicle("any", 1.0, [10.0, 40.0])]));
+        let list = wide.keys().vehicle.remove(0).speeds.unwrap();
+        let sum = |of: &dyn Fn(f64) -> f64| -> f64 {
+            let one = list.iter();
+            one.map(|one| one.share.si() * of(one.speed.si())).sum()
         };
-        let mean: f64 = list.iter().map(|one| one.share * one.speed).sum();
-        let square = |one: &SpeedShare| one.share * (one.speed - mean).powi(2);
-        let deviation = list.iter().map(square).sum::<f64>().sqrt();
+        let mean = sum(&|speed| speed);
+        let deviation = sum(&|speed| (speed - mean).powi(2)).sqrt();
         assert!((mean - 25.0).abs() < 1e-12);
         // n middles of equal parts have √(1 − 1/n²) of the scatter, 0.998 for 16.
         assert!((deviation / (30.0 / 12f64.sqrt()) - 1.0).abs() < 3e-3);
-        let wide = traffic(json!([vehicle("any", 1.0, [10.0, 40.0])]));
-        wide.check().unwrap();
+        wide.read().unwrap();
     }
 
     #[test]
@@ -314,12 +246,12 @@ mod tests {
                 "must be above zero and rise",
             ),
         ] {
-            let fault = traffic(vehicles).check().unwrap_err();
+            let fault = traffic(vehicles).read().err().unwrap();
             assert!(fault.message().contains(words), "{}", fault.message());
         }
         let many: Vec<Value> = (0..13)
             .map(|k| vehicle(&k.to_string(), 1.0 / 13.0, [20.0, 30.0]))
             .collect();
-        assert!(traffic(json!(many)).check().is_err());
+        assert!(traffic(json!(many)).read().is_err());
     }
 }

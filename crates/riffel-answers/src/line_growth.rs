@@ -1,0 +1,250 @@
+//! What grows fastest under the traffic of a line, and in what time.
+
+use std::f64::consts::LN_2;
+
+use riffel::forecast::{SpeedDistribution, TrafficGrowth};
+use riffel_case::traffic::{
+    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, reported_growth,
+};
+use riffel_case::{Case, Variant};
+use riffel_keys::{CaseError, Message, Value, fixed, say, significant};
+use serde::{Serialize, Serializer};
+
+use crate::{Banded, wear_spread};
+
+/// Growth under the traffic of a line: serialised, what documents hold as `under_traffic`.
+#[derive(Debug, Clone, Serialize)]
+pub struct LineGrowth {
+    /// The kind of line whose usual traffic it is; none for a traffic that was given.
+    #[serde(serialize_with = "name_of")]
+    pub usual_traffic_of: Option<LineKind>,
+    /// Slowest and fastest trains \[m/s\].
+    pub speeds_m_per_s: [f64; 2],
+    /// Axles a day, if that is known.
+    pub passages_per_day: Option<f64>,
+    /// What grows fastest; none where nothing grows.
+    pub fastest: Option<FastestGrowth>,
+    /// The answer in sentences, and whether growth is faster than any that was seen.
+    pub remarks: Vec<Message>,
+}
+
+/// The wavelengths that grow fastest.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub struct FastestGrowth {
+    /// The fastest of all \[m\].
+    pub wavelength_m: f64,
+    /// About it, those that grow at half its rate and more \[m\].
+    pub wavelengths_m: [f64; 2],
+    /// The fastest sits at an end of the wavelengths: a shorter or longer one may grow faster.
+    pub at_edge: bool,
+    /// Its growth rate, in the mean over all axles.
+    pub growth_rate_per_passage: f64,
+    /// Axle passages in which its amplitude doubles.
+    pub doubling_passages: f64,
+    /// The same with the bands of the wear coefficient; none where growth does not go by it.
+    pub doubling_passages_banded: Option<Banded>,
+    /// Months of that, if it is known how many axles run.
+    pub doubling_months: Option<f64>,
+    /// The same with its bands.
+    pub doubling_months_banded: Option<Banded>,
+}
+
+fn name_of<S: Serializer>(line: &Option<LineKind>, serializer: S) -> Result<S::Ok, S::Error> {
+    line.map(LineKind::name).serialize(serializer)
+}
+
+impl LineGrowth {
+    /// Growth of a case under a traffic, or else under the usual one of its line.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`Traffic::on`].
+    pub fn new(case: &Case, traffic: Option<&Traffic>) -> Result<Self, CaseError> {
+        let usual = UsualTraffic::of(case);
+        let (line, traffic) = match traffic {
+            Some(traffic) => (None, traffic),
+            None => (Some(usual.line), &usual.traffic()?),
+        };
+        let case = &case.sharing_tables();
+        let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+        let speeds = traffic.speeds().iter().map(span);
+        let speeds = speeds.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
+        let per_day = on.passages_per_day;
+        let fastest = FastestGrowth::of(case, &on.growth, per_day);
+        let mut growth = Self {
+            usual_traffic_of: line,
+            speeds_m_per_s: speeds.unwrap_or_default(),
+            passages_per_day: per_day,
+            fastest,
+            remarks: Vec::new(),
+        };
+        growth.remarks.push(growth.sentence(case));
+        if let Some(fastest) = &growth.fastest {
+            let middle = (case.wavelength.min() * case.wavelength.max()).sqrt();
+            growth.remarks.extend(fastest.at_edge.then(|| {
+                say!(
+                    fastest_at_edge,
+                    wavelength = significant(1e3 * fastest.wavelength_m, 2),
+                    beyond = match fastest.wavelength_m < middle {
+                        true => say!(shorter_waves),
+                        false => say!(longer_waves),
+                    }
+                )
+            }));
+            let reported = per_day.and_then(|per_day| {
+                reported_growth(
+                    fastest.wavelength_m,
+                    fastest.growth_rate_per_passage,
+                    per_day,
+                )
+            });
+            growth.remarks.extend(reported);
+        }
+        Ok(growth)
+    }
+
+    /// Whose traffic it is: "the usual traffic of a metro, 40–70 km/h, 6000 axles a day".
+    fn whose(&self) -> Message {
+        let traffic = match self.usual_traffic_of {
+            Some(line) => line.usual_traffic(),
+            None => say!(traffic_given),
+        };
+        let [slowest, fastest] = self.speeds_m_per_s.map(|speed| fixed(3.6 * speed, 0));
+        match self.passages_per_day {
+            Some(per_day) => say!(
+                traffic_at_speeds_a_day,
+                traffic = traffic,
+                slowest = slowest,
+                fastest = fastest,
+                axles = match per_day < 10.0 {
+                    true => significant(per_day, 2),
+                    false => fixed(per_day, 0),
+                }
+            ),
+            None => say!(
+                traffic_at_speeds,
+                traffic = traffic,
+                slowest = slowest,
+                fastest = fastest
+            ),
+        }
+    }
+
+    /// The answer.
+    fn sentence(&self, case: &Case) -> Message {
+        let millimetres = |wavelength: f64| significant(1e3 * wavelength, 2);
+        let traffic = self.whose();
+        let Some(fastest) = &self.fastest else {
+            return say!(
+                nothing_grows_under,
+                traffic = traffic,
+                shortest = millimetres(case.wavelength.min()),
+                longest = millimetres(case.wavelength.max())
+            );
+        };
+        let [shortest, longest] = fastest.wavelengths_m.map(millimetres);
+        let range = match shortest == longest {
+            true => say!(one_wavelength, wavelength = shortest),
+            false => say!(wavelengths_between, shortest = shortest, longest = longest),
+        };
+        let wavelength = millimetres(fastest.wavelength_m);
+        let time = fastest.time();
+        match fastest.doubling_passages_banded {
+            Some(_) => say!(
+                grows_fastest_under_within,
+                traffic = traffic,
+                range = range,
+                wavelength = wavelength,
+                time = time
+            ),
+            None => say!(
+                grows_fastest_under,
+                traffic = traffic,
+                range = range,
+                wavelength = wavelength,
+                time = time
+            ),
+        }
+    }
+}
+
+impl FastestGrowth {
+    fn of(case: &Case, growth: &TrafficGrowth, per_day: Option<f64>) -> Option<Self> {
+        let (wavelength, rate, at_edge) = fastest_of(growth, case)?;
+        if rate <= 0.0 {
+            return None;
+        }
+        let spread = wear_spread(case);
+        let passages = LN_2 / rate;
+        let months = per_day.map(|per_day| passages / per_day / DAYS_PER_MONTH);
+        let banded = |value: f64| Some(Banded::by_wear(value, spread?));
+        Some(Self {
+            wavelength_m: wavelength,
+            wavelengths_m: about(growth, wavelength, 0.5 * rate, case.shortest_told()),
+            at_edge,
+            growth_rate_per_passage: rate,
+            doubling_passages: passages,
+            doubling_passages_banded: banded(passages),
+            doubling_months: months,
+            doubling_months_banded: months.and_then(banded),
+        })
+    }
+
+    /// In what it doubles, as in "5 to 14 months": years above three of them, days below two months.
+    fn time(&self) -> Message {
+        let Some(months) = self.doubling_months else {
+            let million = |passages: f64| significant(1e-6 * passages, 2);
+            return match self.doubling_passages_banded {
+                Some(Banded { band_80, .. }) => {
+                    let [early, late] = band_80.map(million);
+                    say!(million_axles_between, early = early, late = late)
+                }
+                None => say!(million_axles, axles = million(self.doubling_passages)),
+            };
+        };
+        let two = |time: f64| significant(time, 2);
+        let ends = self.doubling_months_banded.map(|banded| banded.band_80);
+        let [early, late] = ends.unwrap_or([months; 2]);
+        let scale = |size: f64| -> [Value; 2] { [early, late].map(|time| two(size * time)) };
+        let (unit, [early, late]) = match (early, late) {
+            (_, late) if late < 2.0 => (0, scale(DAYS_PER_MONTH)),
+            (early, _) if early >= 36.0 => (2, scale(1.0 / 12.0)),
+            _ => (1, scale(1.0)),
+        };
+        match (unit, ends) {
+            (0, Some(_)) => say!(days_between, early = early, late = late),
+            (0, None) => say!(days_of, days = early),
+            (1, Some(_)) => say!(months_between, early = early, late = late),
+            (1, None) => say!(months_of, months = early),
+            (_, Some(_)) => say!(years_between, early = early, late = late),
+            (_, None) => say!(years_of, years = early),
+        }
+    }
+}
+
+/// Slowest and fastest of a distribution; of a normal one, those of even speeds with its deviation.
+fn span(speeds: &SpeedDistribution) -> [f64; 2] {
+    if speeds.listed().is_some() {
+        let (slowest, fastest) = speeds.range();
+        return [slowest, fastest];
+    }
+    let half = 3f64.sqrt() * speeds.deviation();
+    [speeds.mean() - half, speeds.mean() + half]
+}
+
+/// The wavelength of the bands of a case that grows fastest under a traffic, its growth rate, and whether it sits at an edge: of those that
+/// the contact does not average out; of all, where it averages out all.
+pub(crate) fn fastest_of(growth: &TrafficGrowth, case: &Case) -> Option<(f64, f64, bool)> {
+    let told = growth.fastest(case.shortest_told());
+    told.or_else(|| growth.fastest(0.0))
+}
+
+/// The wavelengths about one, of those that are told, that grow at a rate and more without a gap.
+fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, shortest: f64) -> [f64; 2] {
+    let lines = growth.wavelengths();
+    let middle = lines.partition_point(|&line| line < wavelength);
+    let grows = |&(line, own): &(f64, f64)| own >= rate && line >= shortest;
+    let line = |place: usize| (lines[place], growth.rates()[place]);
+    let above = (middle..lines.len()).map(line).take_while(grows).last();
+    let below = (0..middle).rev().map(line).take_while(grows).last();
+    [below, above].map(|end| end.map_or(wavelength, |(line, _)| line))
+}
