@@ -48,8 +48,8 @@ def add_vehicles(page, type_into=type_into):
     for k, (name, _, speeds, load, traction) in enumerate(VEHICLES):
         page.page.click("#add-vehicle")
         type_into(page, f"#vehicle-{k}-name", name)
-        # The second begins with the speeds of the first.
-        for end in ("from", "to") if k == 1 else ("to", "from"):
+        # The first begins with the usual 80 to 140 km/h, the second with the speeds of the first.
+        for end in ("from", "to"):
             type_into(page, f"#vehicle-{k}-{end}", f"{speeds[end == 'to']} km/h")
         if load:
             type_into(page, f"#vehicle-{k}-wheel", f"{load:g} N")

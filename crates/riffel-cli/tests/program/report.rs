@@ -173,6 +173,13 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
     };
     let uncertain = "uncertain by a factor of two";
     let dated = report("--earlier before.csv --dates 2025-05-01,2026-05-01");
+    // The fit is told, and the numbers are those of a report without the earlier record.
+    let kept = report("--earlier before.csv --dates 2025-05-01,2026-05-01 --keep-coefficient");
+    assert!(!kept.contains("growth goes by the wear coefficient of this rail"));
+    assert!(kept.contains("wear coefficient"), "the fit is told");
+    let alone = report("");
+    assert_eq!(table(&kept), table(&alone));
+    assert_ne!(table(&kept), table(&dated));
     assert!(
         dated.contains("growth goes by the wear coefficient of this rail"),
         "{dated}"
