@@ -19,13 +19,26 @@ pub struct GrindingCost {
 impl GrindingCost {
     /// Refuse what is not above zero.
     pub(super) fn check(&self, file: &KeyFile) -> Result<(), CaseError> {
-        let rule = "must be above 0";
-        if !(self.grinding_shift > 0.0 && self.grinding_shift.is_finite()) {
-            return Err(file.invalid("cost.grinding_shift", rule, "give the cost of one shift"));
-        }
-        if !(self.length_a_shift.si() > 0.0 && self.length_a_shift.si().is_finite()) {
-            let help = "give the length of line that is ground in a shift, as \"800 m\"";
-            return Err(file.invalid("cost.length_a_shift", rule, help));
+        let length = self.length_a_shift;
+        let values = [
+            (
+                "grinding_shift",
+                self.grinding_shift,
+                self.grinding_shift.to_string(),
+                "give the cost of one shift",
+            ),
+            (
+                "length_a_shift",
+                length.si(),
+                length.to_string(),
+                "give the length of line that is ground in a shift, as \"800 m\"",
+            ),
+        ];
+        for (key, value, written, help) in values {
+            if !(value > 0.0 && value.is_finite()) {
+                let rule = format!("is {written}, but must be above 0");
+                return Err(file.invalid(&format!("cost.{key}"), &rule, help));
+            }
         }
         Ok(())
     }
