@@ -11,8 +11,9 @@ use crate::file::CaseFile;
 use crate::preset::PresetKind;
 
 /// Keys that take the name of a profile.
-const PROFILES: [&str; 4] = [
+const PROFILES: [&str; 5] = [
     "profiles.wheel",
+    "profiles.left_wheel",
     "profiles.rail",
     "profiles.rail.left",
     "profiles.rail.right",

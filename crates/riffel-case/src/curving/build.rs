@@ -121,6 +121,10 @@ impl CurvingCase {
         if !is_cone(profiles) {
             return self.on_profiles(theory, profiles, plane);
         }
+        if profiles.left_wheel.is_some() {
+            let rule = "is set, but profiles.wheel = \"cone\" stands for both wheels";
+            return Err(keys.invalid("profiles.left_wheel", rule, ""));
+        }
         let conicity = profiles.conicity.ok_or_else(|| {
             keys.missing("profiles.conicity", "profiles.wheel = \"cone\" needs it")
         })?;

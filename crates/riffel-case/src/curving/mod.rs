@@ -20,7 +20,7 @@ use self::build::is_cone;
 use crate::Case;
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
-use crate::file::{CreepLawName, CurvingFile, CurvingLaw, RailProfiles, Wheelset};
+use crate::file::{CreepLawName, CurvingFile, CurvingLaw, Wheelset};
 use crate::model::half;
 
 /// What a loop of growth knows of the mass of a wheelset.
@@ -102,20 +102,8 @@ impl CurvingCase {
     /// The first key that names the file of a profile.
     fn key_of_a_profile_file(&self) -> Option<&'static str> {
         let profiles = self.file.profiles.as_ref()?;
-        let mut named = match is_cone(profiles) {
-            true => Vec::new(),
-            false => vec![("profiles.wheel", &profiles.wheel)],
-        };
-        match &profiles.rail {
-            None => {}
-            Some(RailProfiles::Both(rail)) => named.push(("profiles.rail", rail)),
-            Some(RailProfiles::Each(rails)) => named.extend([
-                ("profiles.rail.left", &rails.left),
-                ("profiles.rail.right", &rails.right),
-            ]),
-        }
-        let file = |(_, name): &(_, &String)| NominalProfile::named(name).is_none();
-        named.into_iter().find(file).map(|(key, _)| key)
+        let file = |(_, name): &(_, &str)| NominalProfile::named(name).is_none();
+        profiles.names().into_iter().find(file).map(|(key, _)| key)
     }
 
     fn build(

@@ -20,6 +20,8 @@ use crate::file::{CurvingTheory, ProfileKind, Profiles, RailProfiles};
 const FARTHEST: f64 = 0.012;
 const STEP: f64 = 1e-4;
 
+const LEFT_WHEEL: &str = "profiles.left_wheel";
+
 impl CurvingCase {
     /// The steel of wheels and rails.
     ///
@@ -48,6 +50,10 @@ impl CurvingCase {
             self.profile_of_rail(Rail::Right)?,
         );
         let wheel = self.profile("profiles.wheel", &profiles.wheel)?.profile;
+        let left_wheel = match &profiles.left_wheel {
+            Some(left) => self.profile(LEFT_WHEEL, left)?.profile,
+            None => wheel.clone(),
+        };
         let fits = |key: &str, error: ProfileError| match error {
             ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
             error => self.text.keys.invalid(key, &error.to_string(), ""),
@@ -60,14 +66,14 @@ impl CurvingCase {
         )
         .map_err(|error| fits("profiles.rail", error))?;
         let wheels = Wheels::new(
-            [&wheel, &wheel],
+            [&left_wheel, &wheel],
             self.rolling_radii(),
             profiles.flange_back_distance.si(),
             profiles.flange_back_position.si(),
         )
         .map_err(|error| fits("profiles.wheel", error))?;
         let wheelset = WheelsetOnTrack { wheels, track };
-        self.check_gauge(profiles, &wheel, &wheelset)?;
+        self.check_gauge(profiles, [&left_wheel, &wheel], &wheelset)?;
         Ok(wheelset)
     }
 
@@ -75,7 +81,7 @@ impl CurvingCase {
     fn check_gauge(
         &self,
         profiles: &Profiles,
-        wheel: &Profile,
+        wheels: [&Profile; 2],
         wheelset: &WheelsetOnTrack,
     ) -> Result<(), CaseError> {
         let gauge = &profiles.gauge;
@@ -83,8 +89,10 @@ impl CurvingCase {
             let help = "check profiles.gauge, flange_back_distance and flange_back_position";
             Err(self.text.keys.invalid("profiles.gauge", &rule, help))
         };
-        if let Ok(of_wheel) = WheelDimensions::new(wheel, profiles.flange_back_position.si()) {
-            let over = profiles.flange_back_distance.si() + 2.0 * of_wheel.flange_thickness;
+        let flange_back = profiles.flange_back_position.si();
+        if let [Ok(left), Ok(right)] = wheels.map(|it| WheelDimensions::new(it, flange_back)) {
+            let flanges = left.flange_thickness + right.flange_thickness;
+            let over = profiles.flange_back_distance.si() + flanges;
             if over > gauge.si() {
                 return refuse(format!(
                     "is {gauge}, but the wheelset is {:.1} mm wide over its flanges, 10 mm below the tread, and does not go between such \
@@ -94,10 +102,10 @@ impl CurvingCase {
             }
         }
         if wheelset.contact(0.0, 0.0).is_err() {
-            let [_, end] = wheel.range();
+            let ends: f64 = wheels.iter().map(|wheel| wheel.range()[1]).sum();
             return refuse(format!(
                 "is {gauge}, but the wheels, {:.1} mm wide over their field sides, do not stand on both rails",
-                1e3 * (wheelset.wheels.spacing() + 2.0 * end)
+                1e3 * (wheelset.wheels.spacing() + ends)
             ));
         }
         Ok(())
@@ -140,17 +148,8 @@ impl CurvingCase {
         let Some(profiles) = self.file.profiles.as_ref().filter(|one| !is_cone(one)) else {
             return Ok(Vec::new());
         };
-        let mut names = vec![("profiles.wheel", &profiles.wheel)];
-        match &profiles.rail {
-            None => {}
-            Some(RailProfiles::Both(rail)) => names.push(("profiles.rail", rail)),
-            Some(RailProfiles::Each(rails)) => names.extend([
-                ("profiles.rail.left", &rails.left),
-                ("profiles.rail.right", &rails.right),
-            ]),
-        }
         let mut remarks = Vec::new();
-        for (key, name) in names {
+        for (key, name) in profiles.names() {
             remarks.extend(self.profile(key, name)?.remarks);
         }
         Ok(remarks)
@@ -172,7 +171,7 @@ impl CurvingCase {
 
     fn profile(&self, key: &str, name: &str) -> Result<ProfileOfName, CaseError> {
         let profiles = self.file.profiles.as_ref();
-        let is_wheel = key == "profiles.wheel";
+        let is_wheel = key == "profiles.wheel" || key == LEFT_WHEEL;
         if let Some(nominal) = NominalProfile::named(name).filter(|one| one.is_wheel != is_wheel) {
             let of_kind = NOMINAL.iter().filter(|one| one.is_wheel == is_wheel);
             let known = of_kind.map(|one| one.name).collect::<Vec<_>>().join(", ");
@@ -190,7 +189,7 @@ impl CurvingCase {
                 false => ProfileKind::Rail,
             }),
             side: match key {
-                "profiles.rail.left" => Rail::Left,
+                "profiles.rail.left" | LEFT_WHEEL => Rail::Left,
                 _ => Rail::Right,
             },
             orientation: profiles.and_then(|profiles| match is_wheel {

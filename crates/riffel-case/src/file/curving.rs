@@ -163,6 +163,9 @@ pub struct Body {
 pub struct Profiles {
     /// Profile of the wheels: a nominal name, a file, or "cone".
     pub wheel: String,
+    /// Profile of the left wheels, drawn as a right one; left out, that of `wheel`.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub left_wheel: Option<String>,
     /// Profile of the rails: a nominal name, a file, or a table of `left` and `right`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub rail: Option<RailProfiles>,
@@ -206,6 +209,28 @@ pub struct Profiles {
 }
 
 impl Profiles {
+    /// Those of wheels and rails by their keys; none of cones.
+    pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
+        let mut names = Vec::new();
+        if self.wheel != "cone" {
+            names.push(("profiles.wheel", &*self.wheel));
+        }
+        names.extend(
+            self.left_wheel
+                .iter()
+                .map(|left| ("profiles.left_wheel", &**left)),
+        );
+        match &self.rail {
+            None => {}
+            Some(RailProfiles::Both(rail)) => names.push(("profiles.rail", rail)),
+            Some(RailProfiles::Each(rails)) => names.extend([
+                ("profiles.rail.left", &*rails.left),
+                ("profiles.rail.right", &*rails.right),
+            ]),
+        }
+        names
+    }
+
     fn standard_gauge() -> Quantity<Length> {
         Quantity::new(1.435)
     }

@@ -475,3 +475,43 @@ fn a_conformal_contact_is_told() {
     assert!(joins, "{remarks:?}");
     assert!(told(&[]).is_none_or(|remark| !remark.contains("of the right rail")));
 }
+
+/// Wheels of two profiles: the one that is named twice is one that is named once, and a wheelset with its wheels changed over runs
+/// on the other side of the track.
+#[test]
+fn each_wheel_has_its_profile() {
+    let case = |wheels: &str| {
+        let text = format!(
+            "[wheel]\nrolling_radius = \"460 mm\"\n[profiles]\n{wheels}\nrail = \"60E1\"\n"
+        );
+        CurvingCase::parse("profiles.toml", &text, &[])
+    };
+    let radii = |wheels: &str, shift: f64| {
+        let wheelset = case(wheels).unwrap().wheelset_on_track().unwrap();
+        let contacts = wheelset.contact(shift, 0.0).unwrap().contacts;
+        contacts.map(|contact| contact.rolling_radius)
+    };
+    let one = "wheel = \"S1002\"";
+    let twice = "wheel = \"S1002\"\nleft_wheel = \"S1002\"";
+    assert_eq!(radii(one, 2e-3), radii(twice, 2e-3));
+    let mixed = "wheel = \"S1002\"\nleft_wheel = \"cone-1:40\"";
+    let changed_over = "wheel = \"cone-1:40\"\nleft_wheel = \"S1002\"";
+    for shift in [-3e-3, 0.0, 2e-3] {
+        let [left, right] = radii(mixed, shift);
+        let [other_left, other_right] = radii(changed_over, -shift);
+        // The iteration of the roll leaves a micrometre.
+        assert!((left - other_right).abs() < 1e-6 && (right - other_left).abs() < 1e-6);
+    }
+    assert!((radii(mixed, 3e-3)[1] - radii(one, 3e-3)[1]).abs() < 1e-4);
+    let refused = |wheels: &str| {
+        let case = case(wheels).unwrap();
+        case.wheelset_on_track()
+            .map(|_| ())
+            .unwrap_err()
+            .to_string()
+    };
+    for left in ["60E1", "no-such-file.csv", "cone"] {
+        let message = refused(&format!("{one}\nleft_wheel = \"{left}\""));
+        assert!(message.contains("profiles.left_wheel"), "{left}: {message}");
+    }
+}

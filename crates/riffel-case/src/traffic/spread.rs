@@ -235,3 +235,30 @@ pub(super) fn of_key(
     })?;
     spread.distribution(source, at, Values::Any)
 }
+
+/// The names that a key of the case takes, with their shares, at its place in the traffic file.
+///
+/// # Errors
+/// [`CaseError`] with key, value and rule.
+pub(super) fn names_of_key(
+    source: &KeyFile,
+    at: &str,
+    value: &Value,
+) -> Result<Vec<(String, f64)>, CaseError> {
+    #[derive(Deserialize)]
+    #[serde(deny_unknown_fields)]
+    struct NameShare {
+        value: String,
+        share: Quantity<Ratio>,
+    }
+    let list: Result<Vec<NameShare>, _> = value.clone().try_into();
+    let list = list.ok().filter(|list| !list.is_empty()).ok_or_else(|| {
+        let rule = "takes a name, so that its spread must be a list of { value, share }";
+        source.invalid(at, rule, "")
+    })?;
+    sums_to_one(source, at, list.iter().map(|entry| entry.share.si()))?;
+    Ok(list
+        .into_iter()
+        .map(|entry| (entry.value, entry.share.si()))
+        .collect())
+}

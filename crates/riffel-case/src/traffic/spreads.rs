@@ -5,7 +5,7 @@ use riffel_keys::{CaseError, KeyFile};
 use toml::Value;
 
 use super::Vehicle;
-use super::spread::{Values, of_key};
+use super::spread::{Values, names_of_key, of_key};
 use crate::CaseKey;
 use crate::setting::{Setting, settings_until};
 
@@ -25,10 +25,65 @@ pub(super) struct SpreadOfKey {
     pub(super) own: String,
     /// The key of the case.
     key: String,
-    pub(super) distribution: Distribution,
+    values: ValuesOfKey,
+}
+
+/// What a key has over the wheels of a vehicle.
+#[derive(Debug, Clone, PartialEq)]
+enum ValuesOfKey {
+    /// Of a quantity.
+    Numbers(Distribution),
+    /// Of a key that takes a name, as that of a profile, each with its share.
+    Names(Vec<(String, f64)>),
+}
+
+impl ValuesOfKey {
+    fn is_single(&self) -> bool {
+        match self {
+            Self::Numbers(distribution) => distribution.is_single(),
+            Self::Names(names) => names.len() == 1,
+        }
+    }
+
+    /// The mean, or the name that is met most.
+    fn middle(&self) -> Value {
+        match self {
+            Self::Numbers(distribution) => Value::Float(distribution.mean()),
+            Self::Names(names) => {
+                let most = names.iter().max_by(|one, other| one.1.total_cmp(&other.1));
+                Value::String(most.map_or(String::new(), |it| it.0.clone()))
+            }
+        }
+    }
+
+    /// Values with their shares, by a rule of quadrature where there is no list of them.
+    fn nodes(&self, rule: usize) -> Vec<(Value, f64)> {
+        match self {
+            Self::Numbers(distribution) => {
+                let nodes = distribution.nodes(rule).into_iter();
+                nodes
+                    .map(|(value, share)| (Value::Float(value), share))
+                    .collect()
+            }
+            Self::Names(names) => {
+                let names = names.iter();
+                names
+                    .map(|(name, share)| (Value::String(name.clone()), *share))
+                    .collect()
+            }
+        }
+    }
 }
 
 impl SpreadOfKey {
+    /// Whether its values are listed one by one, which takes no rule of quadrature.
+    pub(super) fn is_listed(&self) -> bool {
+        matches!(
+            self.values,
+            ValuesOfKey::Names(_) | ValuesOfKey::Numbers(Distribution::Shares(_))
+        )
+    }
+
     /// `friction`, or a key of the case.
     pub(super) fn name(&self) -> &str {
         self.own.strip_prefix("spread.").unwrap_or(&self.own)
@@ -129,16 +184,15 @@ impl Spreads {
                 of_keys.push(SpreadOfKey {
                     own: own.to_owned(),
                     key: key.to_owned(),
-                    distribution: distribution?,
+                    values: ValuesOfKey::Numbers(distribution?),
                 });
             }
         }
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");
-            let Some(kind) = CaseKey::find(&key).and_then(|known| known.quantity) else {
-                let rule = "is no quantity of a case";
+            let Some(known) = CaseKey::find(&key) else {
                 let help = format!("the nearest key is `{}`", CaseKey::nearest(&key));
-                return Err(source.invalid(&at(&own), rule, &help));
+                return Err(source.invalid(&at(&own), "is no key of a case", &help));
             };
             let given = crate::setting::settings(&vehicle.set);
             let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key)
@@ -147,12 +201,11 @@ impl Spreads {
                 let rule = "is given a second time by another key of the vehicle";
                 return Err(source.invalid(&at(&own), rule, "give one of the two"));
             }
-            let distribution = of_key(source, &at(&own), kind, &value)?;
-            of_keys.push(SpreadOfKey {
-                own,
-                key,
-                distribution,
-            });
+            let values = match known.quantity {
+                Some(kind) => ValuesOfKey::Numbers(of_key(source, &at(&own), kind, &value)?),
+                None => ValuesOfKey::Names(names_of_key(source, &at(&own), &value)?),
+            };
+            of_keys.push(SpreadOfKey { own, key, values });
         }
         Ok(Self {
             lateral_position: (vehicle.lateral_position.as_ref())
@@ -165,7 +218,7 @@ impl Spreads {
     /// Which of the keys have more than one value, by their places.
     pub(super) fn spread_values(&self) -> Vec<usize> {
         let of_keys = self.of_keys.iter().enumerate();
-        let spread = of_keys.filter(|(_, it)| !it.distribution.is_single());
+        let spread = of_keys.filter(|(_, it)| !it.values.is_single());
         spread.map(|(place, _)| place).collect()
     }
 
@@ -179,13 +232,13 @@ impl Spreads {
         let mut parts = vec![(1.0, PartValues::default())];
         for (it, rule) in self.of_keys.iter().zip(rules) {
             let nodes = match rule {
-                None => vec![(it.distribution.mean(), 1.0)],
-                Some(rule) => it.distribution.nodes(*rule),
+                None => vec![(it.values.middle(), 1.0)],
+                Some(rule) => it.values.nodes(*rule),
             };
             let with_each = |(share, values): &(f64, PartValues)| {
-                let with = |&(value, of_value): &(f64, f64)| {
+                let with = |(value, of_value): &(Value, f64)| {
                     let mut values = values.clone();
-                    let setting = (it.key.clone(), Value::Float(value));
+                    let setting = (it.key.clone(), value.clone());
                     values.0.push((it.own.clone(), setting));
                     (share * of_value, values)
                 };

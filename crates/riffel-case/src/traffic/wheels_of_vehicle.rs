@@ -240,7 +240,10 @@ impl Asked<'_> {
     fn at_speed(&self, speed: f64, values: &PartValues, error: &CaseError) -> CaseError {
         let with = values
             .settings()
-            .map(|(_, (key, value))| format!(", {key} = {value:.4}"));
+            .map(|(_, (key, value))| match value.as_float() {
+                Some(number) => format!(", {key} = {number:.4}"),
+                None => format!(", {key} = {value}"),
+            });
         let message = format!(
             "`{}`: vehicle \"{}\" at {:.1} km/h{}: {error}",
             self.key(".curve"),
@@ -329,10 +332,7 @@ impl Asked<'_> {
                 rules[place] = Some(rule);
                 Ok::<_, CaseError>(self.growth(&self.parts(&rules)?, bands)?.growth.rates)
             };
-            if matches!(
-                self.spreads().of_keys[place].distribution,
-                Distribution::Shares(_)
-            ) {
+            if self.spreads().of_keys[place].is_listed() {
                 rules[place] = Some(0);
                 continue;
             }

@@ -252,6 +252,43 @@ fn a_spread_of_a_key_is_the_mean_of_its_values() -> Result<(), CaseError> {
     Ok(())
 }
 
+/// Profiles of a fleet are names with shares: growth is the mean of runs with each of them.
+#[test]
+fn a_fleet_of_profiles_is_the_mean_of_its_profiles() -> Result<(), CaseError> {
+    let case = curve(&["curve.radius=900 m"]);
+    let bands = bands_of(&case);
+    let rates = |keys: &str| {
+        let text = format!(
+            "[[vehicle]]\nname = \"unit\"\nshare = 1\ncurve = true\nspeeds = [{{ speed = \"45 km/h\", share = 1 }}]\n{keys}\n"
+        );
+        let on = Traffic::parse("t.toml", &text)?.on(&case, &bands, &Variant::none(""), &|_| {})?;
+        Ok::<_, CaseError>(on.growth.rates().to_vec())
+    };
+    let [new, worn] = [
+        rates("set.profiles.wheel = \"S1002\"")?,
+        rates("set.profiles.wheel = \"cone-1:40\"")?,
+    ];
+    let fleet = rates(
+        "spread.profiles.wheel = [{ value = \"S1002\", share = 0.7 }, { value = \"cone-1:40\", share = 0.3 }]",
+    )?;
+    assert_ne!(new, worn);
+    for ((new, worn), fleet) in new.iter().zip(&worn).zip(fleet) {
+        let mean = 0.7 * new + 0.3 * worn;
+        assert!(
+            (fleet - mean).abs() <= 1e-12 * mean.abs(),
+            "{fleet:e} {mean:e}"
+        );
+    }
+    let wrong = rates("spread.profiles.wheel = { min = 1, max = 2 }").unwrap_err();
+    assert!(
+        wrong
+            .to_string()
+            .contains("vehicle[0].spread.profiles.wheel"),
+        "{wrong}"
+    );
+    Ok(())
+}
+
 #[test]
 fn what_is_no_spread_is_refused_with_its_key() {
     let case = nominal(&[]);

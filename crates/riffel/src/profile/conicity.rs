@@ -82,25 +82,45 @@ impl EquivalentConicity {
             }
             0.5 * (low + high)
         };
-        // y = middle + A sin τ from the far end inward: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v.
+        // y = middle + A sin τ from each end inward, as far as the speed grows: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v. From one end
+        // alone, what a step of Δr costs the rule would be left at the other, where v is zero.
         let pieces = 2 * PIECES;
         let step = PI / pieces as f64;
         let at = |phase: f64| {
             difference(middle + amplitude * phase.sin()) * amplitude * phase.cos() / scale
         };
-        let (mut energy, mut half_wave) = (0.0, 0.0);
-        for index in (0..pieces).rev() {
+        // Simpson's rule over either half of each piece.
+        let halves = (0..pieces).map(|index| {
             let begin = -FRAC_PI_2 + index as f64 * step;
             let (centre, end) = (begin + 0.5 * step, begin + step);
-            // Simpson's rule over either half of the piece.
-            let outer = (at(end) + 4.0 * at(begin + 0.75 * step) + at(centre)) * step / 12.0;
-            let inner = (at(centre) + 4.0 * at(begin + 0.25 * step) + at(begin)) * step / 12.0;
-            energy += outer;
+            let first = (at(begin) + 4.0 * at(begin + 0.25 * step) + at(centre)) * step / 12.0;
+            let second = (at(centre) + 4.0 * at(begin + 0.75 * step) + at(end)) * step / 12.0;
+            [first, second]
+        });
+        let halves: Vec<[f64; 2]> = halves.collect();
+        let along = |energy: &mut f64, [outer, inner]: [f64; 2]| {
+            let there = *energy + outer;
+            *energy = there + inner;
+            Some(there)
+        };
+        let from_left = halves.iter().map(|[first, second]| [-first, -second]);
+        let from_left: Vec<f64> = from_left.scan(0.0, along).collect();
+        let from_right = halves.iter().rev().map(|[first, second]| [*second, *first]);
+        let mut from_right: Vec<f64> = from_right.scan(0.0, along).collect();
+        from_right.reverse();
+        let fastest =
+            (0..pieces).max_by(|&one, &other| from_right[one].total_cmp(&from_right[other]));
+        let mut half_wave = 0.0;
+        for index in 0..pieces {
+            let energy = match Some(index) < fastest {
+                true => from_left[index],
+                false => from_right[index],
+            };
             if energy <= 0.0 || energy.is_nan() {
                 return None;
             }
+            let centre = -FRAC_PI_2 + (index as f64 + 0.5) * step;
             half_wave += amplitude * centre.cos() / (2.0 * energy).sqrt() * step;
-            energy += inner;
         }
         let wavelength = 2.0 * half_wave;
         let mean = |value: &dyn Fn(f64) -> f64| {

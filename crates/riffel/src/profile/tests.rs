@@ -1,5 +1,7 @@
 //! Profiles and contact of wheelsets.
 
+use std::f64::consts::PI;
+
 use approx::assert_relative_eq;
 
 use super::*;
@@ -190,6 +192,34 @@ fn unequal_wheels_have_the_conicity_of_their_cone() {
     assert!(at(1.6e-3, 5e-3).is_none());
 }
 
+/// Wheels of two profiles: Δr = 2γy to the left and a step higher, s + 2δy, to the right of the middle of the track. The way runs to
+/// γa² = sb + δb², and the wave is that of two springs: √(e r₀/2γ) π on the left, √(e r₀/2δ)(π − 2 asin(c/(b + c))), c = s/2δ, on
+/// the right.
+#[test]
+fn a_step_of_the_radius_difference_is_no_end_of_motion() {
+    let (gentle, steep, step, scale) = (0.02, 0.1, 0.5e-3, 1.5 * 0.46);
+    let difference = |y: f64| match y < 0.0 {
+        true => 2.0 * gentle * y,
+        false => step + 2.0 * steep * y,
+    };
+    for amplitude in [0.5e-3, 1e-3, 2e-3, 3e-3, 4e-3, 5e-3] {
+        // (δ − γ)b² + (s + 4γA)b = 4γA².
+        let (a, b, c) = (
+            steep - gentle,
+            step + 4.0 * gentle * amplitude,
+            -4.0 * gentle * amplitude * amplitude,
+        );
+        let right = (-b + (b * b - 4.0 * a * c).sqrt()) / (2.0 * a);
+        let offset = step / (2.0 * steep);
+        let wave = |slope: f64, angle: f64| (scale / (2.0 * slope)).sqrt() * angle;
+        let expected =
+            wave(gentle, PI) + wave(steep, PI - 2.0 * (offset / (right + offset)).asin());
+        let found = EquivalentConicity::at(difference, [-12e-3, 12e-3], amplitude, 1.5, 0.46);
+        // The step falls inside a piece of the rule.
+        assert_relative_eq!(found.unwrap().wavelength, expected, max_relative = 2e-3);
+    }
+}
+
 /// Ends of the lateral shift \[m\].
 const ENDS: [f64; 2] = [-12e-3, 12e-3];
 
@@ -256,7 +286,7 @@ fn what_is_cut_off_is_found() {
     let hollow = |x: f64| {
         let share = (x + 0.02) / 0.04;
         match (0.0..=1.0).contains(&share) {
-            true => 2e-3 * (std::f64::consts::PI * share).sin().powi(2),
+            true => 2e-3 * (PI * share).sin().powi(2),
             false => 0.0,
         }
     };
