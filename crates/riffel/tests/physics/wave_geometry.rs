@@ -464,3 +464,14 @@ fn a_response_is_asked_for() {
     let error = joints.close().err().unwrap();
     assert!(matches!(error, Error::NoResponse { .. }), "{error}");
 }
+
+/// A wheel of n waves has the wavenumber n/R, and n²/R of κ per metre of its radius: printed 490, 870 and 1960 per metre.
+#[test]
+fn waves_of_a_wheel_have_the_same_curvature() {
+    let wave = WaveGeometry::new(RADIUS, WavePatch::Point).unwrap();
+    for (order, printed) in [(15.0, 490.0), (20.0, 870.0), (30.0, 1960.0)] {
+        let per_metre = wave.curvature(order / RADIUS);
+        assert!((per_metre / printed - 1.0).abs() < 3e-3, "{per_metre}");
+        assert!((per_metre * RADIUS / (order * order) - 1.0).abs() < 1e-12);
+    }
+}
