@@ -13,17 +13,7 @@ use crate::contact::Creepages;
 
 /// Residual of the linear equations, as a share of their right-hand side.
 pub(super) const TOLERANCE: f64 = 1e-5;
-/// The same for a wave of the rail, which the grid itself knows to some hundredths: leaves 5e-5 of its response (test
-/// `a_wave_is_solved_as_well_as_it_is_known`) for a third less work.
-const WAVE_TOLERANCE: f64 = 2e-4;
 const MOST_PRODUCTS: usize = 400;
-
-fn tolerance(input: Input) -> f64 {
-    match input {
-        Input::Profile => WAVE_TOLERANCE,
-        Input::Load | Input::Longitudinal | Input::Lateral | Input::Spin => TOLERANCE,
-    }
-}
 
 /// The responses of one grid about a steady state to some inputs, from one wavenumber to the next.
 ///
@@ -80,15 +70,6 @@ impl<'a> GridSweep<'a> {
 
     /// The response to each input at a wavenumber \[rad/m\]; the residual reached if one does not converge.
     pub(super) fn at(&mut self, wavenumber: f64) -> Result<Vec<Response>, f64> {
-        self.at_within(wavenumber, tolerance)
-    }
-
-    /// The same with other residuals.
-    pub(super) fn at_within(
-        &mut self,
-        wavenumber: f64,
-        tolerance: impl Fn(Input) -> f64,
-    ) -> Result<Vec<Response>, f64> {
         let Self {
             tangent,
             convolution,
@@ -103,7 +84,7 @@ impl<'a> GridSweep<'a> {
             let forcing = oscillation.forcing(*input, on_waves.as_ref());
             let right = oscillation.right(&forcing);
             let (mut shares, rest) = basis.nearest(&oscillation, &right);
-            let allowed = tolerance(*input) * norm(&right);
+            let allowed = TOLERANCE * norm(&right);
             let reached = norm(&rest);
             if reached > allowed {
                 let strips = oscillation.strips();
