@@ -20,6 +20,7 @@ pub(crate) struct Question {
     wavelength_m: f64,
     speed_m_per_s: f64,
     /// Axles a day on the line.
+    #[serde(default)]
     passages_per_day: f64,
 }
 

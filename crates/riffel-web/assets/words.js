@@ -246,6 +246,7 @@ const NAMES = {
   body: ['Body on two bogies', 'Wagenkasten auf zwei Drehgestellen'], bogie_spacing: ['spacing of the bogies 2l', 'Drehzapfenabstand 2l'], secondary_lateral_stiffness: ['secondary stiffness, across', 'Sekundärsteifigkeit quer'], secondary_yaw_stiffness: ['secondary stiffness, yaw', 'Drehsteifigkeit der Sekundärstufe'],
   profiles: ['Profiles', 'Profile'], 'profiles.rail/table': ['A profile for each rail', 'Ein Profil je Schiene'], 'profiles.rail.left': ['left rail', 'linke Schiene'], 'profiles.rail.right': ['right rail', 'rechte Schiene'],
   'profiles.scatter': ['scatter of the points', 'Streuung der Punkte'], wheel_orientation: ['orientation of the wheel', 'Lage des Radprofils'], rail_orientation: ['orientation of the rail', 'Lage des Schienenprofils'],
+  left_wheel: ['profile of the left wheels', 'Profil der linken Räder'],
   gauge: ['gauge', 'Spurweite'], gauge_height: ['depth of the gauge', 'Messtiefe der Spurweite'], inclination: ['inclination of the rails', 'Schienenneigung'], flange_back_distance: ['distance of the flange backs', 'Abstand der Spurkranzrücken'],
   flange_back_position: ['place of the flange back', 'Ort des Spurkranzrückens'], conicity: ['conicity λ', 'Konizität λ'], flange: ['Flange of cones', 'Spurkranz von Kegeln'], clearance: ['clearance', 'Spiel'], slope: ['slope', 'Neigung'],
   shift: ['shift', 'Versatz'], width: ['width', 'Breite'], contact_plane: ['plane of contact', 'Kontaktebene'], contact_shift_moment: ['moment of shifted contacts', 'Moment verschobener Kontakte'],

@@ -53,8 +53,8 @@ impl GrindingCost {
         let cost = self.of(length);
         let shifts = (length / self.length_a_shift.si()).ceil();
         let shifts = match shifts {
-            1.0 => "1 shift".to_owned(),
-            _ => format!("{shifts:.0} shifts"),
+            1.0 => "1 grinding shift".to_owned(),
+            _ => format!("{shifts:.0} grinding shifts"),
         };
         let again = months
             .filter(|months| *months > 0.0)
@@ -86,11 +86,11 @@ mod tests {
         };
         assert_eq!(
             cost.words(1240.0, Some(18.0)),
-            "To grind 1240 m of line takes 2 shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months."
+            "To grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months."
         );
         assert_eq!(
             cost.words(90.0, None),
-            "To grind 90 m of line takes 1 shift and 15000 EUR."
+            "To grind 90 m of line takes 1 grinding shift and 15000 EUR."
         );
     }
 }

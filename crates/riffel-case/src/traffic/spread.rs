@@ -228,7 +228,7 @@ pub(super) fn of_key(
     };
     let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
         let rule = format!(
-            "is no spread, but must be {{ mean, standard_deviation }}, {{ min, max }} or a list of {{ value, share }}, with {} as in \"{}\"",
+            "is no spread: give mean and standard_deviation, min and max, or a list of value and share, with {} as in \"{}\"",
             kind.name, kind.example
         );
         source.invalid(at, &rule, "")
@@ -253,7 +253,7 @@ pub(super) fn names_of_key(
     }
     let list: Result<Vec<NameShare>, _> = value.clone().try_into();
     let list = list.ok().filter(|list| !list.is_empty()).ok_or_else(|| {
-        let rule = "takes a name, so that its spread must be a list of { value, share }";
+        let rule = "takes a name, so that its spread must be a list of value and share";
         source.invalid(at, rule, "")
     })?;
     sums_to_one(source, at, list.iter().map(|entry| entry.share.si()))?;

@@ -397,7 +397,7 @@ fn a_cost_is_told_where_it_is_given() {
         ));
         assert_eq!(outcome.status, Some(0), "{}", outcome.text);
         let page = fs::read_to_string(sandbox.path("report.html")).unwrap();
-        assert_eq!(page.contains("takes 1 shift and 7000 CHF."), told);
+        assert_eq!(page.contains("takes 1 grinding shift and 7000 CHF."), told);
         let brief = page.split("</section>").next().unwrap();
         assert!(brief.contains("fill=\"#c8442c\"") && brief.contains("The line: red"));
         stands_alone(&page);

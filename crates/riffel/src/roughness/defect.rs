@@ -19,6 +19,8 @@ const CALM: f64 = 0.1;
 const APART: f64 = 0.5;
 /// Share of a neighbour's height below which a defect is the ringing of its filter.
 const RINGING: f64 = 0.1;
+/// The same at which it ends, on a rail so smooth that ringing stands out of it for metres.
+const SLIGHT_RINGING: f64 = 0.02;
 /// Longest defect \[m\]: a dipped weld has a metre or two.
 const LONGEST: f64 = 3.0;
 /// Most turns of half its height that a defect has; a wave has more.
@@ -98,7 +100,11 @@ impl Profile {
         let height = |place: &Range<usize>| all.heights[all.top(place)].abs();
         let rings = |[_, place]: &[Range<usize>; 2]| {
             let mut others = places.iter();
-            others.any(|[_, other]| beside(place, other) && height(place) < RINGING * height(other))
+            others.any(|[_, other]| {
+                let share = height(place) / height(other);
+                let near = place.start < other.end + longest && other.start < place.end + longest;
+                share < RINGING && beside(place, other) || share < 0.5 * RINGING && near
+            })
         };
         let mut single: Vec<_> = places.iter().filter(|place| !rings(place)).collect();
         single.sort_by_key(|[_, place]| place.start);
@@ -166,7 +172,7 @@ impl<'a> Waves<'a> {
         self.heights[index].abs() / self.deviations[index / cell(self.spacing)]
     }
 
-    /// The samples that stand out, and are no waves.
+    /// The samples that stand out, and are no waves: the highest of those that hang together, and what else is no ringing of it.
     fn outstanding(&self) -> Vec<Range<usize>> {
         let mut places = Vec::new();
         let mut index = 0;
@@ -175,21 +181,38 @@ impl<'a> Waves<'a> {
                 index += 1;
                 continue;
             }
-            let samples = self.around(index);
-            index = samples.end;
-            // What the record cuts off cannot be told from how a filter begins.
-            let cut = samples.start == 0 || samples.end == self.heights.len();
-            if !cut && self.is_single(&samples) {
-                places.push(samples);
+            let whole = self.reach(index, REACHES);
+            index = whole.end;
+            let least = RINGING * self.heights[self.top(&whole)].abs();
+            let mut parts = vec![whole];
+            while let Some(part) = parts.pop() {
+                let top = self.top(&part);
+                if self.heights[top].abs() < least || self.ratio(top) <= OUTSTANDING {
+                    continue;
+                }
+                let around = self.around(top);
+                let place = around.start.max(part.start)..around.end.min(part.end);
+                // What the record cuts off cannot be told from how a filter begins.
+                let cut = place.start == 0 || place.end == self.heights.len();
+                if !cut && self.is_single(&place) {
+                    places.push(place.clone());
+                }
+                let rest = [part.start..place.start, place.end..part.end];
+                parts.extend(rest.into_iter().filter(|rest| !rest.is_empty()));
             }
         }
         places
     }
 
-    /// The samples about one, to where the rail is calm.
-    fn around(&self, index: usize) -> Range<usize> {
-        reach(index, self.heights.len(), self.spacing, |index| {
-            self.ratio(index)
+    /// The samples about the top of a place, to where the rail is calm or a filter rings.
+    fn around(&self, top: usize) -> Range<usize> {
+        self.reach(top, REACHES.max(SLIGHT_RINGING * self.ratio(top)))
+    }
+
+    /// The samples about one, to where the rail is calm on either side.
+    fn reach(&self, at: usize, least: f64) -> Range<usize> {
+        reach(at, self.heights.len(), self.spacing, |index| {
+            self.ratio(index) > least
         })
     }
 
@@ -235,14 +258,19 @@ fn deviations(waves: &[f64], spacing: f64) -> Vec<f64> {
 }
 
 /// The samples about one that stands out, to where the rail is calm on either side.
-fn reach(at: usize, count: usize, spacing: f64, ratio: impl Fn(usize) -> f64) -> Range<usize> {
+fn reach(
+    at: usize,
+    count: usize,
+    spacing: f64,
+    stands_out: impl Fn(usize) -> bool,
+) -> Range<usize> {
     let calm = (CALM / spacing).round().max(1.0) as usize;
     let limit = (2.0 * LONGEST / spacing) as usize;
     let side = |step: isize| {
         let (mut last, mut index) = (at, at);
         while let Some(next) = index.checked_add_signed(step).filter(|next| *next < count) {
             index = next;
-            if ratio(index) > REACHES {
+            if stands_out(index) {
                 last = index;
             }
             if index.abs_diff(last) > calm || index.abs_diff(at) > limit {
