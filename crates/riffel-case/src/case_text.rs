@@ -7,13 +7,13 @@ use riffel_keys::{CaseError, KeyFile, Message, overridden_key};
 use toml::{Table, Value};
 
 use crate::CaseKey;
-use crate::file::CaseFile;
+use crate::file::{CaseFile, LEFT_WHEEL};
 use crate::preset::PresetKind;
 
 /// Keys that take the name of a profile.
 const PROFILES: [&str; 5] = [
     "profiles.wheel",
-    "profiles.left_wheel",
+    LEFT_WHEEL,
     "profiles.rail",
     "profiles.rail.left",
     "profiles.rail.right",

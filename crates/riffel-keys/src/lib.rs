@@ -38,6 +38,6 @@ pub use error::CaseError;
 pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
-pub use message::{Message, Value, decimal, fixed, number, significant};
+pub use message::{Message, Value, decimal, fixed, number, significant, significant_digits};
 pub use range::{PhysicalRange, RANGES, bound};
 pub use unit::{Exponents, Unit};

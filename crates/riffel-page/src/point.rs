@@ -2,7 +2,7 @@
 
 use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
-use riffel_case::traffic::reported_growth;
+use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, Point};
 use serde::{Deserialize, Serialize};
 
@@ -19,9 +19,9 @@ pub(crate) struct Question {
     case: CaseText,
     wavelength_m: f64,
     speed_m_per_s: f64,
-    /// Axles a day on the line.
+    /// Axles a day on the line; none, and they are those of the usual traffic.
     #[serde(default)]
-    passages_per_day: f64,
+    passages_per_day: Option<f64>,
 }
 
 #[derive(Serialize)]
@@ -118,7 +118,9 @@ impl crate::Question for Question {
         if !wanted() {
             return Err(Fault::superseded());
         }
-        let reported = reported_growth(wavelength, state.growth_rate, self.passages_per_day);
+        let usual = || UsualTraffic::of(&case).passages_per_day;
+        let daily = self.passages_per_day.unwrap_or_else(usual);
+        let reported = reported_growth(wavelength, state.growth_rate, daily);
         Reply::json(&Answer {
             reported_growth: reported.as_ref().map(Note::from),
             state: Turn {

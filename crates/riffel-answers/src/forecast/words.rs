@@ -1,6 +1,7 @@
 //! Numbers of a forecast in words.
 
 use riffel::forecast::Reach;
+use riffel_keys::significant_digits;
 
 /// What stands in the place of a number that the linear loop cannot give.
 pub(super) const BEYOND: &str = "beyond the linear range";
@@ -31,9 +32,7 @@ pub fn reached(reach: Reach) -> String {
 pub fn number(value: f64) -> String {
     match value.abs() {
         size if size >= 1e5 => format!("{value:.2e}"),
-        size if size >= 1e4 => format!("{:.0}", 100.0 * (value / 100.0).round()),
-        size if size >= 1e3 => format!("{:.0}", 10.0 * (value / 10.0).round()),
-        size if size >= 100.0 => format!("{value:.0}"),
+        size if size >= 100.0 => significant_digits(value, 3),
         size if size >= 10.0 => format!("{value:.1}"),
         _ => format!("{value:.2}"),
     }

@@ -43,15 +43,10 @@ impl GrindingCost {
         Ok(())
     }
 
-    /// What it costs to grind a length of line \[m\]: whole shifts.
-    pub(super) fn of(&self, length: f64) -> f64 {
-        (length / self.length_a_shift.si()).ceil() * self.grinding_shift
-    }
-
-    /// What it costs to grind a length of line \[m\] now, and a year where that is to be done again after so many months.
+    /// What it costs to grind a length of line \[m\] now, in whole shifts, and a year where that is to be done again after so many months.
     pub(super) fn words(&self, length: f64, months: Option<f64>) -> String {
-        let cost = self.of(length);
         let shifts = (length / self.length_a_shift.si()).ceil();
+        let cost = shifts * self.grinding_shift;
         let shifts = match shifts {
             1.0 => "1 grinding shift".to_owned(),
             _ => format!("{shifts:.0} grinding shifts"),

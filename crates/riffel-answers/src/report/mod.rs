@@ -184,8 +184,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             }
             warnings.extend(case.remarks.iter().map(ToString::to_string));
             let of_growth = doubt(forecast.ok(), compare.ok());
-            // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
-            let by_measured = forecast
+            let forecast_by_measured = forecast
                 .is_ok_and(|answer| answer.wear.as_ref().is_some_and(WearReport::is_unexplained));
             interval = forecast
                 .ok()
@@ -195,14 +194,20 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 Ok(answer) => outlook::forecast(case, answer)?,
                 Err(why) => Outlook::left_out("Forecast", why),
             };
-            let what_if = match compare {
+            let mut what_if = match compare {
                 Ok(answer) => outlook::what_if(case, answer)?,
                 Err(why) => Outlook::left_out("What-if", why),
             };
-            let noise = match noise {
+            let mut noise = match noise {
                 Ok(answer) => noise::heard(answer)?,
                 Err(why) => Outlook::left_out("Rolling noise", why),
             };
+            // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
+            if forecast_by_measured {
+                let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
+                what_if.brief = vec![unknown.to_owned()];
+                noise.brief.truncate(1);
+            }
             let doubt =
                 of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
             let outlooks = [
@@ -215,11 +220,6 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 // No dates of a growth that nobody has seen.
                 if doubt.is_some() {
                     outlook.brief.clear();
-                } else if by_measured && label == "What helps" {
-                    let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
-                    outlook.brief = labelled(label, vec![unknown.to_owned()]);
-                } else if by_measured && label == "What is heard" {
-                    outlook.brief.truncate(1);
                 }
                 outlook.put(&mut sections, &mut brief, &mut warnings);
             }

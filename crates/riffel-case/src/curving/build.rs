@@ -123,7 +123,7 @@ impl CurvingCase {
         }
         if profiles.left_wheel.is_some() {
             let rule = "is set, but profiles.wheel = \"cone\" stands for both wheels";
-            return Err(keys.invalid("profiles.left_wheel", rule, ""));
+            return Err(keys.invalid(file::LEFT_WHEEL, rule, ""));
         }
         let conicity = profiles.conicity.ok_or_else(|| {
             keys.missing("profiles.conicity", "profiles.wheel = \"cone\" needs it")

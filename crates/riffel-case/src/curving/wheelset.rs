@@ -14,13 +14,11 @@ use std::sync::Arc;
 use super::CurvingCase;
 use super::build::is_cone;
 use super::profile_file::{ProfileOfName, ProfileReading, profile_of};
-use crate::file::{CurvingTheory, ProfileKind, Profiles, RailProfiles};
+use crate::file::{CurvingTheory, LEFT_WHEEL, ProfileKind, Profiles, RailProfiles};
 
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.
 const FARTHEST: f64 = 0.012;
 const STEP: f64 = 1e-4;
-
-const LEFT_WHEEL: &str = "profiles.left_wheel";
 
 impl CurvingCase {
     /// The steel of wheels and rails.

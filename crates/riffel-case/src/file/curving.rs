@@ -208,6 +208,9 @@ pub struct Profiles {
     pub contact_shift_moment: Option<bool>,
 }
 
+/// The key of the profile of the left wheels.
+pub(crate) const LEFT_WHEEL: &str = "profiles.left_wheel";
+
 impl Profiles {
     /// Those of wheels and rails by their keys; none of cones.
     pub(crate) fn names(&self) -> Vec<(&'static str, &str)> {
@@ -215,11 +218,7 @@ impl Profiles {
         if self.wheel != "cone" {
             names.push(("profiles.wheel", &*self.wheel));
         }
-        names.extend(
-            self.left_wheel
-                .iter()
-                .map(|left| ("profiles.left_wheel", &**left)),
-        );
+        names.extend(self.left_wheel.iter().map(|left| (LEFT_WHEEL, &**left)));
         match &self.rail {
             None => {}
             Some(RailProfiles::Both(rail)) => names.push(("profiles.rail", rail)),

@@ -25,6 +25,7 @@ pub use contact::{
 };
 pub use creep_law_name::CreepLawName;
 pub use creepage::{Creepage, VectorCreepage};
+pub(crate) use curving::LEFT_WHEEL;
 pub use curving::{
     Body, Bogie, ContactPlane, CreepCoefficients, Curve, CurvingContact, CurvingFile, CurvingLaw,
     CurvingTheory, CurvingWheel, CurvingWheelset, Flange, FrictionOfRails, Inclination,

@@ -10,7 +10,6 @@ use riffel_keys::{CaseError, KeyFile};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
-
 use toml::Value;
 
 use super::mix::sums_to_one;
@@ -199,33 +198,7 @@ pub(super) fn of_key(
     kind: Kind,
     value: &Value,
 ) -> Result<Distribution, CaseError> {
-    let numbers = |name: &str, value: &Value| match (name, value) {
-        ("share", value) => Ok(value.clone()),
-        (_, Value::String(text)) => {
-            let read = kind.read(text);
-            let read = read
-                .map_err(|error| source.invalid(&format!("{at}.{name}"), &error.to_string(), ""));
-            read.map(Value::Float)
-        }
-        (_, value) => Ok(value.clone()),
-    };
-    let of_table = |table: &toml::Table| -> Result<Value, CaseError> {
-        let entries = table
-            .iter()
-            .map(|(name, value)| Ok((name.clone(), numbers(name, value)?)));
-        Ok(Value::Table(entries.collect::<Result<_, CaseError>>()?))
-    };
-    let in_si = match value {
-        Value::Table(table) => of_table(table)?,
-        Value::Array(list) => {
-            let entries = list.iter().map(|entry| match entry {
-                Value::Table(table) => of_table(table),
-                entry => Ok(entry.clone()),
-            });
-            Value::Array(entries.collect::<Result<_, CaseError>>()?)
-        }
-        value => value.clone(),
-    };
+    let in_si = in_si(source, at, kind, value)?;
     let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
         let rule = format!(
             "is no spread: give mean and standard_deviation, min and max, or a list of value and share, with {} as in \"{}\"",
@@ -234,6 +207,34 @@ pub(super) fn of_key(
         source.invalid(at, &rule, "")
     })?;
     spread.distribution(source, at, Values::Any)
+}
+
+/// A value with every number of it but shares in SI.
+fn in_si(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Value, CaseError> {
+    match value {
+        Value::String(text) => {
+            let read = kind.read(text);
+            let number = read.map_err(|error| source.invalid(at, &error.to_string(), ""))?;
+            Ok(Value::Float(number))
+        }
+        Value::Table(table) => {
+            let entries = table.iter().map(|(name, value)| {
+                let value = match &**name {
+                    "share" => value.clone(),
+                    _ => in_si(source, &format!("{at}.{name}"), kind, value)?,
+                };
+                Ok((name.clone(), value))
+            });
+            Ok(Value::Table(entries.collect::<Result<_, CaseError>>()?))
+        }
+        Value::Array(list) => {
+            let entries = list.iter().enumerate();
+            let entries =
+                entries.map(|(index, entry)| in_si(source, &format!("{at}[{index}]"), kind, entry));
+            Ok(Value::Array(entries.collect::<Result<_, CaseError>>()?))
+        }
+        value => Ok(value.clone()),
+    }
 }
 
 /// The names that a key of the case takes, with their shares, at its place in the traffic file.

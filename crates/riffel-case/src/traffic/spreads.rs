@@ -7,7 +7,7 @@ use toml::Value;
 use super::Vehicle;
 use super::spread::{Values, names_of_key, of_key};
 use crate::CaseKey;
-use crate::setting::{Setting, settings_until};
+use crate::setting::{Setting, settings, settings_until};
 
 /// What is spread over the wheels of a vehicle besides its speed.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -121,8 +121,8 @@ impl PartValues {
 
     /// The value of a key of the case, if it is spread.
     pub(super) fn of(&self, key: &str) -> Option<f64> {
-        let mut found = self.0.iter().filter(|(_, (own, _))| own == key);
-        found.next().and_then(|(_, (_, value))| value.as_float())
+        let found = self.0.iter().find(|(_, (own, _))| own == key);
+        found.and_then(|(_, (_, value))| value.as_float())
     }
 }
 
@@ -151,50 +151,44 @@ impl Spreads {
             let rule = format!("and `{}` exclude each other", at(other));
             return Err(source.invalid(&at(own), &rule, "give one of the two"));
         }
-        let positive = Values::Positive;
-        let shorthands = [
-            (
+        let mut of_keys = Vec::new();
+        let mut shorthand = |own: &str, key: &str, distribution: Distribution| {
+            of_keys.push(SpreadOfKey {
+                own: own.to_owned(),
+                key: key.to_owned(),
+                values: ValuesOfKey::Numbers(distribution),
+            });
+        };
+        if let Some(radius) = &vehicle.wheel_radius {
+            let at = at("wheel_radius");
+            shorthand(
                 "wheel_radius",
                 WHEEL_RADIUS,
-                vehicle
-                    .wheel_radius
-                    .as_ref()
-                    .map(|it| it.distribution(source, &at("wheel_radius"), positive)),
-            ),
-            (
+                radius.distribution(source, &at, Values::Positive)?,
+            );
+        }
+        if let Some(load) = &vehicle.load {
+            shorthand(
                 "load",
                 LOAD,
-                vehicle
-                    .load
-                    .as_ref()
-                    .map(|it| it.distribution(source, &at("load"), positive)),
-            ),
-            (
+                load.distribution(source, &at("load"), Values::Positive)?,
+            );
+        }
+        if let Some(friction) = &vehicle.friction {
+            let at = at("friction");
+            shorthand(
                 "friction",
                 FRICTION,
-                vehicle
-                    .friction
-                    .as_ref()
-                    .map(|it| it.distribution(source, &at("friction"), positive)),
-            ),
-        ];
-        let mut of_keys = Vec::new();
-        for (own, key, distribution) in shorthands {
-            if let Some(distribution) = distribution {
-                of_keys.push(SpreadOfKey {
-                    own: own.to_owned(),
-                    key: key.to_owned(),
-                    values: ValuesOfKey::Numbers(distribution?),
-                });
-            }
+                friction.distribution(source, &at, Values::Positive)?,
+            );
         }
+        let given = settings(&vehicle.set);
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");
             let Some(known) = CaseKey::find(&key) else {
                 let help = format!("the nearest key is `{}`", CaseKey::nearest(&key));
                 return Err(source.invalid(&at(&own), "is no key of a case", &help));
             };
-            let given = crate::setting::settings(&vehicle.set);
             let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key)
                 || given.iter().any(|it| it.0 == key);
             if twice {

@@ -76,12 +76,6 @@ impl Traffic {
                 curving = curving.with(&format!("{key}={value}"))?;
             }
         }
-        if let Some(friction) = values.of(FRICTION) {
-            curving = curving.with(&format!("{FRICTION}={friction:?}"))?;
-        }
-        if let Some(radius) = values.of(WHEEL_RADIUS) {
-            curving = curving.with(&format!("{WHEEL_RADIUS}={radius:?}"))?;
-        }
         if let (Some(load), Some(bogie)) = (values.of(LOAD), &curving.file.bogie) {
             let mass = 2.0 * load / STANDARD_GRAVITY;
             let more = mass - bogie.mass_per_axle.si();
@@ -96,7 +90,8 @@ impl Traffic {
             }
         }
         for (_, (key, value)) in values.settings() {
-            if OF_VEHICLE.iter().any(|table| key.starts_with(table)) {
+            let of_wheel = [FRICTION, WHEEL_RADIUS].contains(&&*key);
+            if of_wheel || OF_VEHICLE.iter().any(|table| key.starts_with(table)) {
                 curving = curving.with(&format!("{key}={value}"))?;
             }
         }

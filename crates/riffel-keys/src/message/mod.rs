@@ -23,7 +23,7 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use piece::Piece;
-pub use value::{Value, decimal, fixed, number, significant};
+pub use value::{Value, decimal, fixed, number, significant, significant_digits};
 
 /// A message of the Fluent files with the values that it names.
 #[derive(Debug, Clone, PartialEq)]

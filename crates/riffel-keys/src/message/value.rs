@@ -62,15 +62,20 @@ pub fn decimal(value: f64, digits: usize) -> String {
 
 /// A number rounded to so many significant digits: 13.72 is 14 of two, 6,014 is 6,000.
 pub fn significant(value: f64, digits: usize) -> Value {
+    Value::Number(significant_digits(value, digits))
+}
+
+/// The same as text.
+pub fn significant_digits(value: f64, digits: usize) -> String {
     if !value.is_finite() || value == 0.0 {
-        return fixed(value, 0);
+        return decimal(value, 0);
     }
     // Rounding may add a digit: 9.96 of two is 10.
     let size = |value: f64| value.abs().log10().floor() as i32;
     let step = |value: f64| 10f64.powi(size(value) + 1 - digits as i32);
     let rounded = (value / step(value)).round() * step(value);
     let decimals = (digits as i32 - 1 - size(rounded)).max(0);
-    fixed(rounded, decimals as usize)
+    decimal(rounded, decimals as usize)
 }
 
 impl From<&str> for Value {

@@ -108,11 +108,11 @@ impl EquivalentConicity {
         let from_right = halves.iter().rev().map(|[first, second]| [*second, *first]);
         let mut from_right: Vec<f64> = from_right.scan(0.0, along).collect();
         from_right.reverse();
-        let fastest =
-            (0..pieces).max_by(|&one, &other| from_right[one].total_cmp(&from_right[other]));
+        let by_speed = |one: &usize, other: &usize| from_right[*one].total_cmp(&from_right[*other]);
+        let fastest = (0..pieces).max_by(by_speed).unwrap_or(0);
         let mut half_wave = 0.0;
         for index in 0..pieces {
-            let energy = match Some(index) < fastest {
+            let energy = match index < fastest {
                 true => from_left[index],
                 false => from_right[index],
             };

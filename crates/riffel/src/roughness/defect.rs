@@ -17,9 +17,11 @@ const REACHES: f64 = 2.5;
 const CALM: f64 = 0.1;
 /// Length beside a defect in which parts of the wavelengths show the same, and its filters ring \[m\].
 const APART: f64 = 0.5;
-/// Share of a neighbour's height below which a defect is the ringing of its filter.
+/// Share of a neighbour's height below which a defect is the ringing of its filter, and that for one within the length of the
+/// longest defect.
 const RINGING: f64 = 0.1;
-/// The same at which it ends, on a rail so smooth that ringing stands out of it for metres.
+const FAR_RINGING: f64 = 0.05;
+/// Share of its own height at which a defect ends on a rail so smooth that ringing stands out of it for metres.
 const SLIGHT_RINGING: f64 = 0.02;
 /// Longest defect \[m\]: a dipped weld has a metre or two.
 const LONGEST: f64 = 3.0;
@@ -55,7 +57,9 @@ impl Profile {
     /// A defect is what stands six standard deviations out of the rail 15 m to either side, between wavelengths of 20 mm
     /// and 1 m or in one of three parts of these, is no longer than 3 m and has no more than four turns of half its height: waves
     /// have more. The standard deviation is that of the median, which defects of a tenth of the rail do not move; a squat as long
-    /// as the waves of strong corrugation does not stand out. None are found where heights are more than 8 mm apart or the profile
+    /// as the waves of strong corrugation does not stand out. It reaches from its top to where the rail is calm, or to a fiftieth of its
+    /// height: beyond, the filter rings, and what stands less than a tenth as high within half a metre of another defect, or a
+    /// twentieth within 3 m, is ringing too. None are found where heights are more than 8 mm apart or the profile
     /// is shorter than 4 m. Cost: four band-passes.
     pub fn bridge_defects(&mut self) -> Vec<RailDefect> {
         let spacing = self.spacing();
@@ -103,7 +107,7 @@ impl Profile {
             others.any(|[_, other]| {
                 let share = height(place) / height(other);
                 let near = place.start < other.end + longest && other.start < place.end + longest;
-                share < RINGING && beside(place, other) || share < 0.5 * RINGING && near
+                share < RINGING && beside(place, other) || share < FAR_RINGING && near
             })
         };
         let mut single: Vec<_> = places.iter().filter(|place| !rings(place)).collect();
