@@ -1,13 +1,14 @@
 //! What grows fastest under the traffic of a line, and in what time.
 
 use std::f64::consts::LN_2;
+use std::ops::RangeInclusive;
 
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
-    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, reported_growth,
+    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, reported_growth, traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
-use riffel_keys::{CaseError, Message, Value, fixed, say, significant};
+use riffel_keys::{CaseError, Message, Value, say, significant};
 use serde::{Serialize, Serializer};
 
 use crate::{Banded, wear_spread};
@@ -108,25 +109,7 @@ impl LineGrowth {
             Some(line) => line.usual_traffic(),
             None => say!(traffic_given),
         };
-        let [slowest, fastest] = self.speeds_m_per_s.map(|speed| fixed(3.6 * speed, 0));
-        match self.passages_per_day {
-            Some(per_day) => say!(
-                traffic_at_speeds_a_day,
-                traffic = traffic,
-                slowest = slowest,
-                fastest = fastest,
-                axles = match per_day < 10.0 {
-                    true => significant(per_day, 2),
-                    false => fixed(per_day, 0),
-                }
-            ),
-            None => say!(
-                traffic_at_speeds,
-                traffic = traffic,
-                slowest = slowest,
-                fastest = fastest
-            ),
-        }
+        traffic_at_speeds(traffic, self.speeds_m_per_s, self.passages_per_day)
     }
 
     /// The answer.
@@ -179,7 +162,7 @@ impl FastestGrowth {
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
-            wavelengths_m: about(growth, wavelength, 0.5 * rate, case.shortest_told()),
+            wavelengths_m: about(growth, wavelength, 0.5 * rate, case),
             at_edge,
             growth_rate_per_passage: rate,
             doubling_passages: passages,
@@ -190,7 +173,8 @@ impl FastestGrowth {
     }
 
     /// In what it doubles, as in "5 to 14 months": years above three of them, days below two months.
-    fn time(&self) -> Message {
+    #[must_use]
+    pub fn time(&self) -> Message {
         let Some(months) = self.doubling_months else {
             let million = |passages: f64| significant(1e-6 * passages, 2);
             return match self.doubling_passages_banded {
@@ -231,18 +215,27 @@ fn span(speeds: &SpeedDistribution) -> [f64; 2] {
     [speeds.mean() - half, speeds.mean() + half]
 }
 
-/// The wavelength of the bands of a case that grows fastest under a traffic, its growth rate, and whether it sits at an edge: of those that
+/// The wavelength of the map of a case that grows fastest under a traffic, its growth rate, and whether it sits at an edge: of those that
 /// the contact does not average out; of all, where it averages out all.
 pub(crate) fn fastest_of(growth: &TrafficGrowth, case: &Case) -> Option<(f64, f64, bool)> {
-    let told = growth.fastest(case.shortest_told());
-    told.or_else(|| growth.fastest(0.0))
+    let map = case.wavelength.min()..=case.wavelength.max();
+    let told = growth.fastest(&told_of_map(case));
+    // No line of a band may lie in a narrow map.
+    told.or_else(|| growth.fastest(&map))
+        .or_else(|| growth.fastest(&(0.0..=f64::INFINITY)))
 }
 
-/// The wavelengths about one, of those that are told, that grow at a rate and more without a gap.
-fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, shortest: f64) -> [f64; 2] {
+/// The wavelengths of the map of a case that the contact does not average out; none where it averages out all.
+fn told_of_map(case: &Case) -> RangeInclusive<f64> {
+    case.wavelength.min().max(case.shortest_told())..=case.wavelength.max()
+}
+
+/// The wavelengths about one, of those of a case that are told, that grow at a rate and more without a gap.
+fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, case: &Case) -> [f64; 2] {
     let lines = growth.wavelengths();
+    let told = told_of_map(case);
     let middle = lines.partition_point(|&line| line < wavelength);
-    let grows = |&(line, own): &(f64, f64)| own >= rate && line >= shortest;
+    let grows = |&(line, own): &(f64, f64)| own >= rate && told.contains(&line);
     let line = |place: usize| (lines[place], growth.rates()[place]);
     let above = (middle..lines.len()).map(line).take_while(grows).last();
     let below = (0..middle).rev().map(line).take_while(grows).last();

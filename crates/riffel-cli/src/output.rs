@@ -37,11 +37,10 @@ fn without_minus_zero(text: &str) -> String {
     while let Some(at) = rest.find("-0") {
         let (before, number) = rest.split_at(at);
         words.push_str(before);
-        let digits = number[1..].find(|c: char| !(c.is_ascii_digit() || c == '.'));
-        let (number, after) = number.split_at(digits.map_or(number.len(), |end| end + 1));
+        let (number, after) = number.split_at(1 + length_of_number(&number[1..]));
         let begins = !words.ends_with(|c: char| c.is_alphanumeric() || "-.".contains(c));
         let ends = !after.starts_with(|c: char| c.is_alphabetic() || c == '-');
-        let zero = number.bytes().all(|byte| b"-0.".contains(&byte));
+        let zero = number.bytes().all(|byte| b"-0.,".contains(&byte));
         match begins && ends && zero {
             true => words.extend([&number[1..], if after.starts_with("  ") { " " } else { "" }]),
             false => words.push_str(number),
@@ -49,6 +48,17 @@ fn without_minus_zero(text: &str) -> String {
         rest = after;
     }
     words + rest
+}
+
+/// Digits with points and with commas between them, at the beginning of a text.
+fn length_of_number(text: &str) -> usize {
+    let is_digit = |place: usize| text.as_bytes().get(place).is_some_and(u8::is_ascii_digit);
+    let belongs = |(place, letter)| match letter {
+        ',' => is_digit(place + 1),
+        letter => letter.is_ascii_digit() || letter == '.',
+    };
+    let end = text.char_indices().find(|&letter| !belongs(letter));
+    end.map_or(text.len(), |(end, _)| end)
 }
 
 /// Names come from files of others: what commands a terminal is written out.
@@ -220,6 +230,7 @@ mod tests {
             ("from -0.0 to -0.00 m", "from 0.0 to 0.00 m"),
             ("-0 and (-0.000)", "0 and (0.000)"),
             ("a  -0.0  b", "a  0.0   b"),
+            ("-0,176 and -0,000, -0", "-0,176 and 0,000, 0"),
             (
                 "-0.01, -0.0e3, 2026-05-01, 1e-06, -00-, x-0.0, -1.0",
                 "-0.01, -0.0e3, 2026-05-01, 1e-06, -00-, x-0.0, -1.0",

@@ -270,6 +270,7 @@ traffic-of-curve = dem üblichen Verkehr dieses Bogens
 traffic-given = dem angegebenen Verkehr
 traffic-at-speeds = { $traffic } ({ $slowest }–{ $fastest } km/h)
 traffic-at-speeds-a-day = { $traffic } ({ $slowest }–{ $fastest } km/h, { $axles } Achsen am Tag)
+compared-under = unter { $traffic }
 shorter-waves = kürzere
 longer-waves = längere
 one-wavelength = { $wavelength } mm

@@ -278,6 +278,7 @@ traffic-of-curve = the usual traffic of this curve
 traffic-given = the traffic given
 traffic-at-speeds = { $traffic } ({ $slowest }–{ $fastest } km/h)
 traffic-at-speeds-a-day = { $traffic } ({ $slowest }–{ $fastest } km/h, { $axles } axles a day)
+compared-under = under { $traffic }
 shorter-waves = shorter
 longer-waves = longer
 one-wavelength = { $wavelength } mm

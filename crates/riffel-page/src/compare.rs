@@ -1,12 +1,13 @@
 //! `POST /api/compare`: maps of variants in the window of one case; `POST /api/growth`: their growth over wavelength.
 
 use riffel::{Axis, Ridge};
+use riffel_answers::LineGrowth;
 use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::Case;
 use serde::{Deserialize, Serialize};
 
 use crate::map::{Computed, Head};
-use crate::{CaseText, Fault, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;
@@ -51,12 +52,42 @@ pub(crate) struct Question {
     variants: Vec<Variant>,
     /// The case at hand, whose window all maps have.
     case: CaseText,
+    /// The traffic of the line; none, and it is the usual one of each.
+    #[serde(default)]
+    traffic: Option<Traffic>,
 }
 
 /// The values of the variants follow each other.
 #[derive(Serialize)]
 struct Answer {
-    variants: Vec<Head>,
+    variants: Vec<Compared>,
+}
+
+#[derive(Serialize)]
+struct Compared {
+    #[serde(flatten)]
+    head: Head,
+    under_traffic: UnderTraffic,
+}
+
+/// What grows fastest under the traffic of the line.
+#[derive(Serialize)]
+struct UnderTraffic {
+    #[serde(flatten)]
+    growth: LineGrowth,
+    /// In what it doubles, "5 to 14 months"; none where nothing grows.
+    doubles_in: Option<Note>,
+}
+
+impl UnderTraffic {
+    fn of(case: &Case, traffic: Option<&riffel_case::traffic::Traffic>) -> Result<Self, Fault> {
+        let growth = LineGrowth::new(case, traffic)?;
+        let fastest = growth.fastest.as_ref();
+        Ok(Self {
+            doubles_in: fastest.map(|fastest| Note::from(&fastest.time())),
+            growth,
+        })
+    }
 }
 
 impl crate::Question for Question {
@@ -67,13 +98,18 @@ impl crate::Question for Question {
     fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
         at_most("maps", &self.variants, MOST_MAPS)?;
         let case = self.case.read()?;
+        let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
         let (wavelength, speed) = (case.wavelength, case.speed);
         let mut variants = Vec::new();
         let mut values = Vec::new();
         for variant in &self.variants {
             let own = variant.covering(&case)?;
             let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted);
-            variants.push(map.head);
+            let under_traffic = UnderTraffic::of(&own, traffic.as_ref());
+            variants.push(Compared {
+                head: map.head,
+                under_traffic: under_traffic.map_err(|fault| variant.fault(fault))?,
+            });
             values.extend(map.values);
         }
         Reply::framed(&Answer { variants }, &values)

@@ -9,7 +9,7 @@ use riffel::forecast::{Forecast, Reach, SpeedDistribution};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::WearReport;
-use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
 use riffel_rail::{GroundRail, Layout};
@@ -42,6 +42,14 @@ impl GivenTraffic<'_> {
                 Ok(Traffic::of_case(speeds.map_err(of_physics)?))
             }
         }
+    }
+}
+
+/// The traffic that was given, or the usual one of the line of the case.
+pub(crate) fn traffic_of(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
+    match given {
+        Some(given) => given.traffic(),
+        None => UsualTraffic::of(&case.case).traffic().map_err(of_case),
     }
 }
 
@@ -91,7 +99,7 @@ pub(crate) fn forecast<'py>(
     case: &Case,
     measured: Option<GivenLevels<'py>>,
     ground: GivenGround,
-    traffic: GivenTraffic<'py>,
+    traffic: Option<GivenTraffic<'py>>,
     passages: Option<PyReadonlyArray1<'py, f64>>,
     mgt: Option<PyReadonlyArray1<'py, f64>>,
     months: Option<PyReadonlyArray1<'py, f64>>,
@@ -100,7 +108,7 @@ pub(crate) fn forecast<'py>(
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let begins = begins(measured, ground, &limit, &table.edition)?;
     let spectrum = begins.ok_or_else(|| wrong("give spectrum, ground or from_limit"))?;
-    let traffic = traffic.traffic()?;
+    let traffic = traffic_of(case, traffic.as_ref())?;
     let on = case.compute(py, move |case| {
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
     })?;
@@ -187,14 +195,14 @@ pub(crate) fn fit_wear<'py>(
     later: (PathBuf, GivenRoughness<'py>),
     passages: Option<f64>,
     days: Option<f64>,
-    traffic: GivenTraffic<'py>,
+    traffic: Option<GivenTraffic<'py>>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let layout = Layout::default();
     let [earlier, later] = match places_of_both(py, &earlier, &later, &layout)? {
         Some(places) => places,
         None => [survey(py, &earlier, &layout)?, survey(py, &later, &layout)?],
     };
-    let traffic = traffic.traffic()?;
+    let traffic = traffic_of(case, traffic.as_ref())?;
     let on = case.compute(py, move |case| {
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
     })?;
@@ -222,7 +230,7 @@ pub(crate) fn compare<'py>(
     py: Python<'py>,
     case: &Case,
     variants: Vec<GivenVariant<'py>>,
-    traffic: GivenTraffic<'py>,
+    traffic: Option<GivenTraffic<'py>>,
     measured: Option<GivenLevels<'py>>,
     ground: GivenGround,
     hold: Option<&str>,
@@ -239,7 +247,7 @@ pub(crate) fn compare<'py>(
     for variant in &mut variants {
         variant.hold = hold;
     }
-    let traffic = traffic.traffic()?;
+    let traffic = traffic_of(case, traffic.as_ref())?;
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let measured = begins(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {

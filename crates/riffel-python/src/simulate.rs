@@ -15,7 +15,7 @@ use crate::array::owned;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_physics};
-use crate::forecast::GivenTraffic;
+use crate::forecast::{GivenTraffic, traffic_of};
 use crate::interrupt::interruptible;
 
 /// Amplitude and wavelength of a sinusoid \[m\], or where a profile begins \[m\], its spacing \[m\] and heights \[m\].
@@ -168,7 +168,7 @@ pub(crate) fn evolve<'py>(
     case: &Case,
     surface: GivenSurface<'py>,
     periodic: bool,
-    traffic: GivenTraffic<'py>,
+    traffic: Option<GivenTraffic<'py>>,
     passages: u64,
     step: Option<f64>,
     contact_filter: bool,
@@ -179,7 +179,7 @@ pub(crate) fn evolve<'py>(
     f64,
     Vec<String>,
 )> {
-    let traffic = traffic.traffic()?;
+    let traffic = traffic_of(case, traffic.as_ref())?;
     let usual_step = step.unwrap_or(PassageRequest::USUAL_STEP);
     let (surface, largest_step) = match surface.rail()? {
         Rail::Sinusoid(sinusoid) => {

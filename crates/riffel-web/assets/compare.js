@@ -9,7 +9,7 @@ import { Line, framed, json } from './server.js';
 import { Sweep, drawCurves } from './sweep.js';
 import { reportOf } from './variant-report.js';
 import { MOST_VARIANTS, ownName } from './variants.js';
-import { labelOf, number, passages, power, speed, t, translate, written } from './words.js';
+import { currentLanguage, labelOf, number, passages, power, speed, t, translate, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
 const PATIENCE = 150;
@@ -22,7 +22,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   const place = document.getElementById('view-compare');
   const maps = new Line('/api/compare', framed);
   const growth = new Line('/api/growth', json);
-  /** Head and map of each case that is shown, by case and window: while the case changes, the variants stay. */
+  /** Head and map of each case that is shown, by case, window and traffic: while the case changes, the variants stay. */
   let known = new Map();
   let curves = null;
   /** Places of the two whose maps are shown; null is the case at hand. */
@@ -113,7 +113,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   const colorOf = (k) => (k === null ? palette()[0] : palette()[1 + k]);
 
   /** What stands beside each other: the variants, then the case at hand. */
-  const entries = () => [...state.variants, { name: t('now'), case: state.keys }].map((one) => ({ ...one, key: JSON.stringify([one.case, state.keys.map ?? null]) }));
+  const entries = () => [...state.variants, { name: t('now'), case: state.keys }].map((one) => ({ ...one, key: JSON.stringify([one.case, state.keys.map ?? null, traffic.given]) }));
 
   // Asking ---------------------------------------------------------------------------------------------
 
@@ -131,7 +131,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
     }
     stale(true);
     const given = structuredClone(state.keys);
-    maps.ask({ variants: missing.map(({ name, case: keys }) => ({ name, case: { keys } })), case: { keys: given } }, ({ head, values }) => {
+    maps.ask({ variants: missing.map(({ name, case: keys }) => ({ name, case: { keys } })), case: { keys: given }, traffic: traffic.given && traffic.question }, ({ head, values }) => {
       let offset = 0;
       head.variants.forEach((one, k) => {
         const map = toMap(one, values, offset);
@@ -238,18 +238,18 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   function rows(all) {
     const heads = all.map(({ key }) => known.get(key).head);
     const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
-    const doubling = ({ highest, complete }) => {
-      if (!highest) return ['–', '–', '–'];
-      const count = Math.LN2 / highest.growth_rate_per_passage;
-      const { time, mass } = traffic.words(count, si(complete, 'contact.normal_load'));
-      return [passages(count), time, mass];
+    const millimetres = (wavelength, digits) => `${number(1e3 * wavelength, digits)} mm`;
+    const onTheLine = ({ under_traffic: { fastest, doubles_in: time }, complete }) => {
+      if (!fastest) return [t('nothing_grows_here'), '–', '–', '–'];
+      const count = fastest.doubling_passages;
+      return [millimetres(fastest.wavelength_m, 2), time[currentLanguage()], passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];
     };
     common.textContent = windowInWords(all, heads[0].window);
     const columns = heads.map((head) => {
       const high = head.highest;
       return [
-        of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => `${number(1e3 * v)} mm`), of(high?.speed_m_per_s, speed),
-        of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`), ...doubling(head),
+        ...onTheLine(head), of(high?.growth_rate_per_passage, (v) => power(v, 3)), of(high?.wavelength_m, (v) => millimetres(v)), of(high?.speed_m_per_s, speed),
+        of(high?.frequency_hz, (v) => `${number(v)} Hz`), of(head.best_fit_frequency_hz, (v) => `${number(v)} Hz`),
         `${number(100 * head.derived.creepage)} %`, `${number(1e-6 * head.derived.contact_stiffness_n_per_m)} MN/m`,
       ];
     });
@@ -271,7 +271,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
       showCurves();
       sweep.reword();
     } else if (what === 'traffic') {
-      show();
+      ask();
       sweep.show();
     } else if (what === 'case' || what === 'view') ask();
     else if (what === 'point') {

@@ -49,6 +49,9 @@ def test_six_variants_in_maps_curves_and_table(page):
     # Three digits, in the unit of the form: 0.75 · 500 kg · (0.46 m)² / 2.
     [inertia] = [cells for name, cells in table.items() if "(wheel.inertia)" in name]
     assert inertia[3] == "39.7 kg m²"
+    # What leads is what grows under the traffic, as the view of the case says.
+    fastest, doubles_in = (table[name][-1] for name in ("grows fastest under the traffic", "doubles in"))
+    assert fastest.removesuffix(" mm") in page.page.text_content("#verdict") and doubles_in in page.page.text_content("#verdict")
     page.until(lambda: len(page.page.evaluate(CURVES, "compare-curves")) == 7)
     curves = page.page.evaluate(CURVES, "compare-curves")
     assert [curve["name"] for curve in curves] == ["A", "B", "C", "D", "E", "F", "Now"]

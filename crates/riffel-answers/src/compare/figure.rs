@@ -5,6 +5,7 @@ use riffel_case::traffic::DAYS_PER_YEAR;
 use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::CompareAnswer;
+use crate::capital;
 use crate::forecast::{number, per_million, rate_panel, when, zero};
 use crate::roughness::figure::{level_panel, levels as curve};
 
@@ -30,7 +31,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
     let mut panels = vec![rate_panel(rates)];
     let mut caption = format!(
         "{}. Growth of the level by wavelength, positive where corrugation grows.",
-        answer.speeds
+        capital(&answer.speeds)
     );
     if let Some(leading) = answer.leading() {
         // All at one date: when the case as it is reaches its limit, else when the first variant does, else

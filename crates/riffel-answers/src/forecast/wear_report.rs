@@ -22,6 +22,8 @@ pub struct WearReport {
     days: Option<f64>,
     /// Records of the earlier measurement and of the later.
     pub records: [usize; 2],
+    /// What was put right in the records, and what was left out of them.
+    remarks: Vec<String>,
 }
 
 /// A fit with keys and units, to be serialised: what `riffel forecast --json` prints of it.
@@ -41,6 +43,8 @@ pub struct WearDocument {
     residual_rms_db: Option<f64>,
     bands: Vec<WearBand>,
     sentences: Vec<String>,
+    /// What was put right in the records, and what was left out of them.
+    remarks: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -52,6 +56,15 @@ struct WearBand {
     fitted_change_db: Option<f64>,
     residual_db: Option<f64>,
     grows_in_the_model: bool,
+}
+
+/// The remarks on the records of a file, with its name.
+fn remarks_of(survey: &Survey) -> impl Iterator<Item = String> {
+    let name = survey.path().display();
+    survey
+        .warnings
+        .iter()
+        .map(move |warning| format!("{name}: {warning}"))
 }
 
 impl WearReport {
@@ -74,6 +87,7 @@ impl WearReport {
             days: on.passages_per_day.map(|per_day| passages / per_day),
             coefficient: case.file.wear.coefficient.si(),
             records: [earlier.records.len(), later.records.len()],
+            remarks: [earlier, later].into_iter().flat_map(remarks_of).collect(),
         })
     }
 
@@ -290,6 +304,7 @@ impl WearReport {
                 })
                 .collect(),
             sentences: self.sentences(),
+            remarks: self.remarks.clone(),
         }
     }
 }

@@ -20,7 +20,7 @@ pub use reported_growth::{is_of_reported_growth, reported_growth};
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
 pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
-pub use usual::{LineKind, UsualTraffic};
+pub use usual::{LineKind, UsualTraffic, traffic_at_speeds};
 
 use crate::Case;
 

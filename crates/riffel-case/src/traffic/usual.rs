@@ -1,6 +1,6 @@
 //! The usual traffic of a line, which stands in until that of the line itself is given.
 
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, fixed, say, significant};
 
 use super::{Line, Traffic, TrafficFile, Vehicle};
 use crate::Case;
@@ -127,5 +127,37 @@ impl UsualTraffic {
             vehicle: vec![vehicle],
         };
         Traffic::of_keys("the usual traffic", &file)
+    }
+
+    /// What it is: "the usual traffic of a metro (40–70 km/h, 6000 axles a day)".
+    pub fn in_words(&self) -> Message {
+        traffic_at_speeds(
+            self.line.usual_traffic(),
+            self.speeds,
+            Some(self.passages_per_day),
+        )
+    }
+}
+
+/// A traffic with its slowest and fastest trains \[m/s\], and its axles a day where they are known.
+pub fn traffic_at_speeds(traffic: Message, speeds: [f64; 2], per_day: Option<f64>) -> Message {
+    let [slowest, fastest] = speeds.map(|speed| fixed(3.6 * speed, 0));
+    match per_day {
+        Some(per_day) => say!(
+            traffic_at_speeds_a_day,
+            traffic = traffic,
+            slowest = slowest,
+            fastest = fastest,
+            axles = match per_day < 10.0 {
+                true => significant(per_day, 2),
+                false => fixed(per_day, 0),
+            }
+        ),
+        None => say!(
+            traffic_at_speeds,
+            traffic = traffic,
+            slowest = slowest,
+            fastest = fastest
+        ),
     }
 }

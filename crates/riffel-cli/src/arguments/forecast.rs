@@ -196,15 +196,21 @@ pub(crate) struct Compare {
         ])]
     pub(crate) models: Option<Models>,
 
-    /// Speed of the wheel of the case, in m/s or with its unit [default: the middle of map.speed].
+    /// Speed of the wheel of the case, in m/s or with its unit [default: the usual traffic of its line; with --models,
+    /// the middle of map.speed].
     #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Standard deviation of the speed.
-    #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
+    #[arg(
+        long,
+        value_name = "SPEED",
+        requires = "speed",
+        conflicts_with = "traffic"
+    )]
     pub(crate) speed_deviation: Option<Quantity<Speed>>,
 
-    /// Traffic file, in place of the wheel of the case at one speed.
+    /// Traffic file, in place of the wheel of the case.
     #[arg(long, value_name = "TOML")]
     pub(crate) traffic: Option<PathBuf>,
 

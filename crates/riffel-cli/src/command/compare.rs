@@ -4,9 +4,9 @@ use riffel::forecast::SpeedDistribution;
 use riffel_answers::AnswerError;
 use riffel_answers::compare::{CompareAnswer, CompareRequest};
 use riffel_answers::forecast::per_million;
-use riffel_case::traffic::Traffic;
+use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
@@ -67,18 +67,7 @@ pub(super) fn compare(
         })
         .collect();
     let variants = variants?;
-    let (traffic, speeds) = match &arguments.traffic {
-        Some(path) => {
-            let traffic = Traffic::read(path)?;
-            let title = traffic.file.title.clone();
-            (traffic, title.unwrap_or_else(|| "traffic".to_owned()))
-        }
-        None => {
-            let speeds = speeds(case, arguments)?;
-            let words = in_words(&speeds);
-            (Traffic::of_case(speeds), words)
-        }
-    };
+    let (traffic, speeds) = traffic(case, arguments)?;
     let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     let survey = match &ground {
@@ -159,19 +148,28 @@ fn bands(answer: &CompareAnswer) -> String {
     format!("growth of the bands, dB per 10⁶ passages\n{rows}\n")
 }
 
-/// Speeds of the wheel of the case: as asked for, or the middle of its map.
-fn speeds(case: &Case, arguments: &Compare) -> Result<SpeedDistribution, CliError> {
-    let mean = match &arguments.speed {
-        Some(speed) => speed.within("--speed")?,
-        None => 0.5 * (case.speed.min() + case.speed.max()),
+/// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one of
+/// its line.
+fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, String)> {
+    if let Some(path) = &arguments.traffic {
+        let traffic = Traffic::read(path)?;
+        let title = traffic.file.title.clone();
+        return Ok((traffic, title.unwrap_or_else(|| "traffic".to_owned())));
+    }
+    let Some(mean) = &arguments.speed else {
+        let usual = UsualTraffic::of(case);
+        let under = say!(compared_under, traffic = usual.in_words());
+        return Ok((usual.traffic()?, under.to_string()));
     };
-    let deviation = arguments
-        .speed_deviation
-        .map_or(0.0, |deviation| deviation.si());
-    SpeedDistribution::normal(mean, deviation).map_err(|error| CliError::Physics {
+    let mean = mean.within("--speed")?;
+    let deviation = arguments.speed_deviation;
+    let speeds = SpeedDistribution::normal(mean, deviation.map_or(0.0, |speed| speed.si()));
+    let speeds = speeds.map_err(|error| CliError::Physics {
         input: "--speed-deviation".to_owned(),
         error,
-    })
+    })?;
+    let words = in_words(&speeds);
+    Ok((Traffic::of_case(speeds), words))
 }
 
 fn in_words(speeds: &SpeedDistribution) -> String {

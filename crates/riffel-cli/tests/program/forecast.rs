@@ -480,6 +480,30 @@ fn what_friction_leaves_as_it_was_is_said() {
     assert_eq!(wet.status, Some(0), "{}", wet.text);
 }
 
+/// Without a speed and a traffic a comparison is under the usual traffic of the line, as the map is.
+#[test]
+fn a_comparison_is_under_the_traffic_that_the_map_names() {
+    let sandbox = Sandbox::new();
+    let map = sandbox.json("map cases/metro.toml --json");
+    let compared = sandbox.json("compare cases/metro.toml --with cases/soft-pads.toml --json");
+    let [fastest, own] = [&map["under_traffic"]["fastest"], &compared["outcomes"][0]];
+    assert_eq!(own["fastest_wavelength_m"], fastest["wavelength_m"]);
+    assert_eq!(
+        own["fastest_growth_rate_per_passage"],
+        fastest["growth_rate_per_passage"]
+    );
+    let words = "under the usual traffic of a metro (40–70 km/h, 6000 axles a day)";
+    assert_eq!(compared["speeds"], words);
+    // Numbers between zero and minus one keep their sign in German.
+    let printed = |language: &str| {
+        let compare = "compare cases/metro.toml --with cases/soft-pads.toml";
+        sandbox.riffel(&format!("--language {language} {compare}")).text
+    };
+    let minus = |text: &str| text.matches(" -0").count();
+    assert!(minus(&printed("en")) > 0);
+    assert_eq!(minus(&printed("en")), minus(&printed("de")));
+}
+
 /// A metro curve: with τ = 0.5 on every axle the amplitude doubles within weeks, which no railway has reported.
 #[test]
 fn growth_faster_than_ever_reported_is_remarked() {

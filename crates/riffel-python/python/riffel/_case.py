@@ -590,9 +590,9 @@ class Case:
         spectrum : DataArray, optional
             One-third-octave levels in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
         traffic : path or mapping, optional
-            A traffic file or its keys; without it, the wheel of the case at `speed`.
+            A traffic file or its keys; without it, the wheel of the case at `speed`, or else the usual traffic of its line.
         speed, speed_deviation : quantity, optional
-            Mean and standard deviation of the speed of the wheel of the case; the middle of its map by default.
+            Mean and standard deviation of the speed of the wheel of the case.
         passages, mgt, months : number or array, optional
             How far to look ahead, in one of the three.
         ground : str, optional
@@ -1299,15 +1299,18 @@ class Case:
 
     def _traffic(
         self, traffic: Traffic | None, speed: Quantity | None, deviation: Quantity | None
-    ) -> str | dict[str, Any] | tuple[float, float]:
+    ) -> str | dict[str, Any] | tuple[float, float] | None:
         if traffic is not None:
             if speed is not None or deviation is not None:
                 raise ValueError("traffic and speed exclude each other: give one of the two")
             return _file_or_keys(traffic)
-        speeds = self._case.speeds()
-        mean = 0.5 * float(speeds[0] + speeds[-1]) if speed is None else scalar(speed, "speed", "speed")
+        if speed is None:
+            if deviation is not None:
+                raise ValueError("speed_deviation needs speed, about which speeds scatter")
+            return None
         least = -np.finfo(np.float64).tiny
-        return mean, 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
+        scatter = 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
+        return scalar(speed, "speed", "speed"), scatter
 
 
 def _restored(portable: _riffel.PortableCase, given: dict[str, Any]) -> Case:
