@@ -1,7 +1,6 @@
 //! What grows fastest under the traffic of a line, and in what time.
 
 use std::f64::consts::LN_2;
-use std::ops::RangeInclusive;
 
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
@@ -152,7 +151,7 @@ impl LineGrowth {
 
 impl FastestGrowth {
     fn of(case: &Case, growth: &TrafficGrowth, per_day: Option<f64>) -> Option<Self> {
-        let (wavelength, rate, at_edge) = fastest_of(growth, case)?;
+        let (wavelength, rate, at_edge) = case.fastest_under(growth)?;
         if rate <= 0.0 {
             return None;
         }
@@ -215,25 +214,10 @@ fn span(speeds: &SpeedDistribution) -> [f64; 2] {
     [speeds.mean() - half, speeds.mean() + half]
 }
 
-/// The wavelength of the map of a case that grows fastest under a traffic, its growth rate, and whether it sits at an edge: of those that
-/// the contact does not average out; of all, where it averages out all.
-pub(crate) fn fastest_of(growth: &TrafficGrowth, case: &Case) -> Option<(f64, f64, bool)> {
-    let map = case.wavelength.min()..=case.wavelength.max();
-    let told = growth.fastest(&told_of_map(case));
-    // No line of a band may lie in a narrow map.
-    told.or_else(|| growth.fastest(&map))
-        .or_else(|| growth.fastest(&(0.0..=f64::INFINITY)))
-}
-
-/// The wavelengths of the map of a case that the contact does not average out; none where it averages out all.
-fn told_of_map(case: &Case) -> RangeInclusive<f64> {
-    case.wavelength.min().max(case.shortest_told())..=case.wavelength.max()
-}
-
 /// The wavelengths about one, of those of a case that are told, that grow at a rate and more without a gap.
 fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, case: &Case) -> [f64; 2] {
     let lines = growth.wavelengths();
-    let told = told_of_map(case);
+    let told = case.told_wavelengths();
     let middle = lines.partition_point(|&line| line < wavelength);
     let grows = |&(line, own): &(f64, f64)| own >= rate && told.contains(&line);
     let line = |place: usize| (lines[place], growth.rates()[place]);

@@ -38,6 +38,8 @@ pub(crate) struct CaseText {
     pub(crate) curve_remarks: Vec<Message>,
     /// |Q|/μP of the contact that a curve gave the case, where the case has no value of its own.
     pub(crate) curve_tractive_ratio: Option<f64>,
+    /// Where the contact that a curve gave the case runs on the rail: from the axis of its profile to the field side \[m\].
+    pub(crate) contact_outward: Option<f64>,
 }
 
 /// A file of keys of a case, or of some of them, the axes of its map written as tables of ends.
@@ -72,6 +74,7 @@ impl CaseText {
             filled_in: BTreeSet::new(),
             curve_remarks: Vec::new(),
             curve_tractive_ratio: None,
+            contact_outward: None,
         }
     }
 

@@ -356,6 +356,7 @@ rate-of-wheels-on-one-line = die Rate ist die von Rädern dieser Art allein, all
 rate-of-wheels-over-a-band = die Rate ist die von Rädern dieser Art allein, verteilt über ein Band von { $width } mm; die eines Verkehrs sagt `riffel forecast`
 rates-hold-to = die Unsicherheit des Verschleißbeiwerts legt Raten und Zeiten auf einen Faktor { $factor } nach oben und unten fest (80 %); sie hat keinen Teil an dem, was Varianten ändern
 band-narrower-than-contact = wear.band_width ist { $band } mm, aber der Kontakt ist { $contact } mm breit: der Verschleiß kommt von der Breite des Kontakts
+wheels-across-rail = die Räder von „{ $vehicle }“ laufen { $innermost } bis { $outermost } mm von der Achse der Schiene, nach außen positiv; { $percent } % ihrer Überrollungen treffen die Linie bei { $line } mm
 no-equilibrium-in-tail = „{ $vehicle }“ findet in seinem Bogen bei { $speeds } km/h kein Gleichgewicht, am Rand seiner Geschwindigkeiten: dort stehen seine Räder wie bei der nächsten Geschwindigkeit
 band-bends-over = die Rate bei { $wavelength } mm hält { $passages } Achsüberfahrten lang: dann bräuchte sie mehr als den mittleren Verschleiß der Schiene, { $wear } mm je 100 Mio. t, und der Pegel biegt ab
 spread-takes-down = „{ $vehicle }“: { $what } senkt das schnellste Wachstum auf 1/{ $factor }

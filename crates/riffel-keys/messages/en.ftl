@@ -364,6 +364,7 @@ rate-of-wheels-on-one-line = the rate is that of wheels of this kind alone, all 
 rate-of-wheels-over-a-band = the rate is that of wheels of this kind alone, spread over a band of { $width } mm; `riffel forecast` tells that of a traffic
 rates-hold-to = the uncertainty of the wear coefficient puts rates and times within a factor of { $factor } either way (80 %); it has no part in what variants change
 band-narrower-than-contact = wear.band_width is { $band } mm, but the contact is { $contact } mm wide: wear comes off the contact's own width
+wheels-across-rail = the wheels of "{ $vehicle }" run { $innermost } to { $outermost } mm from the axis of the rail, the field side positive; { $percent } % of their passages cover the line at { $line } mm
 no-equilibrium-in-tail = "{ $vehicle }" finds no equilibrium in its curve at { $speeds } km/h, in the tail of its speeds: there its wheels stand as at the nearest speed
 band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and the level bends over
 spread-takes-down = "{ $vehicle }": { $what } takes the fastest growth down { $factor } times

@@ -46,14 +46,18 @@ struct Usual {
     line: &'static str,
     speeds_m_per_s: [f64; 2],
     passages_per_day: f64,
+    /// A vehicle can bring all its wheels: the case has a curve.
+    in_curve: bool,
 }
 
-impl From<UsualTraffic> for Usual {
-    fn from(usual: UsualTraffic) -> Self {
+impl From<&Case> for Usual {
+    fn from(case: &Case) -> Self {
+        let usual = UsualTraffic::of(case);
         Self {
             line: usual.line.name(),
             speeds_m_per_s: usual.speeds,
             passages_per_day: usual.passages_per_day,
+            in_curve: case.file.curve.is_some() || case.file.contact.from.is_some(),
         }
     }
 }
@@ -198,7 +202,7 @@ impl Computed {
                 complete: case.file.clone(),
                 idle: idle(case),
                 remarks: case.remarks.iter().map(Note::from).collect(),
-                usual_traffic: UsualTraffic::of(case).into(),
+                usual_traffic: case.into(),
             },
             values: map
                 .rows()

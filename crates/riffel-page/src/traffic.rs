@@ -1,6 +1,8 @@
 //! The traffic of the page, as a traffic file of the program.
 
-use riffel_case::traffic::{Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys};
+use riffel_case::traffic::{
+    CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys,
+};
 use riffel_keys::quantity::Quantity;
 use serde::Deserialize;
 
@@ -24,6 +26,9 @@ pub struct Traffic {
     pub passages_per_day: f64,
     #[serde(default)]
     vehicles: Vec<Vehicle>,
+    /// Every vehicle brings all its wheels through the curve of the case.
+    #[serde(default)]
+    all_wheels: bool,
 }
 
 #[derive(Deserialize)]
@@ -90,11 +95,16 @@ impl Traffic {
         if vehicle.is_empty() {
             vehicle.push(of_the_case());
         }
+        if self.all_wheels {
+            for one in &mut vehicle {
+                one.curve = Some(CurveOfVehicle::OfCase(true));
+            }
+        }
         TrafficFile {
             title: Some("traffic of the page".to_owned()),
             line: Line {
                 passages_per_day: Some(self.passages_per_day),
-                mgt_per_year: None,
+                ..Line::default()
             },
             vehicle,
         }

@@ -30,7 +30,8 @@ export function readTraffic(given) {
   const vehicles = readVehicles(given.vehicles);
   const whole = { ...USUAL, ...given };
   const good = FIELDS.every(([name, , , , low, high]) => whole[name] >= low && whole[name] <= high) && whole.from_km_per_h <= whole.to_km_per_h;
-  return good && vehicles ? withVehicles(Object.fromEntries(Object.keys(USUAL).map((name) => [name, whole[name]])), vehicles) : null;
+  const own = Object.fromEntries(Object.keys(USUAL).map((name) => [name, whole[name]]));
+  return good && vehicles ? withVehicles({ ...own, ...(given.all_wheels === true && { all_wheels: true }) }, vehicles) : null;
 }
 
 export class Traffic {
@@ -42,7 +43,10 @@ export class Traffic {
       id, word, units: UNITS[units], low, high, onTrouble, accept: (value) => this.#accept(name, value),
     }), { name }));
     this.vehicles = new Vehicles({ onTrouble, onChange: (vehicles) => this.#take(withVehicles(this.values, vehicles)), speeds: () => ({ from_km_per_h: this.values.from_km_per_h, to_km_per_h: this.values.to_km_per_h }) });
-    const rows = element('div', { className: 'rows' }, ...this.fields.map((field) => field.row), this.vehicles.place, (this.note = worded('p', 'traffic_is_default', { className: 'echo' })));
+    this.allWheels = element('input', { type: 'checkbox', id: 'traffic-all-wheels' });
+    this.allWheels.addEventListener('change', () => this.#setAllWheels(this.allWheels.checked));
+    this.inCurve = element('label', { className: 'row', hidden: true, htmlFor: 'traffic-all-wheels' }, this.allWheels, worded('span', 'all_wheels'));
+    const rows = element('div', { className: 'rows' }, ...this.fields.map((field) => field.row), this.inCurve, this.vehicles.place, (this.note = worded('p', 'traffic_is_default', { className: 'echo' })));
     place.append(element('details', { className: 'group', id: 'traffic-group' }, summary, rows));
   }
 
@@ -51,7 +55,8 @@ export class Traffic {
   }
 
   /** The usual traffic of the line, as the program tells it; whether that changes the traffic. */
-  setUsual({ speeds_m_per_s: speeds, passages_per_day }) {
+  setUsual({ speeds_m_per_s: speeds, passages_per_day, in_curve: inCurve }) {
+    this.inCurve.hidden = !inCurve;
     const [from_km_per_h, to_km_per_h] = speeds.map((speed) => Number((3.6 * speed).toPrecision(6)));
     const usual = { ...USUAL, from_km_per_h, to_km_per_h, passages_per_day };
     if (JSON.stringify(usual) === JSON.stringify(this.usual)) return false;
@@ -74,6 +79,7 @@ export class Traffic {
       }
     }
     this.vehicles.show(vehicles);
+    this.allWheels.checked = Boolean(given?.all_wheels);
     this.short.textContent = t(given ? 'traffic_given' : 'traffic_default', number(this.values.passages_per_day, 4));
     this.note.hidden = Boolean(given);
   }
@@ -81,9 +87,15 @@ export class Traffic {
   #accept(name, value) {
     const next = { ...this.values, [name]: value ?? this.usual[name] };
     if (next.from_km_per_h > next.to_km_per_h) return t('must_rise');
-    const isDefault = value === undefined && !next.vehicles && FIELDS.every(([other]) => next[other] === this.usual[other]);
+    const isDefault = value === undefined && !next.vehicles && !next.all_wheels && FIELDS.every(([other]) => next[other] === this.usual[other]);
     this.#take(isDefault ? null : next);
     return '';
+  }
+
+  #setAllWheels(is) {
+    const { all_wheels: _, ...others } = this.values;
+    const isUsual = !is && !others.vehicles && FIELDS.every(([name]) => others[name] === this.usual[name]);
+    this.#take(isUsual ? null : { ...others, ...(is && { all_wheels: true }) });
   }
 
   #take(next) {
@@ -98,8 +110,9 @@ export class Traffic {
 
   /** What a question has of it. */
   get question() {
-    const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months, vehicles } = this.values;
-    return { ...speeds(from, to), passages_per_day: daily, months, ...(vehicles && { vehicles: vehicles.map(({ from_km_per_h: slowest, to_km_per_h: fastest, ...vehicle }) => ({ ...vehicle, ...speeds(slowest, fastest) })) }) };
+    const { from_km_per_h: from, to_km_per_h: to, passages_per_day: daily, months, vehicles, all_wheels: allWheels } = this.values;
+    // A case that has no curve any more has one wheel.
+    return { ...speeds(from, to), passages_per_day: daily, months, ...(allWheels && !this.inCurve.hidden && { all_wheels: true }), ...(vehicles && { vehicles: vehicles.map(({ from_km_per_h: slowest, to_km_per_h: fastest, ...vehicle }) => ({ ...vehicle, ...speeds(slowest, fastest) })) }) };
   }
 
   /** Time and gross tonnes of a count of axle passages, for a load of each of the two wheels of an axle where no vehicle says another [N]. */

@@ -1,12 +1,14 @@
 """The map as an instrument: what stands under the pointer, closer looks, the speeds of the traffic, units of speed."""
 
 import json
+import math
 import re
 import subprocess
 import tempfile
 
 import pytest
 from conftest import PROGRAM, ROOT
+from test_page import open_case
 
 pytestmark = pytest.mark.without_curves
 
@@ -199,4 +201,29 @@ def test_a_line_has_its_own_usual_traffic(open_page):
         page.page.select_option("#start-line", line)
         page.settle()
         assert f"({speeds} axles a day)" in page.text("#verdict")
+    page.close()
+
+
+def test_all_wheels_of_a_bogie_run_through_the_curve(open_page, tmp_path):
+    page = open_page()
+    tick = page.page.locator("#traffic-all-wheels")
+    page.page.click("#traffic-group summary")
+    assert not tick.is_visible()
+    # A law in closed form, which takes tenths of a second.
+    text = (ROOT / "cases/metro-curve.toml").read_text().replace('creep_law = "fastsim"', 'creep_law = "polach"')
+    open_case(page, text)
+    page.until(tick.is_visible)
+    page.settle()
+    one_wheel = page.text("#verdict")
+    tick.check()
+    page.settle()
+    (tmp_path / "case.toml").write_text(text)
+    deviation = 9 / 3.6 / math.sqrt(12)
+    (tmp_path / "traffic.toml").write_text(
+        '[line]\npassages_per_day = 6000\n[[vehicle]]\nname = "all"\nshare = 1\ncurve = true\n'
+        f'speed = {{ mean = "45 km/h", standard_deviation = "{deviation} m/s" }}\n'
+    )
+    command = [PROGRAM, "map", "case.toml", "--traffic", "traffic.toml", "--json"]
+    told = json.loads(subprocess.run(command, cwd=tmp_path, capture_output=True, check=True, text=True).stdout)["under_traffic"]["remarks"][0]
+    assert told[1:] in page.text("#verdict") and told[1:] not in one_wheel
     page.close()

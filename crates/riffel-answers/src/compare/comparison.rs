@@ -9,7 +9,6 @@ use riffel_keys::{CaseError, Message};
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
-use crate::line_growth::fastest_of;
 use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
@@ -233,7 +232,7 @@ impl FastestLine {
     /// Of the bands of the case.
     fn of(growth: &TrafficGrowth, case: &Case) -> Self {
         // Every traffic has a line.
-        let (wavelength, rate, at_edge) = fastest_of(growth, case).unwrap_or_default();
+        let (wavelength, rate, at_edge) = case.fastest_under(growth).unwrap_or_default();
         Self {
             wavelength,
             rate,

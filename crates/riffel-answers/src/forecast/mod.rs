@@ -13,8 +13,8 @@ use jiff::ToSpan;
 use jiff::civil::Date;
 use riffel::forecast::{ForecastBand, Reach, TrafficGrowth, WearSpread};
 use riffel::roughness::LevelLimit;
+use riffel_case::Case;
 use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
-use riffel_case::{Case, Variant};
 use riffel_keys::{fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
@@ -122,8 +122,7 @@ impl ForecastAnswer {
         horizon.check()?;
         let wear_spread = wear_spread(case);
         let (case, bands) = (&case.sharing_tables(), bands_of(case));
-        let on = traffic.on(case, &bands, &Variant::none(""), progress)?;
-        let spreads = traffic.spread_effects(case, &bands, &on)?;
+        let (on, spreads) = traffic.on_with_effects(case, &bands, progress)?;
         let (survey, measured_on) = match survey.map(Survey::latest) {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),

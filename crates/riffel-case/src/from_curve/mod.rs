@@ -148,6 +148,7 @@ impl CaseText {
         }
         let patch = from.patch.unwrap_or_default();
         self.take_patch(patch, curving, rail, &mut study, quick)?;
+        self.contact_outward = study.place.as_ref().map(|place| place.outward);
         let at_tractive_ratio = self.is_written("contact.tractive_ratio");
         if at_tractive_ratio {
             instead.push("contact.tractive_ratio".to_owned());

@@ -1,5 +1,6 @@
 //! A mix of vehicles, read and checked.
 
+use std::fmt;
 use std::path::{Path, PathBuf};
 
 use riffel::forecast::SpeedDistribution;
@@ -27,6 +28,12 @@ pub struct Traffic {
     pub(super) folder: PathBuf,
     /// What is to be asked about values that are not usual.
     pub(super) remarks: Vec<Message>,
+}
+
+impl fmt::Debug for Traffic {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.file.fmt(formatter)
+    }
 }
 
 impl Traffic {
@@ -89,6 +96,14 @@ impl Traffic {
             {
                 let rule = format!("is \"{}\" a second time", vehicle.name);
                 return Err(source.invalid(&key("name"), &rule, ""));
+            }
+            if line.measured_line.is_some() && !vehicle.brings_curve() {
+                let message = format!(
+                    "`line.measured_line` needs `{}`, for without it vehicle \"{}\" does not say where its wheels run on the rail",
+                    key("curve"),
+                    vehicle.name
+                );
+                return Err(source.refuse("line.measured_line", &message));
             }
             above_zero(&source, &key("share"), Some(vehicle.share))?;
             if let Some(share) = vehicle.traction_share

@@ -9,7 +9,7 @@ use riffel_keys::{CaseError, Message, fixed, say};
 use toml::Value;
 
 use super::spreads::PartValues;
-use super::wheels_of_vehicle::Asked;
+use super::wheels_of_vehicle::{Asked, KeptWheels};
 use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
 use crate::kept_state::KeptState;
 use crate::setting::{Setting, settings};
@@ -70,11 +70,22 @@ impl Traffic {
         variant: &Variant,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<TrafficOnCase, CaseError> {
+        self.on_keeping(&KeptWheels::default(), case, bands, variant, progress)
+    }
+
+    pub(super) fn on_keeping(
+        &self,
+        kept: &KeptWheels,
+        case: &Case,
+        bands: &[ThirdOctave],
+        variant: &Variant,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<TrafficOnCase, CaseError> {
         let mut vehicles = Vec::new();
         let mut remarks = Vec::new();
         let mut held = Vec::new();
         for index in 0..self.file.vehicle.len() {
-            let vehicle = self.vehicle_on(index, case, bands, variant)?;
+            let vehicle = self.vehicle_on(index, kept, case, bands, variant)?;
             vehicles.push(vehicle.growth);
             remarks.push(vehicle.remarks);
             held.extend(vehicle.held.filter(|hold| !held.contains(hold)));
@@ -206,12 +217,14 @@ impl Traffic {
     fn vehicle_on(
         &self,
         index: usize,
+        kept: &KeptWheels,
         case: &Case,
         bands: &[ThirdOctave],
         variant: &Variant,
     ) -> Result<VehicleOnCase, CaseError> {
         let vehicle = &self.file.vehicle[index];
         let asked = Asked {
+            kept,
             traffic: self,
             index,
             case,
@@ -219,7 +232,7 @@ impl Traffic {
             variant,
             speeds: None,
         };
-        let (growth, wheels) = asked.vehicle(bands)?;
+        let (growth, remarks, held) = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");
         if traction_share < 1.0 && case.has_other_damage() {
@@ -234,8 +247,8 @@ impl Traffic {
         let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
             growth: growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?,
-            held: wheels.held,
-            remarks: wheels.remarks,
+            held,
+            remarks,
         })
     }
 }

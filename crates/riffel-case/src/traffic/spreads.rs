@@ -243,10 +243,12 @@ impl Spreads {
         parts
     }
 
-    /// The share of passages whose contact, of a semi-axis across the rail \[m\], covers the line under study; none where all run
-    /// on it.
-    pub(super) fn covering(&self, semi_axis: f64) -> Option<f64> {
-        let position = self.lateral_position.as_ref()?;
-        Some(position.share_within(-semi_axis, semi_axis))
+    /// The share of passages whose contact, of half a width across the rail \[m\], covers a line that is so far from where the contact
+    /// runs in the mean \[m\].
+    pub(super) fn covering(&self, half_width: f64, line: f64) -> f64 {
+        match &self.lateral_position {
+            Some(position) => position.share_within(line - half_width, line + half_width),
+            None => f64::from(line.abs() <= half_width),
+        }
     }
 }

@@ -35,6 +35,10 @@ pub struct Line {
     /// Million gross tonnes a year.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub mgt_per_year: Option<f64>,
+    /// The line across the rail whose growth is asked for, as a trolley measures it: from the axis of the rail's profile, positive to
+    /// the field side. Contacts of vehicles with a `curve` that run beside it leave it as it is; left out, all run on it.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub measured_line: Option<Quantity<Length>>,
 }
 
 /// One kind of vehicle.
@@ -124,6 +128,11 @@ impl Vehicle {
             spread: toml::Table::new(),
             set: toml::Table::new(),
         }
+    }
+
+    /// Whether it runs through a curve with all its wheels.
+    pub(crate) fn brings_curve(&self) -> bool {
+        !matches!(self.curve, None | Some(CurveOfVehicle::OfCase(false)))
     }
 
     /// The same at speeds spread evenly over a range \[m/s\]: a normal distribution of their mean and standard deviation, or one

@@ -122,7 +122,7 @@ impl UsualTraffic {
             title: None,
             line: Line {
                 passages_per_day: Some(self.passages_per_day),
-                mgt_per_year: None,
+                ..Line::default()
             },
             vehicle: vec![vehicle],
         };

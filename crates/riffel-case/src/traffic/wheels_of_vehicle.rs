@@ -1,12 +1,13 @@
 //! The wheels of a vehicle on a case, as loops: one, or all of a curve, for every part of its spreads.
 
-use std::sync::Arc;
+use std::collections::HashMap;
+use std::sync::{Arc, Mutex, PoisonError};
 
 use rayon::prelude::*;
 use riffel::Loop;
 use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth, band_lines};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, fixed, say};
 
 use super::on_case::{WheelOnCase, settings_of, window};
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
@@ -23,6 +24,9 @@ const TOLERANCE: f64 = 5e-3;
 /// interpolated.
 const BALANCED_AT: [f64; 7] = [-4.0, -2.0, -1.0, 0.0, 1.0, 2.0, 4.0];
 
+/// Wheels of a vehicle, each with the share of its part.
+type Parts = Vec<(f64, Arc<WheelsOfVehicle>)>;
+
 /// A vehicle balanced at some speeds \[m/s\].
 type BalancedAt = Vec<(f64, Arc<Equilibrium>)>;
 
@@ -32,21 +36,34 @@ pub(super) struct WheelOfVehicle {
     /// Its loops with the weights of their places, at some speeds \[m/s\].
     states: Vec<(f64, Vec<(Loop, f64)>)>,
     speeds: SpeedDistribution,
-    /// Share of its passages that cover the line under study; none where all do.
-    covering: Option<f64>,
+    /// Where it runs, if that counts.
+    across: Option<AcrossRail>,
+}
+
+/// Where the contact of a wheel runs across the rail.
+#[derive(Debug, Clone, Copy)]
+struct AcrossRail {
+    /// From the axis of the rail's profile to the field side \[m\]; none where only the distance from the line under study is known.
+    outward: Option<f64>,
+    /// Share of its passages that cover the line under study.
+    covering: f64,
 }
 
 /// All wheels of a vehicle with the values of one part of them.
-#[derive(Default)]
 pub(super) struct WheelsOfVehicle {
     wheels: Vec<WheelOfVehicle>,
-    pub(super) held: Option<Hold>,
-    pub(super) remarks: Vec<Message>,
+    held: Option<Hold>,
+    remarks: Vec<Message>,
 }
+
+/// Wheels that were built, by vehicle, speeds and values: of several rules of quadrature and of the effects of spreads the same ones.
+#[derive(Default)]
+pub(super) struct KeptWheels(Mutex<HashMap<String, Arc<WheelsOfVehicle>>>);
 
 /// What is asked of a vehicle.
 #[derive(Clone, Copy)]
 pub(super) struct Asked<'a> {
+    pub(super) kept: &'a KeptWheels,
     pub(super) traffic: &'a Traffic,
     pub(super) index: usize,
     pub(super) case: &'a Case,
@@ -98,7 +115,7 @@ impl Asked<'_> {
             wheels: vec![WheelOfVehicle {
                 share: 1.0,
                 states: vec![(speeds.mean(), wheel.places())],
-                covering: self.spreads().covering(wheel.hertz.semi_axis_lateral()),
+                across: self.across(&wheel)?,
                 speeds,
             }],
             held: held.map(|held: KeptState| held.hold),
@@ -148,6 +165,7 @@ impl Asked<'_> {
         let sets = [&own[..], &of_variant, &window];
         let balanced: Vec<f64> = match speeds.listed() {
             Some(listed) => listed.iter().map(|speed| speed.0).collect(),
+            None if speeds.deviation() == 0.0 => vec![speeds.mean()],
             None => {
                 let at = |z: f64| speeds.mean() + z * speeds.deviation();
                 BALANCED_AT.into_iter().map(at).collect()
@@ -173,26 +191,27 @@ impl Asked<'_> {
         let mut remarks = remarks_of(&first[0]);
         remarks.extend(without);
         let share = (through.wheelsets() as f64).recip();
-        let covering = |wheel: &Case| self.spreads().covering(wheel.hertz.semi_axis_lateral());
         let mut wheels = Vec::new();
         for wheelset in 0..through.wheelsets() {
             let at = balanced.clone().zip(&cases);
             let at = at.map(|(speed, cases)| (speed, &cases[wheelset]));
             match speeds.listed() {
-                Some(listed) => wheels.extend(at.zip(listed).map(|((speed, wheel), listed)| {
-                    WheelOfVehicle {
-                        share: share * listed.1,
-                        states: vec![(speed, wheel.places())],
-                        // A speed of a distribution is one.
-                        speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
-                        covering: covering(wheel),
+                Some(listed) => {
+                    for ((speed, wheel), listed) in at.zip(listed) {
+                        wheels.push(WheelOfVehicle {
+                            share: share * listed.1,
+                            states: vec![(speed, wheel.places())],
+                            // A speed of a distribution is one.
+                            speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
+                            across: self.across(wheel)?,
+                        });
                     }
-                })),
+                }
                 None => wheels.push(WheelOfVehicle {
                     share,
                     states: at.map(|(speed, wheel)| (speed, wheel.places())).collect(),
                     speeds: speeds.clone(),
-                    covering: covering(&first[wheelset]),
+                    across: self.across(&first[wheelset])?,
                 }),
             }
         }
@@ -254,20 +273,36 @@ impl Asked<'_> {
         self.refuse(".curve", &message)
     }
 
+    /// Its wheels with some values, built once.
+    fn kept_wheels(&self, values: &PartValues) -> Result<Arc<WheelsOfVehicle>, CaseError> {
+        let speeds = self
+            .speeds
+            .map(|speeds| (speeds.mean(), speeds.deviation()));
+        let key = format!("{} {speeds:?} {values:?}", self.index);
+        let kept = || self.kept.0.lock().unwrap_or_else(PoisonError::into_inner);
+        if let Some(wheels) = kept().get(&key) {
+            return Ok(wheels.clone());
+        }
+        let wheels = Arc::new(self.wheels(values)?);
+        kept().insert(key, wheels.clone());
+        Ok(wheels)
+    }
+
     /// The wheels of all parts, by a rule of quadrature for each spread, each with the share of its part.
-    fn parts(&self, rules: &[Option<usize>]) -> Result<Vec<(f64, WheelsOfVehicle)>, CaseError> {
+    fn parts(&self, rules: &[Option<usize>]) -> Result<Parts, CaseError> {
         let parts = self.spreads().parts(rules);
         let parts = parts.into_par_iter();
         parts
-            .map(|(share, values)| Ok((share, self.wheels(&values)?)))
+            .map(|(share, values)| Ok((share, self.kept_wheels(&values)?)))
             .collect()
     }
 
-    /// Growth under some parts.
+    /// Growth under some parts, with the place of their contacts across the rail or as if all ran on the line under study.
     fn growth(
         &self,
-        parts: &[(f64, WheelsOfVehicle)],
+        parts: &[(f64, Arc<WheelsOfVehicle>)],
         bands: &[ThirdOctave],
+        all_on_line: bool,
     ) -> Result<VehicleGrowth, CaseError> {
         let vehicle = &self.traffic.file.vehicle[self.index];
         let (name, share) = (&vehicle.name, vehicle.share.si());
@@ -285,9 +320,9 @@ impl Asked<'_> {
                 {
                     growth = growth.with_course(places, window);
                 }
-                let growth = match wheel.covering {
-                    Some(covering) => growth.covering(covering),
-                    None => growth,
+                let growth = match wheel.across {
+                    Some(AcrossRail { covering, .. }) if !all_on_line => growth.covering(covering),
+                    _ => growth,
                 };
                 growths.push((part * wheel.share, growth));
             }
@@ -300,7 +335,7 @@ impl Asked<'_> {
     }
 
     /// Of the vehicle as the variant has it.
-    fn speeds_of(&self, parts: &[(f64, WheelsOfVehicle)]) -> SpeedDistribution {
+    fn speeds_of(&self, parts: &[(f64, Arc<WheelsOfVehicle>)]) -> SpeedDistribution {
         let own = &self.traffic.speeds[self.index];
         match parts {
             [(_, part)] if part.wheels.len() == 1 => part.wheels[0].speeds.clone(),
@@ -313,14 +348,73 @@ impl Asked<'_> {
     pub(super) fn vehicle(
         &self,
         bands: &[ThirdOctave],
-    ) -> Result<(VehicleGrowth, WheelsOfVehicle), CaseError> {
+    ) -> Result<(VehicleGrowth, Vec<Message>, Option<Hold>), CaseError> {
         let spread = self.spreads().spread_values();
         let (rules, error) = self.rules(&spread, bands)?;
-        let mut parts = self.parts(&rules)?;
-        let mut growth = self.growth(&parts, bands)?;
+        let parts = self.parts(&rules)?;
+        let mut growth = self.growth(&parts, bands, false)?;
         growth.growth.rate_error += error;
-        let middle = parts.len() / 2;
-        Ok((growth, parts.swap_remove(middle).1))
+        let middle = &parts[parts.len() / 2].1;
+        let mut remarks = middle.remarks.clone();
+        remarks.extend(self.across_in_words(&parts));
+        Ok((growth, remarks, middle.held))
+    }
+
+    /// Where the contact of a wheel runs, if the line under study is one across the rail or contacts are spread.
+    ///
+    /// Mass that comes off a band comes off that about the place of the wheel.
+    fn across(&self, wheel: &Case) -> Result<Option<AcrossRail>, CaseError> {
+        let own = wheel.hertz.semi_axis_lateral();
+        let Some(line) = self.traffic.file.line.measured_line else {
+            let spread = self.spreads().lateral_position.is_some();
+            return Ok(spread.then(|| AcrossRail {
+                outward: None,
+                covering: self.spreads().covering(own, 0.0),
+            }));
+        };
+        let Some(outward) = wheel.keys.text.contact_outward else {
+            let message = format!(
+                "`line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle \"{}\" has none",
+                self.name()
+            );
+            return Err(self.traffic.source.refuse("line.measured_line", &message));
+        };
+        let band = wheel
+            .file
+            .wear
+            .band_width
+            .map_or(0.0, |width| 0.5 * width.si());
+        Ok(Some(AcrossRail {
+            outward: Some(outward),
+            covering: self.spreads().covering(own.max(band), line.si() - outward),
+        }))
+    }
+
+    /// Between which places the wheels run, and how many of them cover the measured line.
+    fn across_in_words(&self, parts: &[(f64, Arc<WheelsOfVehicle>)]) -> Option<Message> {
+        let line = self.traffic.file.line.measured_line?;
+        let wheels = || {
+            let wheels = parts
+                .iter()
+                .flat_map(|(share, part)| part.wheels.iter().map(move |wheel| (share, wheel)));
+            wheels.filter_map(|(share, wheel)| Some((share * wheel.share, wheel.across?)))
+        };
+        let outward = || wheels().filter_map(|(_, across)| across.outward);
+        let millimetres = |place: f64| fixed(1e3 * place, 1);
+        Some(say!(
+            wheels_across_rail,
+            vehicle = self.name(),
+            innermost = millimetres(outward().fold(f64::INFINITY, f64::min)),
+            outermost = millimetres(outward().fold(f64::NEG_INFINITY, f64::max)),
+            line = millimetres(line.si()),
+            percent = fixed(
+                100.0
+                    * wheels()
+                        .map(|(share, across)| share * across.covering)
+                        .sum::<f64>(),
+                0
+            )
+        ))
     }
 
     fn rules(&self, spread: &[usize], bands: &[ThirdOctave]) -> Result<(Rules, f64), CaseError> {
@@ -330,7 +424,11 @@ impl Asked<'_> {
             let along = |rule: usize| {
                 let mut rules = self.spreads().means();
                 rules[place] = Some(rule);
-                Ok::<_, CaseError>(self.growth(&self.parts(&rules)?, bands)?.growth.rates)
+                Ok::<_, CaseError>(
+                    self.growth(&self.parts(&rules)?, bands, false)?
+                        .growth
+                        .rates,
+                )
             };
             if self.spreads().of_keys[place].is_listed() {
                 rules[place] = Some(0);
@@ -357,7 +455,7 @@ impl Asked<'_> {
     }
 
     /// The fastest growth at wavelengths so fine that no line is missed at one speed.
-    fn fastest(&self, parts: &[(f64, WheelsOfVehicle)]) -> f64 {
+    fn fastest(&self, parts: &[(f64, Arc<WheelsOfVehicle>)]) -> f64 {
         /// Steps of 5e-4 of a wavelength: lines of wheelsets are 5e-3 wide and wider.
         const STEP: f64 = 5e-4;
         let (shortest, longest) = (self.lines[0], self.lines[self.lines.len() - 1]);
@@ -372,7 +470,8 @@ impl Asked<'_> {
                 let states = wheel.states.iter();
                 let states: Vec<_> = states.map(|(at, places)| (*at, &places[..])).collect();
                 let growth = MeanGrowth::between(&states, &fine, &wheel.speeds);
-                let share = part / sum * wheel.share * wheel.covering.unwrap_or(1.0);
+                let share =
+                    part / sum * wheel.share * wheel.across.map_or(1.0, |across| across.covering);
                 rates
                     .iter_mut()
                     .zip(growth.rates)
@@ -391,15 +490,28 @@ fn remarks_of(wheel: &Case) -> Vec<Message> {
 }
 
 impl Traffic {
-    /// What each spread does to the growth under its vehicle, the vehicles in their order: the fastest growth with every wheel at
-    /// the mean of this spread over that with all of them.
+    /// The traffic on a case, and what each spread does to the growth under its vehicle, the vehicles in their order: the fastest
+    /// growth with every wheel at the mean of this spread over that with all of them. `progress` is told of each vehicle.
     ///
-    /// Cost: that of [`on`](Self::on) for each spread.
+    /// Cost: that of [`on`](Self::on) with some wheels more for each spread.
     ///
     /// # Errors
     /// As [`on`](Self::on).
-    pub fn spread_effects(
+    pub fn on_with_effects(
         &self,
+        case: &Case,
+        bands: &[ThirdOctave],
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<(TrafficOnCase, Vec<SpreadEffect>), CaseError> {
+        let kept = KeptWheels::default();
+        let on = self.on_keeping(&kept, case, bands, &Variant::none(""), progress)?;
+        let effects = self.spread_effects(&kept, case, bands, &on)?;
+        Ok((on, effects))
+    }
+
+    fn spread_effects(
+        &self,
+        kept: &KeptWheels,
         case: &Case,
         bands: &[ThirdOctave],
         on: &TrafficOnCase,
@@ -409,6 +521,7 @@ impl Traffic {
         let mut effects = Vec::new();
         for (index, vehicle) in self.file.vehicle.iter().enumerate() {
             let asked = Asked {
+                kept,
                 traffic: self,
                 index,
                 case,
@@ -441,18 +554,17 @@ impl Traffic {
             for &place in &spread {
                 let mut others = rules.clone();
                 others[place] = None;
-                let growth = asked.growth(&asked.parts(&others)?, bands)?;
+                let growth = asked.growth(&asked.parts(&others)?, bands, false)?;
                 let rates = growth.growth.rates.into_iter();
                 tell(
                     asked.spreads().of_keys[place].name(),
                     rates.fold(f64::NEG_INFINITY, f64::max),
                 );
             }
-            if asked.spreads().lateral_position.is_some() {
-                let mut parts = asked.parts(&rules)?;
-                let wheels = parts.iter_mut().flat_map(|part| &mut part.1.wheels);
-                wheels.for_each(|wheel| wheel.covering = None);
-                let rates = asked.growth(&parts, bands)?.growth.rates.into_iter();
+            if asked.spreads().lateral_position.is_some() || self.file.line.measured_line.is_some()
+            {
+                let growth = asked.growth(&asked.parts(&rules)?, bands, true)?;
+                let rates = growth.growth.rates.into_iter();
                 tell("lateral_position", rates.fold(f64::NEG_INFINITY, f64::max));
             }
         }

@@ -202,6 +202,83 @@ fn places_across_the_rail_thin_the_wear() -> Result<(), CaseError> {
     Ok(())
 }
 
+/// On a measured line counts what covers it: each wheel where its profiles touch, with half the width of its band, and a share of it
+/// where contacts scatter.
+#[test]
+fn a_measured_line_has_the_wheels_that_run_on_it() -> Result<(), CaseError> {
+    let band = 2e-3;
+    let narrow = format!("wear.band_width={band:?}");
+    let case = curve(&[&narrow]);
+    let speed = 45.0 / 3.6;
+    let vehicle = format!("curve = true\nspeeds = [{{ speed = {speed:?}, share = 1 }}]");
+    let with = |line: &str, more: &str| {
+        let text = format!("{line}[[vehicle]]\nname = \"unit\"\nshare = 1\n{vehicle}\n{more}\n");
+        let traffic = Traffic::parse("t.toml", &text)?;
+        traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
+    };
+    let at = |line: f64| with(&format!("line.measured_line = {line:?}\n"), "");
+    let [first, second] = [1, 2].map(|wheelset| {
+        let from = format!("contact.from.wheelset={wheelset}");
+        let alone = curve(&[&narrow, &from]);
+        let offset = alone.file.contact.lateral_offset.unwrap().si();
+        let half = alone.hertz.semi_axis_lateral().max(0.5 * band);
+        let traffic = format!("speeds = [{{ speed = {speed:?}, share = 1 }}]");
+        // The low rail of this curve is the right one, outside its middle to the right.
+        (offset, half, on(&alone, &traffic).unwrap().growth)
+    });
+    let all = with("", "")?;
+    let check = |got: &[f64], shares: [f64; 2]| {
+        let both = first.2.rates().iter().zip(second.2.rates());
+        for (got, (one, two)) in got.iter().zip(both) {
+            let expected = 0.5 * (shares[0] * one + shares[1] * two);
+            assert!(
+                (got - expected).abs() < 1e-12 * (one.abs() + two.abs()),
+                "{got:e} {expected:e}"
+            );
+        }
+    };
+    check(all.growth.rates(), [1.0, 1.0]);
+    let covers = |line: f64| [&first, &second].map(|it| f64::from((line - it.0).abs() <= it.1));
+    for line in [
+        first.0,
+        second.0,
+        0.5 * (first.0 + second.0),
+        first.0 + 1.01 * first.1,
+        0.06,
+    ] {
+        check(at(line)?.growth.rates(), covers(line));
+    }
+    assert_eq!(covers(0.06), [0.0; 2]);
+    let scattered = with(
+        &format!("line.measured_line = {:?}\n", first.0),
+        "lateral_position = { min = \"-20 mm\", max = \"20 mm\" }",
+    );
+    assert!(
+        scattered
+            .unwrap_err()
+            .to_string()
+            .contains("wear.band_width")
+    );
+    let words: Vec<String> = at(first.0)?
+        .remarks
+        .iter()
+        .map(ToString::to_string)
+        .collect();
+    let line = format!("cover the line at {:.1} mm", 1e3 * first.0);
+    assert!(words.iter().any(|words| words.contains(&line)), "{words:?}");
+    // A vehicle whose wheels stand nowhere in particular.
+    let text = "line.measured_line = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed.mean = 12\n";
+    let refused = Traffic::parse("t.toml", text)
+        .map(|_| ())
+        .unwrap_err()
+        .to_string();
+    assert!(
+        refused.contains("line.measured_line") && refused.contains("vehicle[0].curve"),
+        "{refused}"
+    );
+    Ok(())
+}
+
 /// A spread of speed takes a line of growth down, and the others are told as well.
 #[test]
 fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
@@ -210,8 +287,7 @@ fn each_spread_tells_what_it_does() -> Result<(), CaseError> {
                 friction = [{ value = 0.4, share = 0.5 }, { value = 0.1, share = 0.5 }]\n";
     let traffic = Traffic::parse("t.toml", text)?;
     let bands = bands_of(&case);
-    let on = traffic.on(&case, &bands, &Variant::none(""), &|_| {})?;
-    let effects = traffic.spread_effects(&case, &bands, &on)?;
+    let (_, effects) = traffic.on_with_effects(&case, &bands, &|_| {})?;
     let names: Vec<&str> = effects.iter().map(|effect| &*effect.what).collect();
     assert_eq!(names, ["speed", "friction"]);
     assert!(

@@ -497,7 +497,9 @@ fn a_comparison_is_under_the_traffic_that_the_map_names() {
     // Numbers between zero and minus one keep their sign in German.
     let printed = |language: &str| {
         let compare = "compare cases/metro.toml --with cases/soft-pads.toml";
-        sandbox.riffel(&format!("--language {language} {compare}")).text
+        sandbox
+            .riffel(&format!("--language {language} {compare}"))
+            .text
     };
     let minus = |text: &str| text.matches(" -0").count();
     assert!(minus(&printed("en")) > 0);

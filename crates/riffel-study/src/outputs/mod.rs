@@ -5,7 +5,8 @@ mod wave;
 
 use riffel::Complex64;
 use riffel::growth::{RidgeSearch, RowEvaluator};
-use riffel_case::{Case, Setting};
+use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
+use riffel_case::{Case, Setting, Variant};
 use riffel_keys::{CaseError, KeyFile, Message};
 
 use crate::file::{MapQuantity, OutputsFile};
@@ -60,6 +61,8 @@ pub struct Outputs {
     /// Speeds of the map \[m/s\].
     speeds: Vec<f64>,
     bands: Vec<Band>,
+    /// That under which the fastest growth is asked for.
+    traffic: Option<Traffic>,
     variables: Vec<Variable>,
     /// Numbers of each variable in one sample.
     lengths: Vec<usize>,
@@ -81,6 +84,7 @@ impl Outputs {
             wavelengths: case.wavelength.values(),
             speeds: case.speed.values(),
             bands: bands(source, file, case)?,
+            traffic: traffic(source, file, case)?,
             variables: Vec::new(),
             lengths: Vec::new(),
         };
@@ -325,6 +329,32 @@ impl Outputs {
         {
             variable.complex = true;
         }
+        if self.traffic.is_some() {
+            let mut add = |name: &str, unit, description: &str| {
+                variables.push(Variable {
+                    name: name.to_owned(),
+                    dimensions: Vec::new(),
+                    complex: false,
+                    unit,
+                    description: description.to_owned(),
+                });
+            };
+            add(
+                "traffic_growth_rate",
+                "1",
+                "highest growth rate per axle passage under the traffic",
+            );
+            add(
+                "traffic_growth_wavelength",
+                "m",
+                "wavelength of the highest growth rate under the traffic",
+            );
+            add(
+                "traffic_growth_at_edge",
+                "1",
+                "1 where the highest growth under the traffic sits at an end of the wavelengths, else 0",
+            );
+        }
         for (index, point) in file.point.iter().enumerate() {
             let name = point
                 .name
@@ -374,6 +404,14 @@ impl Outputs {
         let mut values = Vec::with_capacity(self.lengths.iter().sum());
         if self.uses_window() {
             self.evaluate_window(case, &mut values);
+        }
+        if let Some(traffic) = &self.traffic {
+            let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ());
+            let growth = on.map_err(|error| error.to_string())?.growth;
+            let (wavelength, rate, at_edge) = case
+                .fastest_under(&growth)
+                .ok_or("no wavelength is in the window")?;
+            values.extend([rate, wavelength, f64::from(u8::from(at_edge))]);
         }
         for point in &self.file.point {
             let (wavelength, speed) = (point.wavelength.si(), point.speed.si());
@@ -474,6 +512,23 @@ impl Outputs {
             }
         }
         Ok(())
+    }
+}
+
+/// The traffic of a plan.
+fn traffic(
+    source: &KeyFile,
+    file: &OutputsFile,
+    case: &Case,
+) -> Result<Option<Traffic>, CaseError> {
+    match &file.traffic {
+        Some(_) if file.usual_traffic => Err(source.refuse(
+            "outputs.usual_traffic",
+            "`outputs.usual_traffic` and `outputs.traffic` exclude each other; give one of the two",
+        )),
+        Some(keys) => Traffic::of_keys("outputs.traffic", keys).map(Some),
+        None if file.usual_traffic => UsualTraffic::of(case).traffic().map(Some),
+        None => Ok(None),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The keys of a plan, as written.
 
 use riffel_case::PointQuantity;
+use riffel_case::traffic::TrafficFile;
 use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::{Deserialize, Serialize};
@@ -251,6 +252,11 @@ pub struct OutputsFile {
     /// Quantities over the whole window.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub map: Vec<MapQuantity>,
+    /// The fastest growth of the window under this traffic, with its wavelength: the keys of a traffic file.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub traffic: Option<TrafficFile>,
+    /// The same under the usual traffic of the line of the case.
+    pub usual_traffic: bool,
 }
 
 /// Bands of wavelength with a name.

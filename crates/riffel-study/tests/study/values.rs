@@ -1,6 +1,8 @@
 //! Samples and their numbers.
 
 use riffel::{GrowthMap, Ridge};
+use riffel_case::Variant;
+use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_study::{ParameterValue, Study};
 
 use crate::{PLAN, study_of};
@@ -176,6 +178,32 @@ fn the_highest_growth_may_sit_at_an_end_of_the_speeds() {
     }
     // One of the two windows lies on a slope.
     assert!(beyond > 0);
+}
+
+/// Growth under a traffic is that of the traffic on the case of the sample.
+#[test]
+fn growth_under_a_traffic_is_that_of_the_sample() {
+    let plan = |outputs: &str| {
+        let text = format!(
+            "case = \"nominal.toml\"\ndesign.method = \"grid\"\n[[parameter]]\nkey = \"wheel.mass\"\nvalues = [\"300 kg\", \"400 kg\"]\n{outputs}"
+        );
+        study_of(&text)
+    };
+    let vehicles = "[[vehicle]]\nname = \"fast\"\nshare = 0.25\nspeed = { mean = 40, standard_deviation = 3 }\n\
+                    [[vehicle]]\nname = \"slow\"\nshare = 0.75\nspeed.mean = 25\n";
+    let given = Traffic::parse("t.toml", vehicles).unwrap();
+    let own = plan(&vehicles.replace("[[vehicle", "[[outputs.traffic.vehicle"));
+    let usual = plan("[outputs]\nusual_traffic = true\n");
+    let of_line = UsualTraffic::of(&usual.case).traffic().unwrap();
+    for (study, traffic) in [(own, given), (usual, of_line)] {
+        for (index, mass) in [(0, 300), (1, 400)] {
+            let values = study.sample(index).outputs.unwrap();
+            let case = study.case.with(&[&[format!("wheel.mass={mass}")]]).unwrap();
+            let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
+            let (wavelength, rate, at_edge) = case.fastest_under(&on.unwrap().growth).unwrap();
+            assert_eq!(values, [rate, wavelength, f64::from(u8::from(at_edge))]);
+        }
+    }
 }
 
 /// Waves in time: a small one has the normal force and the growth of the linear loop, to what steps of the march and of wear
