@@ -123,7 +123,7 @@ checks! {
         growth_with_tractive_ratio, not_monotonic_near_full_slip, growth_falls_with_inertia,
         reduced_inertia, lead_is_not_constant_frequency, growth_without_resonance;
     classes: class_of_roaring_rails, class_of_rutting, class_of_contact_fatigue, class_of_booted_sleepers,
-        class_of_soft_slabs, class_of_heavy_haul, class_of_light_rail;
+        class_of_soft_slabs, class_of_heavy_haul, class_of_light_rail, class_of_cracks_at_p2;
     decay_rate: decay_rate_peak_and_dip, decay_rate_residual, decay_rate_within_the_curves;
     roughness: sinusoid_level, sinusoid_leakage, white_noise_spectrum, coloured_noise_spectrum,
         spikes_and_pits, sinusoids_are_left_alone, moving_statistics, band_pass_error,
