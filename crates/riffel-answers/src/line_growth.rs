@@ -161,7 +161,7 @@ impl FastestGrowth {
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
-            wavelengths_m: about(growth, wavelength, 0.5 * rate, case),
+            wavelengths_m: about(growth, wavelength, 0.5 * rate, case.shortest_told()),
             at_edge,
             growth_rate_per_passage: rate,
             doubling_passages: passages,
@@ -214,12 +214,11 @@ fn span(speeds: &SpeedDistribution) -> [f64; 2] {
     [speeds.mean() - half, speeds.mean() + half]
 }
 
-/// The wavelengths about one, of those of a case that are told, that grow at a rate and more without a gap.
-fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, case: &Case) -> [f64; 2] {
+/// The wavelengths about one, of those that are told, that grow at a rate and more without a gap.
+fn about(growth: &TrafficGrowth, wavelength: f64, rate: f64, shortest: f64) -> [f64; 2] {
     let lines = growth.wavelengths();
-    let told = case.told_wavelengths();
     let middle = lines.partition_point(|&line| line < wavelength);
-    let grows = |&(line, own): &(f64, f64)| own >= rate && told.contains(&line);
+    let grows = |&(line, own): &(f64, f64)| own >= rate && line >= shortest;
     let line = |place: usize| (lines[place], growth.rates()[place]);
     let above = (middle..lines.len()).map(line).take_while(grows).last();
     let below = (0..middle).rev().map(line).take_while(grows).last();

@@ -1,7 +1,5 @@
 //! The wavelengths whose growth is told.
 
-use std::ops::RangeInclusive;
-
 use riffel::forecast::TrafficGrowth;
 use riffel::{Axis, HertzContact};
 
@@ -32,19 +30,11 @@ impl Case {
         }
     }
 
-    /// The wavelengths of the map that the contact does not average out \[m\]; none in it where it averages out all.
-    pub fn told_wavelengths(&self) -> RangeInclusive<f64> {
-        self.wavelength.min().max(self.shortest_told())..=self.wavelength.max()
-    }
-
-    /// The wavelength of the map that grows fastest under a traffic \[m\], its growth rate per axle passage, and whether it sits at an
-    /// edge: of those that the contact does not average out; of all, where it averages out all.
+    /// The wavelength of the bands of the case that grows fastest under a traffic \[m\], its growth rate per axle passage, and whether it
+    /// sits at an edge: of those that the contact does not average out; of all, where it averages out all. Bands reach a little beyond the map.
     pub fn fastest_under(&self, growth: &TrafficGrowth) -> Option<(f64, f64, bool)> {
-        let map = self.wavelength.min()..=self.wavelength.max();
-        let told = growth.fastest(&self.told_wavelengths());
-        // No line of a band may lie in a narrow map.
-        told.or_else(|| growth.fastest(&map))
-            .or_else(|| growth.fastest(&(0.0..=f64::INFINITY)))
+        let told = growth.fastest(self.shortest_told());
+        told.or_else(|| growth.fastest(0.0))
     }
 
     /// Those of another window.

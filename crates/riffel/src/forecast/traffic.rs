@@ -1,7 +1,5 @@
 //! Growth under a mix of vehicles.
 
-use std::ops::RangeInclusive;
-
 use super::marched::RatesByAmplitude;
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
 use crate::feedback::Loop;
@@ -368,15 +366,15 @@ impl TrafficGrowth {
         &self.rates
     }
 
-    /// The wavelength \[m\] of a range that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or longer one
-    /// may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line is in the range.
-    pub fn fastest(&self, range: &RangeInclusive<f64>) -> Option<(f64, f64, bool)> {
+    /// The wavelength \[m\] from a shortest one on that grows fastest, its growth rate per axle passage \[-\], and whether a shorter or
+    /// longer one may grow faster. Of vehicles with a [course](VehicleGrowth::course) narrow lines count; none where no line is so long.
+    pub fn fastest(&self, shortest: f64) -> Option<(f64, f64, bool)> {
         let lines = self.wavelengths();
         let courses = self.vehicles.iter();
         let courses: Vec<(f64, GrowthCourse)> = courses
             .map(|vehicle| (vehicle.share, vehicle.course_over(&lines)))
             .collect();
-        let inside = |wavelength: &&f64| range.contains(wavelength);
+        let inside = |wavelength: &&f64| **wavelength >= shortest;
         let places = courses.iter().flat_map(|(_, course)| &course.wavelengths);
         let mut places: Vec<f64> = places.filter(inside).copied().collect();
         places.sort_by(f64::total_cmp);
