@@ -26,6 +26,7 @@ mod column;
 pub mod compare;
 pub mod contact;
 pub mod curve;
+pub mod decide;
 mod defect_document;
 pub mod diagnose;
 mod error;

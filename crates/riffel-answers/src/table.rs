@@ -16,7 +16,7 @@ pub struct Table {
 /// A column.
 #[derive(Debug, Clone)]
 pub struct Column {
-    /// In a file: quantity and unit, as in `total_db`.
+    /// In a file: quantity and unit, as in `total_db`; without a name the column is for readers only.
     pub name: String,
     /// For a reader, with the unit; none leaves the column to files.
     pub head: Option<Message>,
@@ -108,6 +108,19 @@ impl Column {
         }
     }
 
+    /// Words for readers only, which a file has as numbers.
+    pub fn shown(head: Message, words: Vec<Message>) -> Self {
+        Self::words("", head, words)
+    }
+
+    /// Numbers for files alone; none where there is nothing.
+    pub fn optional(name: &str, values: Vec<Option<f64>>) -> Self {
+        Self {
+            head: None,
+            ..Self::fixed(name, Message::verbatim(""), values.into_iter(), 0)
+        }
+    }
+
     /// Numbers to so many digits before a reader, to a millionth in a file; none where there is nothing.
     pub fn fixed(
         name: &str,
@@ -172,9 +185,10 @@ impl Table {
     /// Those of the file.
     pub fn csv(&self, file: impl Write) -> io::Result<()> {
         let mut writer = csv::Writer::from_writer(file);
-        writer.write_record(self.columns.iter().map(|column| &column.name))?;
+        let named = || self.columns.iter().filter(|column| !column.name.is_empty());
+        writer.write_record(named().map(|column| &column.name))?;
         for row in 0..self.rows() {
-            let cells = self.columns.iter();
+            let cells = named();
             writer.write_record(cells.map(|column| column.values.in_file(row)))?;
         }
         writer.flush()

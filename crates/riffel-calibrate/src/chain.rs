@@ -62,7 +62,7 @@ pub(crate) struct Draw {
     pub(crate) step: f64,
 }
 
-fn random(seed: u64, chain: u64, draw: u64) -> Xoshiro256PlusPlus {
+pub(crate) fn random(seed: u64, chain: u64, draw: u64) -> Xoshiro256PlusPlus {
     // Seeds are spread by the generator itself; chains and draws are kept apart by odd factors.
     let mixed = seed
         .wrapping_mul(0x9e37_79b9_7f4a_7c15)

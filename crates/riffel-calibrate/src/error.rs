@@ -54,6 +54,26 @@ pub enum CalibrationError {
         folder: PathBuf,
     },
 
+    /// The folder holds nothing to decide or forecast by.
+    #[error("{folder} holds no calibration", folder = folder.display())]
+    #[diagnostic(help("riffel calibrate PLAN -o DIR makes one"))]
+    NotThere {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// The chains are not whole.
+    #[error("the chains in {folder} are not whole", folder = folder.display())]
+    #[diagnostic(help("finish them by riffel calibrate PLAN --restart"))]
+    Unfinished {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// Draws that tell nothing of what is asked.
+    #[error("{0}")]
+    Refused(String),
+
     /// The case takes no values of the priors.
     #[error("the case takes none of 200 draws of the priors: {reason}")]
     #[diagnostic(help("narrow the priors, or cut them off by min and max"))]

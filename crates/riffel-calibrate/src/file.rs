@@ -1,6 +1,8 @@
 //! The keys of a plan, as written.
 
-use riffel_keys::quantity::{Quantity, Speed};
+use std::collections::BTreeMap;
+
+use riffel_keys::quantity::{Quantity, Ratio, Speed};
 use riffel_study::file::{LognormalFile, NormalFile, ParameterFile, TriangularFile, UniformFile};
 use serde::Deserialize;
 use toml::{Table, Value};
@@ -29,6 +31,95 @@ pub struct PlanFile {
     /// What was measured.
     #[serde(default)]
     pub data: Vec<DataFile>,
+    /// What could be done, for `riffel decide`; to leave all as it is needs no entry.
+    #[serde(default)]
+    pub action: Vec<ActionFile>,
+    /// What could be measured first.
+    #[serde(default)]
+    pub measurement: Vec<MeasurementFile>,
+    /// What it costs.
+    #[serde(default)]
+    pub cost: Option<CostFile>,
+}
+
+/// What could be done.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct ActionFile {
+    /// Its name; left out, that of the file of changes.
+    #[serde(default)]
+    pub title: Option<String>,
+    /// A file of changes, as for `compare`: its keys are known from then on.
+    #[serde(default)]
+    pub changes: Option<String>,
+    /// Factors of uncertain values, by their names in the results.
+    #[serde(default)]
+    pub multiplies: BTreeMap<String, f64>,
+    /// What it costs at first.
+    #[serde(default)]
+    pub investment: Option<Value>,
+    /// How long that lasts.
+    #[serde(default)]
+    pub life: Option<Value>,
+    /// What it costs each year.
+    #[serde(default)]
+    pub upkeep: Option<Value>,
+    /// Grinding after so many months; left out, when the rise is there.
+    #[serde(default)]
+    pub grind_every: Option<Value>,
+}
+
+/// What could be measured before one decides.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct MeasurementFile {
+    /// Its name.
+    #[serde(default)]
+    pub title: Option<String>,
+    /// Once more what the plan has data of; of dated levels one more date.
+    #[serde(default)]
+    pub kind: Option<Kind>,
+    /// The name of these data, where there are several of the kind.
+    #[serde(default)]
+    pub name: Option<String>,
+    /// Or one uncertain value, by its name in the results.
+    #[serde(default)]
+    pub key: Option<String>,
+    /// Its error: 68 % of measurements lie within value/factor and value·factor.
+    #[serde(default)]
+    pub factor: Option<f64>,
+    /// What it costs.
+    pub price: Value,
+}
+
+/// What grinding and delay cost.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CostFile {
+    /// Grinding once.
+    pub grinding: Value,
+    /// Closing the line for it.
+    #[serde(default)]
+    pub possession: Option<Value>,
+    /// Each month over the limit, where grinding has a fixed interval.
+    #[serde(default)]
+    pub over_limit: Option<Value>,
+    /// Interest of a year; left out, 3 %.
+    #[serde(default)]
+    pub discount_rate: Option<Quantity<Ratio>>,
+    /// How far below the limit grinding leaves each band; left out, "-6 dB".
+    #[serde(default)]
+    pub from_limit: Option<Value>,
+    /// Longest interval, and the years for which a decision holds; left out, "20 a".
+    #[serde(default)]
+    pub horizon: Option<Value>,
+    /// Whether intervals hold what the model misses of growth; left out, they do.
+    #[serde(default = "yes")]
+    pub growth_discrepancy: bool,
+}
+
+fn yes() -> bool {
+    true
 }
 
 /// How the posterior is sampled.

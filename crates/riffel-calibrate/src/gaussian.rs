@@ -97,7 +97,16 @@ impl Gaussian {
     }
 
     pub(crate) fn covariance(&self, sizes: &[f64]) -> Matrix {
+        self.covariance_of_mean(sizes, 1.0)
+    }
+
+    /// Of the mean of so many measurements: what the model misses stays.
+    pub(crate) fn covariance_of_mean(&self, sizes: &[f64], times: f64) -> Matrix {
         let mut covariance = self.noise.clone();
+        covariance
+            .values
+            .iter_mut()
+            .for_each(|value| *value /= times);
         for (part, size) in self.parts.iter().zip(sizes) {
             for (value, part) in covariance.values.iter_mut().zip(&part.values) {
                 *value += size * size * part;
@@ -105,6 +114,22 @@ impl Gaussian {
         }
         covariance
     }
+}
+
+/// ln of the density of some data given all others, from the inverse S⁻¹ of the covariance of all and from S⁻¹r.
+///
+/// Source: Sundararajan & Keerthi (2001), Neural Computation 13.
+#[cfg(test)]
+pub(crate) fn log_density_given_others(
+    inverse: &Matrix,
+    weighted: &[f64],
+    group: &[usize],
+) -> Option<f64> {
+    let precision = Matrix::of(group.len(), |i, j| inverse.at(group[i], group[j]));
+    let lower = precision.cholesky()?;
+    let turned = lower.forward(group.iter().map(|place| weighted[*place]).collect());
+    let norm = -0.5 * group.len() as f64 * (2.0 * PI).ln();
+    Some(norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned))
 }
 
 /// Half of ln |LLᵀ|.
@@ -117,7 +142,39 @@ fn log_determinant(lower: &Matrix) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::conjugate::{U1, number};
     use crate::kernel::Kernel;
+
+    /// U1: the evidence of three dates, and the density of each date given the others, over all growth and first levels.
+    #[test]
+    fn dates_have_their_evidence_and_tell_each_other() {
+        let u1 = U1::read();
+        let (columns, errors, data) = u1.equations(&[0, 1, 2]);
+        let known = u1.proper();
+        let covariance = Matrix::of(data.len(), |i, j| {
+            let of_priors = columns.iter().zip(&known);
+            let of_priors = of_priors.map(|(a, known)| a[i] * a[j] / known.precision);
+            errors.at(i, j) + of_priors.sum::<f64>()
+        });
+        let of_means = |row: usize| -> f64 {
+            let columns = columns.iter().zip(&known);
+            columns.map(|(a, known)| a[row] * known.mean).sum()
+        };
+        let residuals: Vec<f64> = (0..data.len())
+            .map(|row| data[row] - of_means(row))
+            .collect();
+        let gaussian = Gaussian::new(covariance.clone(), Vec::new()).unwrap();
+        let evidence = gaussian.density(&residuals, &[]).unwrap().value;
+        assert!((evidence - number("/U1/log_evidence")).abs() < 1e-10);
+        let inverse = covariance.cholesky().unwrap().inverse_of_square();
+        let weighted = inverse.times(&residuals);
+        let expected = u1.numbers("/log_predictive_leaving_out_a_date");
+        for (date, expected) in expected.into_iter().enumerate() {
+            let group = [0, 1, 2].map(|band| 3 * date + band);
+            let value = log_density_given_others(&inverse, &weighted, &group).unwrap();
+            assert!((value - expected).abs() < 1e-10, "{date}: {value}");
+        }
+    }
 
     /// U5 of `validation/calibration/conjugate.json`: three lines with a Gaussian process over ln f, with and without an error
     /// of gain.

@@ -8,12 +8,19 @@
 //! y = model(θ) + δ + ε with δ Gaussian and small by prior.
 
 mod chain;
+#[cfg(test)]
+mod conjugate;
 mod data;
+mod decision;
 pub mod diagnostics;
 mod error;
 pub mod file;
+mod forecast;
 mod gaussian;
+mod growing_band;
+pub mod information;
 mod kernel;
+mod linear;
 mod matrix;
 mod model;
 mod nuts;
@@ -21,14 +28,17 @@ mod optimum;
 mod plan;
 mod posterior;
 mod prior;
+mod rail_draw;
 mod results;
 mod run;
 mod summary;
 
+pub use decision::{ActionOutcome, Decision, Months, Worth};
 pub use error::CalibrationError;
+pub use forecast::{BandForecast, Forecast};
 pub use model::Parameter;
 pub use plan::Plan;
 pub use posterior::{Point, Posterior};
 pub use prior::Prior;
-pub use run::{Chains, Folder};
+pub use run::{Chains, Folder, plan_of};
 pub use summary::{Marginal, Summary, TOLD};

@@ -5,7 +5,8 @@ use std::cell::OnceCell;
 use riffel::growth::RowEvaluator;
 use riffel::{Complex64, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, LoopOnTrack, Setting};
+use riffel_case::{Case, LoopOnTrack, Setting, SpeedChange, Variant};
+use riffel_keys::CaseError;
 
 use crate::prior::Prior;
 
@@ -14,6 +15,8 @@ use crate::prior::Prior;
 const SPEEDS: u32 = 17;
 /// Standard deviations from the mean to the last of them.
 const TAIL: f64 = 4.0;
+/// The slowest speed that an action may spread to \[m/s\].
+const SLOWEST: f64 = 1.0;
 
 /// An uncertain value.
 #[derive(Debug, Clone, PartialEq)]
@@ -134,6 +137,46 @@ impl Vehicle {
 }
 
 impl Speeds {
+    fn mean(&self) -> f64 {
+        match self {
+            Self::Normal { mean, .. } => *mean,
+            Self::Listed(listed) => {
+                let sum: f64 = listed.iter().map(|(speed, share)| speed * share).sum();
+                sum / listed.iter().map(|(_, share)| share).sum::<f64>()
+            }
+        }
+    }
+
+    /// What an action makes of them; a normal distribution is cut where its slowest would be below 1 m/s.
+    fn changed(&self, change: &SpeedChange) -> Self {
+        let factor = match (change.factor, change.mean) {
+            (Some(factor), _) => factor.si(),
+            (None, Some(mean)) => mean.si() / self.mean(),
+            (None, None) => 1.0,
+        };
+        let scaled = match self {
+            Self::Normal { mean, deviation } => Self::Normal {
+                mean: factor * mean,
+                deviation: factor * deviation,
+            },
+            Self::Listed(listed) => {
+                let listed = listed.iter().map(|(speed, share)| (factor * speed, *share));
+                Self::Listed(listed.collect())
+            }
+        };
+        let given = change.standard_deviation.map(|deviation| Self::Normal {
+            mean: scaled.mean(),
+            deviation: deviation.si(),
+        });
+        match given.unwrap_or(scaled) {
+            Self::Normal { mean, deviation } => Self::Normal {
+                mean,
+                deviation: deviation.min((mean - SLOWEST) / TAIL).max(0.0),
+            },
+            listed => listed,
+        }
+    }
+
     /// Speeds with weights that sum to one; none where a wheel would stand.
     fn nodes(&self) -> Option<Vec<(f64, f64)>> {
         let mut nodes: Vec<(f64, f64)> = match self {
@@ -171,6 +214,8 @@ pub(crate) struct Model {
     pub(crate) parameters: Vec<Parameter>,
     pub(crate) views: Vec<View>,
     pub(crate) vehicles: Vec<Vehicle>,
+    /// What an action makes of the speeds; none for the model as it is.
+    pub(crate) speed: Option<SpeedChange>,
 }
 
 /// The model with one set of values.
@@ -182,6 +227,34 @@ pub(crate) struct Trial<'a> {
 }
 
 impl Model {
+    /// With keys of one view changed, whatever is uncertain of them, and the speeds.
+    pub(crate) fn changed(&self, view: usize, variant: &Variant) -> Result<Self, CaseError> {
+        let mut model = self.clone();
+        let explain = |error| variant.explain(error);
+        let View {
+            case,
+            wheels,
+            acting,
+        } = &mut model.views[view];
+        *case = case.with_settings(&variant.settings).map_err(explain)?;
+        for (wheel, vehicle) in wheels.iter_mut().zip(&self.vehicles) {
+            let settings = [&vehicle.settings[..], &variant.settings].concat();
+            *wheel = case.with_settings(&settings).map_err(explain)?;
+        }
+        let is_changed = |key: &str| {
+            variant.keys().any(|own| {
+                let rest = key.strip_prefix(own);
+                rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
+            })
+        };
+        acting.retain(|index| match &self.parameters[*index].role {
+            Role::Key(key) | Role::Vehicle(_, VehicleKey::OfCase(key, _)) => !is_changed(key),
+            _ => true,
+        });
+        model.speed = Some(variant.speed);
+        Ok(model)
+    }
+
     pub(crate) fn trial<'a>(&'a self, values: &'a [f64]) -> Trial<'a> {
         Trial {
             model: self,
@@ -253,6 +326,9 @@ impl<'a> Trial<'a> {
                     (VehicleKey::OfCase(key, factor), _) => numbers.push((key, factor * value)),
                     (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
                 }
+            }
+            if let Some(change) = &self.model.speed {
+                speeds = speeds.changed(change);
             }
             let nodes = speeds
                 .nodes()

@@ -2,6 +2,7 @@
 
 use crate::data::{Block, Size};
 use crate::gaussian::Density;
+use crate::matrix::{Matrix, dot};
 use crate::model::Model;
 
 /// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
@@ -199,10 +200,49 @@ impl Posterior {
     }
 }
 
+impl Posterior {
+    /// JᵀR⁻¹J of some data at a place in z, by central differences: what they tell of the parameters.
+    pub(crate) fn information(
+        &self,
+        (block, sizes, touched_by): (&dyn Block, &[Size], &[usize]),
+        place: &[f64],
+        times: f64,
+    ) -> Result<Matrix, String> {
+        const STEP: f64 = 1e-4;
+        let values = self.values(place);
+        let sizes: Vec<f64> = sizes.iter().map(|size| size.of(&values)).collect();
+        let lower = block.covariance(&sizes, times).cholesky();
+        let lower = lower.ok_or("the errors of the data are zero within rounding")?;
+        let mut columns = vec![Vec::new(); place.len()];
+        for &index in touched_by {
+            let moved = |sign: f64| {
+                let mut place = place.to_vec();
+                place[index] += sign * STEP;
+                block.predict(&self.model.trial(&self.values(&place)))
+            };
+            let (behind, ahead) = (moved(-1.0)?, moved(1.0)?);
+            let slopes = behind.iter().zip(&ahead);
+            let slopes = slopes.map(|(behind, ahead)| (ahead - behind) / (2.0 * STEP));
+            columns[index] = lower.forward(slopes.collect());
+        }
+        Ok(Matrix::of(place.len(), |i, j| {
+            dot(&columns[i], &columns[j])
+        }))
+    }
+}
+
 impl Named {
+    /// What [`Posterior::information`] asks of data.
+    pub(crate) fn parts(&self) -> (&dyn Block, &[Size], &[usize]) {
+        (&*self.block, &self.sizes, &self.touched_by)
+    }
+
+    pub(crate) fn sizes(&self, values: &[f64]) -> Vec<f64> {
+        self.sizes.iter().map(|size| size.of(values)).collect()
+    }
+
     fn density(&self, predicted: &[f64], values: &[f64]) -> Option<Density> {
-        let sizes: Vec<f64> = self.sizes.iter().map(|size| size.of(values)).collect();
-        self.block.density(predicted, &sizes)
+        self.block.density(predicted, &self.sizes(values))
     }
 }
 

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use rayon::prelude::*;
 use riffel_arrays::{Array, Values, json, whole_file};
 use riffel_study::Stop;
-use serde_json::json;
+use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
 use crate::chain::{Chain, Draw};
@@ -49,8 +49,9 @@ impl<'a> Folder<'a> {
         let own = json(&json!({
             "fingerprint": fingerprint(plan)?,
             "version": env!("CARGO_PKG_VERSION"),
+            "plan": fs::canonicalize(&plan.inputs[0]).unwrap_or_default(),
         }));
-        if restart && there.as_ref().is_some_and(|there| *there != own) {
+        if restart && there.is_some_and(|there| !is_of(&there, plan)) {
             let folder = path.to_owned();
             return Err(CalibrationError::OtherPlan { folder });
         }
@@ -64,6 +65,34 @@ impl<'a> Folder<'a> {
         }
         whole_file::write(&record, &own).map_err(CalibrationError::write(&record))?;
         Ok(folder)
+    }
+
+    /// The folder of finished chains of a plan.
+    ///
+    /// # Errors
+    /// [`CalibrationError::OtherPlan`], [`CalibrationError::NotThere`].
+    pub fn finished(plan: &'a Plan, path: &Path) -> Result<Self, CalibrationError> {
+        let folder = path.to_owned();
+        let Ok(there) = fs::read(path.join(RECORD)) else {
+            return Err(CalibrationError::NotThere { folder });
+        };
+        match is_of(&there, plan) {
+            true => Ok(Self { plan, path: folder }),
+            false => Err(CalibrationError::OtherPlan { folder }),
+        }
+    }
+
+    /// The chains, if all are there.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Unfinished`].
+    pub fn chains_of_all(&self) -> Result<Chains, CalibrationError> {
+        let stop = Stop::default();
+        stop.ask();
+        let chains = self.run(&|_| (), &stop)?;
+        chains.ok_or_else(|| CalibrationError::Unfinished {
+            folder: self.path.clone(),
+        })
     }
 
     /// Where it is.
@@ -123,6 +152,9 @@ impl<'a> Folder<'a> {
                 draws.extend(kept);
                 chain = Some(state);
                 continue;
+            }
+            if stop.is_asked() {
+                return Ok(None);
             }
             let mut going = match chain.take() {
                 Some(chain) => chain,
@@ -220,10 +252,33 @@ impl<'a> Folder<'a> {
     }
 }
 
-/// SHA-256 over all files that the numbers follow from.
+/// The plan that the record of a folder names.
+///
+/// # Errors
+/// [`CalibrationError::NotThere`].
+pub fn plan_of(folder: &Path) -> Result<PathBuf, CalibrationError> {
+    let record = fs::read(folder.join(RECORD)).ok();
+    let record: Option<Value> = record.and_then(|bytes| serde_json::from_slice(&bytes).ok());
+    let plan = record.as_ref().and_then(|record| record["plan"].as_str());
+    plan.map(PathBuf::from)
+        .ok_or_else(|| CalibrationError::NotThere {
+            folder: folder.to_owned(),
+        })
+}
+
+/// Whether a record is of the chains of a plan.
+fn is_of(record: &[u8], plan: &Plan) -> bool {
+    let record: Value = serde_json::from_slice(record).unwrap_or_default();
+    let own = fingerprint(plan).ok();
+    own.is_some_and(|own| record["fingerprint"] == own)
+        && record["version"] == env!("CARGO_PKG_VERSION")
+}
+
+/// SHA-256 over all that the numbers follow from: the plan without its decisions, the text of all other files.
 fn fingerprint(plan: &Plan) -> Result<String, CalibrationError> {
     let mut hash = Sha256::new();
-    for path in &plan.inputs {
+    hash.update(plan.of_draws());
+    for path in &plan.inputs[1..] {
         let bytes = fs::read(path).map_err(|reason| CalibrationError::Read {
             path: path.clone(),
             reason,

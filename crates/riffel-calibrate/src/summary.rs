@@ -54,7 +54,7 @@ pub struct Summary {
 }
 
 /// The shares of the quantiles.
-const SHARES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
+pub(crate) const SHARES: [f64; 5] = [0.05, 0.25, 0.5, 0.75, 0.95];
 
 impl Chains {
     /// The places in z of one parameter, chain by chain.

@@ -152,7 +152,7 @@ impl Variant {
     }
 
     /// An error of the case that one of the changes causes, as one of the file of changes.
-    pub(crate) fn explain(&self, error: CaseError) -> CaseError {
+    pub fn explain(&self, error: CaseError) -> CaseError {
         match (&self.source, error) {
             (Some(source), CaseError::Changed { key, message })
                 if self.keys().any(|own| own == key) =>

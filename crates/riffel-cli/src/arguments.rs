@@ -3,6 +3,7 @@
 mod asked;
 mod axlebox;
 mod calibrate;
+mod decide;
 mod forecast;
 mod listed_length;
 pub(crate) mod network;
@@ -33,6 +34,7 @@ use crate::staging::add_input;
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use calibrate::Calibrate;
+pub(crate) use decide::Decide;
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use listed_length::ListedLength;
 pub(crate) use network::{Judged, Network, NetworkCommand};
@@ -161,6 +163,8 @@ pub(crate) enum Command {
     Study(Study),
     /// What measurements say of the uncertain values of a case.
     Calibrate(Calibrate),
+    /// Which action pays, over the posterior of a calibration, and what to measure first.
+    Decide(Decide),
     /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
     Figures(Figures),
     /// The page: the whole model in a browser on this machine.
@@ -194,6 +198,12 @@ pub(crate) struct CaseArguments {
 }
 
 impl CaseArguments {
+    /// Whether it is the case of a file without any override.
+    pub(crate) fn is_just(&self, path: &Path) -> bool {
+        let real = |path: &Path| std::fs::canonicalize(path).ok();
+        self.overrides.is_empty() && real(path).is_some() && real(&self.path) == real(path)
+    }
+
     /// A case named elsewhere than on its own place of the command line.
     pub(crate) fn of(path: &Path, overrides: &[String]) -> Self {
         Self {

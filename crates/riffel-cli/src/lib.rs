@@ -151,6 +151,7 @@ fn execute(command: Command, program: &[OsString]) -> miette::Result<u8> {
         Command::Page(arguments) => command::page::run(&arguments)?,
         Command::Study(arguments) => return command::study::run(&arguments),
         Command::Calibrate(arguments) => return command::calibrate::run(&arguments),
+        Command::Decide(arguments) => command::decide::run(&arguments)?,
         Command::Completions(arguments) => command::completions::run(&arguments)?,
         Command::Man(arguments) => command::man::run(&arguments)?,
         Command::Schema(arguments) => command::schema::run(&arguments)?,

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_answers::Answer;
+use riffel_answers::{Answer, Table};
 use riffel_keys::Message;
 
 use crate::arguments::CaseArguments;
@@ -61,17 +61,20 @@ impl Results<'_> {
                 }
                 staging.write("summary.json", json(answer))
             },
-            || {
-                let lines = |messages: Vec<Message>| -> String {
-                    let lines = messages.iter().map(|line| line.text(language()) + "\n");
-                    lines.collect()
-                };
-                let tables = tables.iter().map(|table| format!("{}\n", table_of(table)));
-                let tables = tables.collect::<String>();
-                lines(answer.introduction()) + &tables + &lines(answer.sentences())
-            },
+            || readable(answer, &tables),
         )?;
         print_remarks(answer.remarks());
         Ok(())
     }
+}
+
+/// An answer in words.
+pub(crate) fn readable<A: Answer>(answer: &A, tables: &[Table]) -> String {
+    let lines = |messages: Vec<Message>| -> String {
+        let lines = messages.iter().map(|line| line.text(language()) + "\n");
+        lines.collect()
+    };
+    let tables = tables.iter().map(|table| format!("{}\n", table_of(table)));
+    let tables = tables.collect::<String>();
+    lines(answer.introduction()) + &tables + &lines(answer.sentences())
 }

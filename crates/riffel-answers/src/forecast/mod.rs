@@ -2,6 +2,7 @@
 
 mod document;
 mod figure;
+mod over_posterior;
 mod rail_forecast;
 mod reach;
 mod wear_report;
@@ -21,6 +22,7 @@ use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
 pub use document::ForecastDocument;
 pub(crate) use figure::{rate_panel, zero};
+pub use over_posterior::PosteriorForecast;
 pub use rail_forecast::RailForecast;
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport};

@@ -10,6 +10,7 @@ use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
 use super::{Block, table};
 use crate::gaussian::Density;
+use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// Frequencies of a band.
@@ -137,5 +138,17 @@ impl Block for DecayRates {
 
     fn observed(&self) -> Vec<f64> {
         self.rate.clone()
+    }
+
+    /// Of a normal error that tells as much as Student's; bounds tell next to nothing.
+    fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
+        const NOTHING: f64 = 1e6;
+        let degrees = self.student.freedom();
+        let wider = (degrees + 3.0) / (degrees + 1.0);
+        Matrix::of(self.rate.len(), |row, column| match row == column {
+            false => 0.0,
+            true if self.upper_bound[row] => NOTHING,
+            true => wider * (self.error[row].powi(2) / times + sizes[0] * sizes[0]),
+        })
     }
 }

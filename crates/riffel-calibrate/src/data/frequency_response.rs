@@ -163,4 +163,18 @@ impl Block for FrequencyResponses {
         let phases = self.response.iter().map(|measured| measured.arg());
         moduli.chain(phases).collect()
     }
+
+    fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
+        let count = self.response.len();
+        let parts = self
+            .parts
+            .each_ref()
+            .map(|part| part.covariance_of_mean(sizes, times));
+        Matrix::of(2 * count, |row, column| {
+            match row / count == column / count {
+                true => parts[row / count].at(row % count, column % count),
+                false => 0.0,
+            }
+        })
+    }
 }

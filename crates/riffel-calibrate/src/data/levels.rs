@@ -13,6 +13,7 @@ use riffel_keys::CaseError;
 use super::{Block, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
+use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
 use crate::model::Trial;
 
@@ -22,6 +23,7 @@ const UNIT: f64 = 1e6;
 const MICROMETRE: f64 = 120.0;
 
 /// Levels of a trolley.
+#[derive(Clone)]
 pub(crate) struct DatedLevels {
     pub(crate) view: usize,
     pub(crate) rows: Vec<Row>,
@@ -31,6 +33,7 @@ pub(crate) struct DatedLevels {
 }
 
 /// Levels of acceleration on an axle box.
+#[derive(Clone)]
 pub(crate) struct AxleBoxRun {
     pub(crate) view: usize,
     pub(crate) rows: Vec<Row>,
@@ -142,6 +145,20 @@ pub(crate) struct Levels {
     contrasts: Vec<(usize, usize)>,
     lines: Vec<f64>,
     gaussian: Gaussian,
+    bands: Vec<ThirdOctave>,
+    /// Errors of the rows themselves.
+    of_rows: Gaussian,
+    /// L of the covariance LLᵀ over the bands of what is missed of growth, for a size of one; none where nothing is.
+    missed: Option<Matrix>,
+    /// What they were made of.
+    measured: (DatedLevels, Vec<AxleBoxRun>),
+}
+
+/// The rail that levels tell of.
+pub(crate) struct Rail {
+    normal: Normal,
+    /// dB per passage that is missed, by what is normal behind the levels.
+    missed: Option<Matrix>,
 }
 
 /// A level with what its model needs.
@@ -209,6 +226,20 @@ impl Levels {
                 false => 0.0,
             }))
         });
+        let of_runs: Vec<Matrix> = of_runs.collect();
+        let of_rows = Gaussian::new(noise.clone(), of_runs.clone())?;
+        let of_bands = dated.missed.map(|of_dates| {
+            let distance = |i: usize, j: usize| bands[i].wavelength() / bands[j].wavelength();
+            Matrix::of(bands.len(), |i, j| match of_dates {
+                Kernel::Band => f64::from(u8::from(i == j)),
+                // A smooth kernel is singular within rounding.
+                kernel => kernel.at(distance(i, j).ln()) + if i == j { 1e-9 } else { 0.0 },
+            })
+        });
+        let missed = match of_bands {
+            Some(matrix) => Some(matrix.cholesky()?),
+            None => None,
+        };
         let of_size: Vec<Matrix> = of_growth.into_iter().chain(of_runs).collect();
         let first = |row: usize| (0..row).find(|other| rows[*other].band == rows[row].band);
         let contrasts: Vec<(usize, usize)> = (0..rows.len())
@@ -226,7 +257,73 @@ impl Levels {
             contrasts,
             lines: band_lines(&bands),
             rows,
+            bands,
+            of_rows,
+            missed,
+            measured: (dated.clone(), runs.to_vec()),
         })
+    }
+
+    pub(crate) fn bands(&self) -> &[ThirdOctave] {
+        &self.bands
+    }
+
+    /// Passages from the first date to the last.
+    pub(crate) fn last(&self) -> f64 {
+        let dates = self.measured.0.rows.iter().map(|row| row.passages);
+        dates.fold(0.0, f64::max)
+    }
+
+    /// Growth rates of the amplitude of the lines of all bands, 16 each.
+    pub(crate) fn rates(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
+        trial.growth_rates(self.view(), &self.lines)
+    }
+
+    pub(crate) fn view(&self) -> usize {
+        self.measured.0.view
+    }
+
+    /// What all levels say of the rail under values of the parameters: generalised least squares of L_b, and of d_b with what was
+    /// known of it.
+    pub(crate) fn rail(&self, trial: &Trial<'_>, sizes: &[f64]) -> Result<Rail, String> {
+        let grown = self.levels(trial)?;
+        let data: Vec<f64> = self
+            .rows
+            .iter()
+            .zip(grown)
+            .map(|(row, grown)| row.row.level - grown)
+            .collect();
+        let (of_growth, of_runs) = sizes.split_at(usize::from(self.missed.is_some()));
+        let covariance = self.of_rows.covariance(of_runs);
+        let missed = self
+            .missed
+            .as_ref()
+            .zip(of_growth.first())
+            .map(|(lower, size)| Matrix {
+                values: lower.values.iter().map(|it| it * size / UNIT).collect(),
+                ..*lower
+            });
+        let bands = 0..self.bands.len();
+        let column =
+            |value: &dyn Fn(&LevelRow) -> f64| self.rows.iter().map(value).collect::<Vec<f64>>();
+        let mut columns: Vec<Vec<f64>> = (bands.clone())
+            .map(|band| column(&|row| f64::from(u8::from(row.band == band))))
+            .collect();
+        let mut known = vec![Known::default(); self.bands.len()];
+        if let Some(missed) = &missed {
+            columns.extend(bands.map(|w| column(&|row| row.row.passages * missed.at(row.band, w))));
+            known.resize(
+                2 * self.bands.len(),
+                Known {
+                    mean: 0.0,
+                    precision: 1.0,
+                },
+            );
+        }
+        let beyond = "the errors of the levels are beyond numbers";
+        let noise = covariance.cholesky().ok_or(beyond)?;
+        let normal = Normal::after(&known, &columns, &noise, &data).ok_or(beyond)?;
+        Ok(Rail { normal, missed })
     }
 
     /// The levels above L_b that the model says of all rows \[dB\].
@@ -258,6 +355,26 @@ impl Levels {
         contrasts
             .map(|(row, first)| levels[*row] - levels[*first])
             .collect()
+    }
+}
+
+impl Rail {
+    /// One draw, from draws of mean 0 and variance 1: levels at the first date \[dB\], and what is missed of growth \[dB per passage\].
+    pub(crate) fn draw(&self, mut normal: impl FnMut() -> f64) -> (Vec<f64>, Vec<f64>) {
+        let count = self.normal.mean.len();
+        let mut drawn = self
+            .normal
+            .draw(&(0..count).map(|_| normal()).collect::<Vec<f64>>());
+        match &self.missed {
+            None => {
+                let nothing = vec![0.0; count];
+                (drawn, nothing)
+            }
+            Some(missed) => {
+                let behind = drawn.split_off(count / 2);
+                (drawn, missed.times(&behind))
+            }
+        }
     }
 }
 
@@ -306,5 +423,36 @@ impl Block for Levels {
     fn observed(&self) -> Vec<f64> {
         let levels: Vec<f64> = self.rows.iter().map(|row| row.row.level).collect();
         self.contrast(&levels)
+    }
+
+    fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
+        self.gaussian.covariance_of_mean(sizes, times)
+    }
+
+    fn as_levels(&self) -> Option<&Levels> {
+        Some(self)
+    }
+
+    /// One more date, as long after the last as that is after the one before, with its bands and errors.
+    fn once_more(&self) -> Option<Box<dyn Block>> {
+        let (mut dated, runs) = self.measured.clone();
+        let last = self.last();
+        let before = dated
+            .rows
+            .iter()
+            .map(|row| row.passages)
+            .filter(|it| *it < last);
+        let next = 2.0 * last - before.fold(0.0, f64::max);
+        let rows: Vec<Row> = dated
+            .rows
+            .iter()
+            .filter(|row| row.passages == last)
+            .copied()
+            .collect();
+        dated.rows.extend(rows.into_iter().map(|row| Row {
+            passages: next,
+            ..row
+        }));
+        Some(Box::new(Self::new(&dated, &runs)?))
     }
 }

@@ -10,6 +10,7 @@ pub(crate) use frequency_response::FrequencyResponses;
 pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels};
 
 use crate::gaussian::Density;
+use crate::matrix::Matrix;
 use crate::model::Trial;
 
 /// Data that share errors: they are likely or not together.
@@ -31,6 +32,20 @@ pub(crate) trait Block: Send + Sync {
 
     /// The data, in the order of the predictions.
     fn observed(&self) -> Vec<f64>;
+
+    /// Covariance of the errors of the data, what the model misses among them, where each datum is the mean of so many
+    /// measurements.
+    fn covariance(&self, sizes: &[f64], times: f64) -> Matrix;
+
+    /// The data with what one measurement more adds; none where it repeats the same, so that their mean counts.
+    fn once_more(&self) -> Option<Box<dyn Block>> {
+        None
+    }
+
+    /// These data, if they tell of a rail that grows.
+    fn as_levels(&self) -> Option<&Levels> {
+        None
+    }
 }
 
 /// How much a model misses.

@@ -1,23 +1,25 @@
 //! Plans: what is uncertain, what was measured, read and checked.
 
 mod data;
+pub(crate) mod decision;
 mod parameter;
 
 use std::path::{Path, PathBuf};
 
-use riffel_case::traffic::Traffic;
+use riffel::STANDARD_GRAVITY;
+use riffel_case::traffic::{DAYS_PER_YEAR, Traffic};
 use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, KeyFile, text_file};
 use riffel_study::Distribution;
 
 use crate::file::{DataFile, PlanFile};
-use crate::model::{Model, Parameter, Vehicle, View};
+use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
 
 /// Standard deviations of a prior from its median beyond which it excludes what the case says.
 const EXCLUDES: f64 = 4.0;
-/// Keys of a plan that are for decisions and comparisons, which `calibrate` leaves alone.
+/// Keys of a plan that no draw follows from: for decisions, and for comparisons, which are left alone so far.
 const OF_OTHERS: [&str; 5] = ["compare", "hold_out", "action", "measurement", "cost"];
 
 /// A plan, read and checked against its case and its data.
@@ -32,6 +34,9 @@ pub struct Plan {
     pub text: String,
     /// Every file that the numbers follow from, the plan first.
     pub inputs: Vec<PathBuf>,
+    /// Axle passages of a day, if the traffic says how many there are.
+    pub passages_per_day: Option<f64>,
+    source: KeyFile,
 }
 
 /// A plan while it is being read.
@@ -55,7 +60,9 @@ impl Plan {
         let text = text_file::read_keys(path, "plan")?;
         let mut source = KeyFile::parse(&path.display().to_string(), &text)?;
         let written = source.clone();
-        OF_OTHERS.iter().for_each(|key| source.remove(key));
+        ["compare", "hold_out"]
+            .iter()
+            .for_each(|key| source.remove(key));
         let file: PlanFile = source.deserialize()?;
         let source = written;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
@@ -69,11 +76,13 @@ impl Plan {
                 error => error,
             })?;
         let mut inputs = vec![path.to_owned(), case_path];
+        let mut line = None;
         let vehicles = match &file.traffic {
             None => Vec::new(),
             Some(name) => {
                 inputs.push(folder.join(name));
                 let traffic = Traffic::read(&folder.join(name))?;
+                line = Some(traffic.file.line);
                 Vehicle::all(&traffic).map_err(|(index, key)| {
                     let message = format!(
                         "vehicle[{index}] of {name} has `{key}`, which calibration does not take; give one wheel at a distribution of speeds"
@@ -115,20 +124,63 @@ impl Plan {
             remarks,
             ..
         } = reading;
+        let axle_mass = vehicles.iter().map(|vehicle| {
+            let own = vehicle.number(&VehicleKey::OfCase("contact.normal_load".to_owned(), 1.0));
+            let load = own
+                .or(case.number("contact.normal_load"))
+                .unwrap_or(f64::NAN);
+            2.0 * vehicle.share * load / STANDARD_GRAVITY
+        });
+        let axle_mass: f64 = axle_mass.sum();
+        let passages_per_day = line.and_then(|line| {
+            let of_mgt = line
+                .mgt_per_year
+                .map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);
+            line.passages_per_day.or(of_mgt)
+        });
         let model = Model {
             parameters,
             views,
             vehicles,
+            speed: None,
         };
         touch(&source, &model, &mut blocks)?;
         let posterior = Posterior { model, blocks };
-        Ok(Self {
+        let plan = Self {
             file,
             posterior,
             remarks,
             text,
             inputs,
-        })
+            passages_per_day,
+            source,
+        };
+        // Before minutes of sampling.
+        if plan.file.cost.is_some() || !plan.file.action.is_empty() {
+            let choices = plan.choices()?;
+            let levels = plan
+                .posterior
+                .blocks
+                .iter()
+                .find_map(|named| named.block.as_levels());
+            for changes in choices
+                .actions
+                .iter()
+                .filter_map(|action| action.changes.as_ref())
+            {
+                if let Some(levels) = levels {
+                    plan.posterior.model.changed(levels.view(), changes)?;
+                }
+            }
+        }
+        Ok(plan)
+    }
+
+    /// The text that draws follow from: without the keys of decisions.
+    pub(crate) fn of_draws(&self) -> String {
+        let mut source = self.source.clone();
+        OF_OTHERS.iter().for_each(|key| source.remove(key));
+        source.table().to_string()
     }
 }
 

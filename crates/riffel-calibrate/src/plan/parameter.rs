@@ -175,7 +175,7 @@ impl Reading<'_> {
 
 impl Vehicle {
     /// The number that a vehicle has for one of its keys, in SI.
-    fn number(&self, key: &VehicleKey) -> Option<f64> {
+    pub(super) fn number(&self, key: &VehicleKey) -> Option<f64> {
         use crate::model::Speeds;
         match (key, &self.speeds) {
             (VehicleKey::TractionShare, _) => Some(self.traction_share),

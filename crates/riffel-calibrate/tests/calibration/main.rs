@@ -1,5 +1,6 @@
 //! Calibration against a second implementation and closed forms.
 
+mod decision;
 mod likelihood;
 mod posterior;
 mod refusals;

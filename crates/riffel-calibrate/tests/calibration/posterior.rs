@@ -2,14 +2,15 @@
 
 use std::time::Instant;
 
-use riffel_calibrate::Folder;
+use riffel_calibrate::{Chains, Folder, Plan};
 use riffel_study::Stop;
 
+use crate::decision::check_three_dates;
 use crate::{SHORT, json, plan};
 
 /// Sample a set and hold means to so many standard deviations, and standard deviations to such a share, of the second
 /// implementation.
-fn check(set: &str, (warmup, draws): (u64, u64), most: f64) {
+fn check(set: &str, (warmup, draws): (u64, u64), most: f64) -> (Plan, Chains) {
     let mut plan = plan(set);
     (plan.file.sampler.warmup, plan.file.sampler.draws) = (warmup, draws);
     let folder = tempfile::tempdir().unwrap();
@@ -39,6 +40,7 @@ fn check(set: &str, (warmup, draws): (u64, u64), most: f64) {
     }
     assert!(wrong.is_empty(), "{set}: {wrong:?}");
     assert_eq!(runaway, 0);
+    (plan, chains)
 }
 
 /// Means within 0.1 standard deviations, standard deviations within 10 %.
@@ -48,11 +50,12 @@ fn posterior_of_hammer_and_decay() {
     check("a-hammer-and-decay", (1000, 1000), 0.1);
 }
 
-/// The same; chains of a third of the length have errors of 0.03 of their own, as those of the reference.
+/// The same, and the decision on it; chains of a third of the length have errors of 0.03 of their own, as those of the reference.
 #[test]
 #[ignore = "minutes without optimisation"]
 fn posterior_of_three_dates() {
-    check("b-three-dates", (400, 500), 0.15);
+    let (plan, chains) = check("b-three-dates", (400, 500), 0.15);
+    check_three_dates(&plan, &chains);
 }
 
 /// The same.

@@ -29,8 +29,12 @@ pub(crate) struct Forecast {
 
     /// Traffic file: vehicles with their shares, loads, speeds and traction; `riffel init --traffic` writes
     /// one.
-    #[arg(long, value_name = "TOML")]
-    pub(crate) traffic: PathBuf,
+    #[arg(long, value_name = "TOML", required_unless_present = "posterior")]
+    pub(crate) traffic: Option<PathBuf>,
+
+    /// Folder of a finished calibration of the case: its levels, traffic and draws, with bands of 50 and 90 %.
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["traffic", "spectrum", "ground_rail", "passages", "mgt", "date"])]
+    pub(crate) posterior: Option<PathBuf>,
 
     /// Limit of the levels, by name or as a TOML file.
     #[arg(long, value_name = "LIMIT", default_value = "iso-3095-2013")]

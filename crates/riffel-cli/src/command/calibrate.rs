@@ -1,17 +1,23 @@
 //! `riffel calibrate`
 
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use riffel_calibrate::{Folder, Marginal, Plan, Summary, TOLD};
+use riffel_answers::forecast::PosteriorForecast;
+use riffel_answers::{Answer, level_limit};
+use riffel_calibrate::{Chains, Folder, Marginal, Plan, Summary, TOLD};
 
 use super::study::progress::{SampleProgress, duration};
 use crate::arguments::{Calibrate, stem};
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, table};
-use crate::staging::{INTERRUPTED, stop_on_interrupt};
+use crate::results::readable;
+use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
 use crate::threads::on_threads;
 
+/// The limit and the months of the forecast that is made with every calibration.
+const LIMIT: &str = "iso-3095-2013";
+const MONTHS: f64 = 24.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
@@ -49,9 +55,10 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     };
     let summary = chains.summary(&plan);
     let names = folder.write(&plan, &chains, &summary)?;
+    let forecast = forecast(&plan, &chains, &path)?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&format!(
-        "{title}\n{}{}: {}\n",
+        "{title}\n{}{forecast}{}: {}\n",
         marginals(&summary),
         path.display(),
         names.join(" ")
@@ -65,6 +72,24 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     let doubts = summary.doubts();
     doubts.iter().map(String::as_str).for_each(complain);
     Ok(if doubts.is_empty() { 0 } else { NO_CONCLUSION })
+}
+
+/// Write when the rail reaches its limit, where the plan has levels and the traffic says how much of it there is; what is to be
+/// said of that.
+fn forecast(plan: &Plan, chains: &Chains, folder: &Path) -> miette::Result<String> {
+    if plan.passages_per_day.is_none() || !plan.has_levels() {
+        return Ok(String::new());
+    }
+    let limit = level_limit(LIMIT)?;
+    let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
+    let tables = answer.tables();
+    let mut staging = Staging::new("calibrate", folder)?;
+    staging.write_figure(PosteriorForecast::NAME, &answer.figure())?;
+    for table in &tables {
+        staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
+    }
+    staging.publish()?;
+    Ok(readable(&answer, &tables))
 }
 
 /// What a plan asks for.

@@ -6,6 +6,7 @@ pub(crate) mod compare;
 pub(crate) mod completions;
 pub(crate) mod contact;
 pub(crate) mod curve;
+pub(crate) mod decide;
 pub(crate) mod diagnose;
 pub(crate) mod figures;
 pub(crate) mod forecast;

@@ -2,7 +2,10 @@
 
 mod dated;
 mod ground;
+mod over_posterior;
 mod wear;
+
+use std::path::Path;
 
 use dated::Dated;
 use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest};
@@ -23,6 +26,9 @@ pub(crate) use ground::ground_rail;
 pub(crate) use wear::Measured;
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
+    if let Some(folder) = &arguments.posterior {
+        return over_posterior::run(arguments, folder);
+    }
     let spectra = &arguments.spectra;
     let survey = match &spectra.spectrum {
         Some(path) => Some(survey(path, &spectra.layout)?),
@@ -60,7 +66,13 @@ pub(super) fn forecast(
     arguments: &Arguments,
     survey: Option<Survey>,
 ) -> miette::Result<ForecastAnswer> {
-    let traffic = Traffic::read(&arguments.traffic)?;
+    // It is there where no posterior is.
+    let traffic = Traffic::read(
+        arguments
+            .traffic
+            .as_deref()
+            .unwrap_or_else(|| Path::new("")),
+    )?;
     let (table, limit) = level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     let dated = match (&ground, survey) {

@@ -390,7 +390,8 @@ fn outlook(
             passages_between: None,
         },
         ground: arguments.ground.clone(),
-        traffic: traffic.clone(),
+        traffic: Some(traffic.clone()),
+        posterior: None,
         limit,
         horizon: Horizon {
             passages: None,

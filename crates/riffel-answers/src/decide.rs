@@ -1,0 +1,276 @@
+//! Which action pays, over the posterior of a calibration.
+
+use riffel_calibrate::{CalibrationError, Chains, Decision, Plan, Worth};
+use riffel_keys::{Message, fixed, say};
+use riffel_plot::{LineFigure, LinePanel, Mark, Series};
+use serde::Serialize;
+
+use crate::{Answer, Column, Table};
+
+/// The ranking of actions, with what it says of measurements.
+#[derive(Serialize)]
+pub struct DecideAnswer {
+    riffel_version: &'static str,
+    title: Option<String>,
+    #[serde(flatten)]
+    decision: Decision,
+    remarks: Vec<Message>,
+}
+
+impl DecideAnswer {
+    /// Rank the actions of a plan over its chains.
+    ///
+    /// # Errors
+    /// Those of [`Decision::of`].
+    pub fn new(plan: &Plan, chains: &Chains) -> Result<Self, CalibrationError> {
+        let doubts = chains.summary(plan).doubts().len();
+        let cost = plan.file.cost.as_ref();
+        let mut remarks = Vec::new();
+        if doubts > 0 {
+            remarks.push(say!(decision_on_doubtful_chains, doubts = doubts));
+        }
+        if cost.is_some_and(|cost| cost.from_limit.is_none()) {
+            remarks.push(say!(rise_after_grinding_assumed));
+        }
+        Ok(Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            title: plan.file.title.clone(),
+            decision: Decision::of(plan, chains)?,
+            remarks,
+        })
+    }
+
+    /// Names of the actions.
+    fn names(&self) -> Vec<Message> {
+        let actions = self.decision.actions.iter().enumerate();
+        let name = |(index, action): (usize, &riffel_calibrate::ActionOutcome)| match index {
+            0 => say!(action_none),
+            _ => Message::verbatim(&action.title),
+        };
+        actions.map(name).collect()
+    }
+
+    /// A table of what it is worth to know things.
+    fn worth(&self, name: &'static str, what: Message, worth: &[Worth]) -> Table {
+        let currency = &*self.decision.currency;
+        let titles = worth.iter().map(|it| Message::verbatim(&it.title));
+        let per_year = worth.iter().map(|it| Some(it.per_year));
+        let mut columns = vec![
+            Column::words("title", what, titles.collect()),
+            Column::fixed(
+                "worth_per_year",
+                say!(worth_per_year, currency = currency),
+                per_year,
+                0,
+            ),
+        ];
+        if worth.iter().any(|it| it.price.is_some()) {
+            let price = worth.iter().map(|it| it.price);
+            let net = worth.iter().map(|it| it.net);
+            columns.push(Column::fixed(
+                "price",
+                say!(price_in, currency = currency),
+                price,
+                0,
+            ));
+            columns.push(Column::fixed(
+                "net",
+                say!(net_worth_in, currency = currency),
+                net,
+                0,
+            ));
+        }
+        Table { name, columns }
+    }
+}
+
+/// A share in per cent.
+fn percent(share: f64) -> Option<f64> {
+    Some(100.0 * share)
+}
+
+impl Answer for DecideAnswer {
+    const NAME: &'static str = "decision";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.title.as_deref().map(Message::verbatim);
+        let decision = &self.decision;
+        let about = say!(
+            decision_is_over,
+            draws = decision.draws,
+            rise = fixed(decision.rise_db, 1),
+            horizon = fixed(decision.horizon_months, 0)
+        );
+        title.into_iter().chain([about]).collect()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let decision = &self.decision;
+        let currency = &*decision.currency;
+        let actions = &decision.actions;
+        let numbers =
+            |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
+                Column::fixed(name, head, (0..actions.len()).map(value), shown)
+            };
+        let mut columns = vec![Column::words("action", say!(action_column), self.names())];
+        for (place, name) in [(2, "months_q50"), (0, "months_q05"), (4, "months_q95")] {
+            let head = match place {
+                2 => say!(months_to_limit_median),
+                0 => say!(five_per_cent),
+                _ => say!(ninety_five_per_cent),
+            };
+            columns.push(numbers(name, head, 1, &|row| {
+                actions[row].months_to_limit.quantiles[place]
+            }));
+        }
+        columns.push(numbers("never_percent", say!(never_percent), 1, &|row| {
+            percent(actions[row].months_to_limit.probability_never)
+        }));
+        let head = say!(mean_cost_per_year, currency = currency);
+        columns.push(numbers("mean_cost_per_year", head, 0, &|row| {
+            Some(actions[row].mean_cost_per_year)
+        }));
+        for (place, name) in [
+            (0, "saving_q05"),
+            (1, "saving_q25"),
+            (2, "saving_q50"),
+            (3, "saving_q75"),
+            (4, "saving_q95"),
+        ] {
+            let values = (0..actions.len()).map(|row| actions[row].saving_per_year[place]);
+            columns.push(match place {
+                0 => numbers(name, say!(saving_from), 0, &|row| {
+                    Some(actions[row].saving_per_year[0])
+                }),
+                4 => numbers(name, say!(saving_to), 0, &|row| {
+                    Some(actions[row].saving_per_year[4])
+                }),
+                _ => Column::in_file(name, values),
+            });
+        }
+        columns.push(numbers("longer_percent", say!(longer_percent), 0, &|row| {
+            percent(actions[row].probability_longer)
+        }));
+        columns.push(numbers(
+            "cheapest_percent",
+            say!(cheapest_percent),
+            0,
+            &|row| percent(actions[row].probability_cheapest),
+        ));
+        let head = say!(regret_per_year, currency = currency);
+        columns.push(numbers("expected_regret_per_year", head, 0, &|row| {
+            Some(actions[row].expected_regret_per_year)
+        }));
+        let mut tables = vec![
+            Table {
+                name: "actions",
+                columns,
+            },
+            self.worth(
+                "worth_of_values",
+                say!(value_known),
+                &decision.evppi_per_year,
+            ),
+        ];
+        if !decision.measurements.is_empty() {
+            tables.push(self.worth(
+                "worth_of_measurements",
+                say!(measurement_first),
+                &decision.measurements,
+            ));
+        }
+        tables
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let decision = &self.decision;
+        let actions = decision.actions.iter().zip(self.names());
+        let best = actions.min_by(|a, b| a.0.mean_cost_per_year.total_cmp(&b.0.mean_cost_per_year));
+        let currency = &*decision.currency;
+        let mut sentences = Vec::new();
+        if let Some((action, name)) = best {
+            sentences.push(say!(
+                cheapest_in_the_mean,
+                action = name,
+                cost = fixed(action.mean_cost_per_year, 0),
+                currency = currency,
+                share = fixed(100.0 * action.probability_cheapest, 0)
+            ));
+        }
+        sentences.push(say!(
+            worth_of_knowing_all,
+            worth = fixed(decision.evpi_per_year, 0),
+            currency = currency
+        ));
+        let pays = decision
+            .measurements
+            .iter()
+            .filter(|it| it.net.is_some_and(|net| net > 0.0));
+        match (
+            pays.collect::<Vec<&Worth>>().first(),
+            decision.measurements.is_empty(),
+        ) {
+            (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
+            (None, false) => sentences.push(say!(no_measurement_pays)),
+            (None, true) => {}
+        }
+        sentences
+    }
+
+    fn figure(&self) -> LineFigure {
+        let decision = &self.decision;
+        let line = |name: &Message, values: &[f64]| Series {
+            label: name.text(riffel_keys::Language::English),
+            x: values.to_vec(),
+            y: (1..20).map(|part| 5.0 * f64::from(part)).collect(),
+            ..Series::default()
+        };
+        let names = self.names();
+        let actions = || decision.actions.iter().zip(&names);
+        let panel =
+            |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {
+                subtitle: subtitle.to_owned(),
+                x_label,
+                y_label: "share of the draws below [%]".to_owned(),
+                y_range: Some((0.0, 100.0)),
+                series,
+                marks,
+                ..LinePanel::default()
+            };
+        let months = actions().map(|(action, name)| line(name, &action.curves[0]));
+        let costs = actions().map(|(action, name)| line(name, &action.curves[1]));
+        let best =
+            actions().min_by(|a, b| a.0.mean_cost_per_year.total_cmp(&b.0.mean_cost_per_year));
+        let mark = best.map(|(action, name)| Mark {
+            x: action.mean_cost_per_year,
+            label: name.text(riffel_keys::Language::English),
+        });
+        LineFigure {
+            title: self.title.clone().unwrap_or_else(|| "Decision".to_owned()),
+            caption: format!(
+                "{} draws of the posterior, 5 to 95 %. Months from grinding until the first band has risen by {} dB; costs of a year. The line marks the \
+                 least mean cost. Knowing everything is worth {:.0} {} a year.",
+                decision.draws, decision.rise_db, decision.evpi_per_year, decision.currency
+            ),
+            panels: vec![
+                panel(
+                    "interval",
+                    "months to the limit".to_owned(),
+                    months.collect(),
+                    Vec::new(),
+                ),
+                panel(
+                    "cost",
+                    format!("cost of a year [{}]", decision.currency),
+                    costs.collect(),
+                    mark.into_iter().collect(),
+                ),
+            ],
+            ..LineFigure::default()
+        }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}

@@ -1,0 +1,405 @@
+//! What to do: actions ranked by what they cost over the posterior, and what it is worth to know more.
+
+use rayon::prelude::*;
+use riffel_case::Variant;
+use riffel_study::sensitivity::quantile;
+use serde::Serialize;
+
+use crate::error::CalibrationError;
+use crate::growing_band::GrowingBand;
+use crate::information::{mean, of_a_measurement, of_everything};
+use crate::linear::{Known, Normal};
+use crate::matrix::Matrix;
+use crate::plan::Plan;
+use crate::plan::decision::{Action, Choices, MONTHS, Planned, PlannedData};
+use crate::rail_draw::RailDraw;
+use crate::run::Chains;
+use crate::summary::SHARES;
+
+/// The ranking of actions; costs are sums of a year.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Decision {
+    /// Currency of all sums.
+    pub currency: String,
+    /// Rise of a band from grinding to the limit.
+    pub rise_db: f64,
+    /// Longest interval.
+    pub horizon_months: f64,
+    /// Draws of the posterior, the same for all actions.
+    pub draws: usize,
+    /// To leave all as it is first, then in the order of the plan.
+    pub actions: Vec<ActionOutcome>,
+    /// What it is worth a year to know everything.
+    pub evpi_per_year: f64,
+    /// What it is worth a year to know one value, the most first.
+    pub evppi_per_year: Vec<Worth>,
+    /// What measurements are worth, the most first by what is left of it over the horizon.
+    pub measurements: Vec<Worth>,
+}
+
+/// What an action leads to.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct ActionOutcome {
+    /// Its name.
+    pub title: String,
+    /// Of investment and upkeep.
+    pub fixed_cost_per_year: f64,
+    /// Months and costs of 5, 10 … 95 % of the draws, for curves.
+    #[serde(skip)]
+    pub curves: [Vec<f64>; 2],
+    /// From grinding to the limit.
+    pub months_to_limit: Months,
+    /// In the mean over the draws.
+    pub mean_cost_per_year: f64,
+    /// 5, 25, 50, 75 and 95 % of the draws.
+    pub cost_per_year: [f64; 5],
+    /// The same of what it saves against leaving all as it is.
+    pub saving_per_year: [f64; 5],
+    /// That the interval is longer than if all is left as it is.
+    pub probability_longer: f64,
+    /// That it is the cheapest.
+    pub probability_cheapest: f64,
+    /// What it costs more than the cheapest, in the mean.
+    pub expected_regret_per_year: f64,
+}
+
+/// Months until a limit is reached.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Months {
+    /// 5, 25, 50, 75 and 95 % of the draws; none where that share does not reach it within the horizon.
+    pub quantiles: [Option<f64>; 5],
+    /// That it is not reached within the horizon.
+    pub probability_never: f64,
+}
+
+/// What it is worth to know something.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Worth {
+    /// What is known or measured.
+    pub title: String,
+    /// A year.
+    pub per_year: f64,
+    /// What the measurement costs; none for a value that is merely known.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub price: Option<f64>,
+    /// What is left of its worth over the horizon.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub net: Option<f64>,
+}
+
+impl Months {
+    pub(crate) fn of(months: impl Iterator<Item = Option<f64>>) -> Self {
+        let mut all: Vec<f64> = months.map(|it| it.unwrap_or(f64::INFINITY)).collect();
+        all.sort_by(f64::total_cmp);
+        let never = all.iter().filter(|it| it.is_infinite()).count();
+        // Between a number and never is never.
+        let at = |share: f64| Some(quantile(&all, share)).filter(|it| it.is_finite());
+        Self {
+            quantiles: SHARES.map(at),
+            probability_never: never as f64 / all.len() as f64,
+        }
+    }
+}
+
+impl Decision {
+    /// Rank the actions of a plan over the draws of its chains.
+    ///
+    /// The interval of an action in a draw is the time in which the first band rises from what grinding leaves to the limit, and
+    /// its cost a year that of grinding as often as the interval asks, or as the action says. What the model misses of growth
+    /// is in every interval, the same for all actions.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Plan`] with the key at fault; [`CalibrationError::Refused`] where the case refuses what an action makes
+    /// of a draw.
+    pub fn of(plan: &Plan, chains: &Chains) -> Result<Self, CalibrationError> {
+        let choices = plan.choices()?;
+        let per_month = plan.passages_per_month()?;
+        let (_, levels) = plan.levels()?;
+        let draws = plan.rail_draws(chains)?;
+        let end = choices.horizon * per_month;
+        let mut months = Vec::new();
+        for action in &choices.actions {
+            let changes = action.changes.clone();
+            let changes = changes.unwrap_or_else(|| Variant::none(""));
+            let model = plan.posterior.model.changed(levels.view(), &changes)?;
+            let of_draw = |draw: &RailDraw| {
+                let rates = match action.changes.is_none() && action.factors.is_empty() {
+                    true => draw.rates.clone(),
+                    false => {
+                        let mut values = draw.values.clone();
+                        action
+                            .factors
+                            .iter()
+                            .for_each(|(place, factor)| values[*place] *= factor);
+                        levels.rates(&model.trial(&values))?
+                    }
+                };
+                let missed = match choices.growth_discrepancy {
+                    true => draw.missed.clone(),
+                    false => vec![0.0; draw.missed.len()],
+                };
+                let bands = GrowingBand::all(&rates, &missed);
+                let reached = bands.filter_map(|band| band.passages_until(choices.rise, 0.0, end));
+                Ok(reached
+                    .min_by(f64::total_cmp)
+                    .map(|passages| passages / per_month))
+            };
+            let of_draws: Result<Vec<Option<f64>>, String> =
+                draws.par_iter().map(of_draw).collect();
+            months.push(of_draws.map_err(|reason| {
+                let title = &action.title;
+                CalibrationError::Refused(format!(
+                    "in a draw of the posterior the case does not take the action \"{title}\": {reason}"
+                ))
+            })?);
+        }
+        let costs = months.iter().zip(&choices.actions);
+        let costs: Vec<Vec<f64>> = costs
+            .map(|(months, action)| months.iter().map(|it| choices.cost(action, *it)).collect())
+            .collect();
+        let places: Vec<Vec<f64>> = draws.into_iter().map(|draw| draw.place).collect();
+        let told = Told::of(&places, &costs);
+        Ok(Self {
+            rise_db: choices.rise,
+            horizon_months: choices.horizon,
+            draws: places.len(),
+            actions: outcomes(&choices, &months, &costs),
+            evpi_per_year: of_everything(&costs),
+            evppi_per_year: worth_of_values(plan, &places, &costs),
+            measurements: worth_of_measurements(plan, &choices, &told)?,
+            currency: choices.currency,
+        })
+    }
+}
+
+impl Choices {
+    /// What an action costs a year where the limit is reached after so many months, if it is within the horizon.
+    fn cost(&self, action: &Action, months: Option<f64>) -> f64 {
+        let a_year = match action.every {
+            None => MONTHS / months.unwrap_or(self.horizon) * self.grinding,
+            Some(every) => {
+                let over = months.map_or(0.0, |months| (every - months).max(0.0));
+                MONTHS / every * (self.grinding + self.over_limit * over)
+            }
+        };
+        action.annual + a_year
+    }
+}
+
+fn outcomes(
+    choices: &Choices,
+    months: &[Vec<Option<f64>>],
+    costs: &[Vec<f64>],
+) -> Vec<ActionOutcome> {
+    let draws = costs[0].len();
+    let share = |is: &dyn Fn(usize) -> bool| {
+        (0..draws).filter(|draw| is(*draw)).count() as f64 / draws as f64
+    };
+    let quantiles = |values: &mut dyn Iterator<Item = f64>| {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        SHARES.map(|share| quantile(&values, share))
+    };
+    let curve = |values: &mut dyn Iterator<Item = f64>| {
+        let mut values: Vec<f64> = values.collect();
+        values.sort_by(f64::total_cmp);
+        (1..20)
+            .map(|part| quantile(&values, 0.05 * f64::from(part)))
+            .collect()
+    };
+    let cheapest: Vec<f64> = (0..draws)
+        .map(|draw| {
+            costs
+                .iter()
+                .map(|costs| costs[draw])
+                .fold(f64::INFINITY, f64::min)
+        })
+        .collect();
+    let first = |draw: usize| costs.iter().position(|costs| costs[draw] == cheapest[draw]);
+    let length = |months: Option<f64>| months.unwrap_or(f64::INFINITY);
+    let outcome = |(place, action): (usize, &Action)| ActionOutcome {
+        title: action.title.clone(),
+        fixed_cost_per_year: action.annual,
+        curves: [
+            curve(&mut months[place].iter().map(|it| length(*it))),
+            curve(&mut costs[place].iter().copied()),
+        ],
+        months_to_limit: Months::of(months[place].iter().copied()),
+        mean_cost_per_year: mean(&costs[place]),
+        cost_per_year: quantiles(&mut costs[place].iter().copied()),
+        saving_per_year: quantiles(&mut (0..draws).map(|draw| costs[0][draw] - costs[place][draw])),
+        probability_longer: share(&|draw| length(months[place][draw]) > length(months[0][draw])),
+        probability_cheapest: share(&|draw| first(draw) == Some(place)),
+        expected_regret_per_year: mean(&costs[place]) - mean(&cheapest),
+    };
+    choices.actions.iter().enumerate().map(outcome).collect()
+}
+
+/// Mean, covariance and costs of draws, linear in the parameters.
+struct Told {
+    place: Vec<f64>,
+    covariance: Matrix,
+    means: Vec<f64>,
+    /// Of the cost of each action by each parameter.
+    slopes: Vec<Vec<f64>>,
+}
+
+impl Told {
+    fn of(places: &[Vec<f64>], costs: &[Vec<f64>]) -> Self {
+        let size = places[0].len();
+        let column = |index: usize| {
+            places
+                .iter()
+                .map(|place| place[index])
+                .collect::<Vec<f64>>()
+        };
+        let columns: Vec<Vec<f64>> = (0..size).map(column).collect();
+        let place: Vec<f64> = columns.iter().map(|column| mean(column)).collect();
+        let product = |one: &[f64], other: &[f64]| {
+            let (a, b) = (mean(one), mean(other));
+            let pairs = one.iter().zip(other);
+            pairs.map(|(x, y)| (x - a) * (y - b)).sum::<f64>() / (one.len() - 1) as f64
+        };
+        let covariance = Matrix::of(size, |i, j| product(&columns[i], &columns[j]));
+        let inverse = inverse(&covariance);
+        let slopes = costs.iter().map(|costs| {
+            let along: Vec<f64> = columns
+                .iter()
+                .map(|column| product(column, costs))
+                .collect();
+            inverse.times(&along)
+        });
+        Self {
+            slopes: slopes.collect(),
+            means: costs.iter().map(|costs| mean(costs)).collect(),
+            place,
+            covariance,
+        }
+    }
+}
+
+/// Inverse of a covariance; what does not vary at all stays at zero.
+fn inverse(covariance: &Matrix) -> Matrix {
+    let (values, vectors) = covariance.eigenvectors();
+    let largest = values.iter().copied().fold(0.0, f64::max);
+    let scaled = Matrix::of(covariance.size, |row, column| {
+        match values[row] > 1e-12 * largest {
+            true => vectors.at(row, column) / values[row],
+            false => 0.0,
+        }
+    });
+    vectors.transposed().product(&scaled)
+}
+
+/// What it is worth to know each parameter: costs regressed on a polynomial of third degree in it.
+///
+/// Source: Strong, Oakley & Brennan (2014), Medical Decision Making 34.
+fn worth_of_values(plan: &Plan, places: &[Vec<f64>], costs: &[Vec<f64>]) -> Vec<Worth> {
+    let least = costs
+        .iter()
+        .map(|costs| mean(costs))
+        .fold(f64::INFINITY, f64::min);
+    let parameters = plan.posterior.parameters().iter().enumerate();
+    let mut worth: Vec<Worth> = parameters
+        .map(|(index, parameter)| {
+            let z: Vec<f64> = places.iter().map(|place| place[index]).collect();
+            let middle = mean(&z);
+            let size =
+                (z.iter().map(|z| (z - middle).powi(2)).sum::<f64>() / z.len() as f64).sqrt();
+            let columns = [0, 1, 2, 3].map(|power| {
+                z.iter()
+                    .map(|z| ((z - middle) / size).powi(power))
+                    .collect::<Vec<f64>>()
+            });
+            let fitted: Option<Vec<Vec<f64>>> =
+                costs.iter().map(|costs| fit(&columns, costs)).collect();
+            let best = fitted.map(|fitted| {
+                let of_draw = |draw: usize| {
+                    fitted
+                        .iter()
+                        .map(|costs| costs[draw])
+                        .fold(f64::INFINITY, f64::min)
+                };
+                mean(&(0..z.len()).map(of_draw).collect::<Vec<f64>>())
+            });
+            Worth {
+                title: parameter.name.clone(),
+                per_year: best.map_or(0.0, |best| (least - best).max(0.0)),
+                price: None,
+                net: None,
+            }
+        })
+        .collect();
+    worth.sort_by(|a, b| b.per_year.total_cmp(&a.per_year));
+    worth
+}
+
+/// Least squares of a column by some others.
+fn fit(columns: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
+    let known = vec![Known::default(); columns.len()];
+    let weights = Normal::least_squares(&known, columns, values)?.mean;
+    let row = |row: usize| {
+        columns
+            .iter()
+            .zip(&weights)
+            .map(|(column, weight)| weight * column[row])
+            .sum()
+    };
+    Some((0..values.len()).map(row).collect())
+}
+
+/// What measurements are worth: Σ′ = (Σ⁻¹ + JᵀR⁻¹J)⁻¹ at the mean of the posterior.
+fn worth_of_measurements(
+    plan: &Plan,
+    choices: &Choices,
+    told: &Told,
+) -> Result<Vec<Worth>, CalibrationError> {
+    let before = inverse(&told.covariance);
+    let mut worth = Vec::new();
+    for measurement in &choices.measurements {
+        let information =
+            information(plan, measurement, &told.place).map_err(CalibrationError::Refused)?;
+        let size = before.size;
+        let sum = Matrix::of(size, |i, j| before.at(i, j) + information.at(i, j));
+        let after = inverse(&sum);
+        let difference = Matrix::of(size, |i, j| told.covariance.at(i, j) - after.at(i, j));
+        let per_year = of_a_measurement(&told.means, &told.slopes, &difference);
+        worth.push(Worth {
+            title: measurement.title.clone(),
+            per_year,
+            price: Some(measurement.price),
+            net: Some(per_year * choices.horizon / MONTHS - measurement.price),
+        });
+    }
+    let net = |worth: &Worth| worth.net.unwrap_or(0.0);
+    worth.sort_by(|a, b| net(b).total_cmp(&net(a)));
+    Ok(worth)
+}
+
+/// JᵀR⁻¹J that a measurement adds.
+fn information(plan: &Plan, measurement: &Planned, place: &[f64]) -> Result<Matrix, String> {
+    let posterior = &plan.posterior;
+    match measurement.of {
+        PlannedData::Block(block) => {
+            let named = &posterior.blocks[block];
+            let (block, sizes, touched_by) = named.parts();
+            let now = posterior.information((block, sizes, touched_by), place, 1.0)?;
+            let then = match block.once_more() {
+                Some(more) => posterior.information((&*more, sizes, touched_by), place, 1.0)?,
+                None => posterior.information((block, sizes, touched_by), place, 2.0)?,
+            };
+            Ok(Matrix::of(place.len(), |i, j| then.at(i, j) - now.at(i, j)))
+        }
+        PlannedData::Parameter(index, error) => {
+            const STEP: f64 = 1e-4;
+            let prior = &posterior.parameters()[index].prior;
+            let z = place[index];
+            let slope = (prior.value(z + STEP) - prior.value(z - STEP)) / (2.0 * STEP);
+            let precision = (slope / (error * prior.value(z))).powi(2);
+            let is_own = |i: usize, j: usize| i == index && j == index;
+            Ok(Matrix::of(place.len(), |i, j| {
+                if is_own(i, j) { precision } else { 0.0 }
+            }))
+        }
+    }
+}

@@ -1,0 +1,360 @@
+//! What a plan says of actions, measurements and costs.
+
+use riffel_case::Variant;
+use riffel_case::traffic::DAYS_PER_MONTH;
+use riffel_keys::CaseError;
+use toml::Value;
+
+use super::{Plan, name_of};
+use crate::file::{ActionFile, CostFile, MeasurementFile};
+
+/// Months of a year.
+pub(crate) const MONTHS: f64 = 12.0;
+
+/// Something that could be done.
+pub(crate) struct Action {
+    pub(crate) title: String,
+    /// Of investment and upkeep, each year.
+    pub(crate) annual: f64,
+    /// Months from one grinding to the next; none where the limit asks for it.
+    pub(crate) every: Option<f64>,
+    pub(crate) changes: Option<Variant>,
+    /// Factors of parameters, by their places.
+    pub(crate) factors: Vec<(usize, f64)>,
+}
+
+/// Something that could be measured.
+pub(crate) struct Planned {
+    pub(crate) title: String,
+    pub(crate) price: f64,
+    pub(crate) of: PlannedData,
+}
+
+pub(crate) enum PlannedData {
+    /// A block of data once more, by its place.
+    Block(usize),
+    /// A parameter, by its place, with the standard deviation of its ln.
+    Parameter(usize, f64),
+}
+
+/// What a decision goes by.
+pub(crate) struct Choices {
+    /// To leave all as it is comes first.
+    pub(crate) actions: Vec<Action>,
+    pub(crate) measurements: Vec<Planned>,
+    pub(crate) currency: String,
+    /// Of one grinding, with its possession.
+    pub(crate) grinding: f64,
+    /// Of a month over the limit.
+    pub(crate) over_limit: f64,
+    /// Rise of a band from grinding to the limit \[dB\].
+    pub(crate) rise: f64,
+    /// \[months\]
+    pub(crate) horizon: f64,
+    /// Whether what the model misses of growth is in the intervals.
+    pub(crate) growth_discrepancy: bool,
+}
+
+/// A number of zero or more in front of one of some units, times what goes with it.
+fn amount(value: &Value, units: &[(&str, f64)]) -> Option<f64> {
+    let Value::String(text) = value else {
+        return None;
+    };
+    let (number, unit) = text.trim().split_once(char::is_whitespace)?;
+    let (_, factor) = units.iter().find(|(own, _)| *own == unit.trim())?;
+    let number: f64 = number.parse().ok()?;
+    number.is_finite().then_some(number * factor)
+}
+
+/// How long something lasts, in months.
+const DURATIONS: [(&str, f64); 5] = [
+    ("a", MONTHS),
+    ("years", MONTHS),
+    ("months", 1.0),
+    ("month", 1.0),
+    ("days", 1.0 / DAYS_PER_MONTH),
+];
+
+/// Sums of money, all in one currency.
+struct Purse<'a> {
+    plan: &'a Plan,
+    currency: String,
+}
+
+impl Purse<'_> {
+    fn sum(&self, key: &str, value: Option<&Value>) -> Result<f64, CaseError> {
+        let Some(value) = value else { return Ok(0.0) };
+        let units = [(&*self.currency, 1.0)];
+        amount(value, &units)
+            .filter(|sum| *sum >= 0.0)
+            .ok_or_else(|| {
+                let rule = format!(
+                    "is {value}, but must be a sum of zero or more in {}, as cost.grinding is",
+                    self.currency
+                );
+                self.plan.source.invalid(key, &rule, "")
+            })
+    }
+}
+
+impl Plan {
+    fn duration(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
+        let months = amount(value, &DURATIONS).filter(|months| *months > 0.0);
+        months.ok_or_else(|| {
+            let rule = format!(
+                "is {value}, but must be a time above zero, as in \"18 months\" or \"25 a\""
+            );
+            self.source.invalid(key, &rule, "")
+        })
+    }
+
+    /// What could be done and measured, and what it costs.
+    ///
+    /// # Errors
+    /// [`CaseError`] with the key of the plan or of a file of changes, the value and the rule.
+    pub(crate) fn choices(&self) -> Result<Choices, CaseError> {
+        let Some(cost) = &self.file.cost else {
+            let help = "give [cost] grinding = \"9000 EUR\", and one [[action]] or more";
+            return Err(self.source.missing("cost", help));
+        };
+        if self.file.action.is_empty() {
+            let help = "write one [[action]] or more; to leave all as it is is there by itself";
+            return Err(self.source.missing("action", help));
+        }
+        let purse = self.purse(cost)?;
+        let grinding = purse.sum("cost.grinding", Some(&cost.grinding))?;
+        if grinding == 0.0 {
+            let rule = format!("is {}, but must cost something", cost.grinding);
+            return Err(self.source.invalid("cost.grinding", &rule, ""));
+        }
+        let rate = cost.discount_rate.map_or(0.03, |rate| rate.si());
+        if !(0.0..1.0).contains(&rate) {
+            let rule = format!("is {rate}, but must be from 0 to below 100 %");
+            return Err(self.source.invalid("cost.discount_rate", &rule, ""));
+        }
+        let below = match &cost.from_limit {
+            None => -6.0,
+            Some(value) => amount(value, &[("dB", 1.0)])
+                .filter(|it| *it < 0.0)
+                .ok_or_else(|| {
+                    let rule =
+                        format!("is {value}, but must be a level below zero, as in \"-6 dB\"");
+                    self.source.invalid("cost.from_limit", &rule, "")
+                })?,
+        };
+        let horizon = match &cost.horizon {
+            None => 20.0 * MONTHS,
+            Some(value) => self.duration("cost.horizon", value)?,
+        };
+        let mut actions = vec![Action {
+            title: "as it is".to_owned(),
+            annual: 0.0,
+            every: None,
+            changes: None,
+            factors: Vec::new(),
+        }];
+        for (index, written) in self.file.action.iter().enumerate() {
+            let action = self.action(index, written, &purse, rate)?;
+            if actions.iter().any(|other| other.title == action.title) {
+                let rule = format!("is \"{}\" a second time", action.title);
+                let key = format!("action[{index}].title");
+                return Err(self.source.invalid(&key, &rule, "give each its title"));
+            }
+            actions.push(action);
+        }
+        let measurements = self.file.measurement.iter().enumerate();
+        let measurements =
+            measurements.map(|(index, written)| self.measurement(index, written, &purse));
+        Ok(Choices {
+            actions,
+            measurements: measurements.collect::<Result<_, CaseError>>()?,
+            grinding: grinding + purse.sum("cost.possession", cost.possession.as_ref())?,
+            over_limit: purse.sum("cost.over_limit", cost.over_limit.as_ref())?,
+            rise: -below,
+            growth_discrepancy: cost.growth_discrepancy,
+            horizon,
+            currency: purse.currency,
+        })
+    }
+
+    /// The currency is that of grinding.
+    fn purse(&self, cost: &CostFile) -> Result<Purse<'_>, CaseError> {
+        let text = cost.grinding.as_str().map(str::trim);
+        let currency = text.and_then(|text| Some(text.split_once(char::is_whitespace)?.1.trim()));
+        let currency = currency.ok_or_else(|| {
+            let rule = format!(
+                "is {}, but must be a sum with its currency, as in \"9000 EUR\"",
+                cost.grinding
+            );
+            self.source.invalid("cost.grinding", &rule, "")
+        })?;
+        Ok(Purse {
+            plan: self,
+            currency: currency.to_owned(),
+        })
+    }
+
+    fn action(
+        &self,
+        index: usize,
+        written: &ActionFile,
+        purse: &Purse<'_>,
+        rate: f64,
+    ) -> Result<Action, CaseError> {
+        let key = |key: &str| format!("action[{index}].{key}");
+        if written.changes.is_none()
+            && written.multiplies.is_empty()
+            && written.grind_every.is_none()
+        {
+            let help = "give changes = \"soft-pads.toml\", multiplies = { … } or grind_every = \"12 months\"";
+            return Err(self.source.missing(&key("changes"), help));
+        }
+        let folder = self.inputs[0]
+            .parent()
+            .unwrap_or_else(|| std::path::Path::new(""));
+        let changes = match &written.changes {
+            Some(name) => Some(Variant::read(&folder.join(name))?),
+            None => None,
+        };
+        let parameters = self.posterior.parameters();
+        let mut factors = Vec::new();
+        for (name, factor) in &written.multiplies {
+            let place = parameters
+                .iter()
+                .position(|parameter| parameter.name == *name);
+            let at = key(&format!("multiplies.\"{name}\""));
+            let place = place.ok_or_else(|| {
+                let names: Vec<&str> = parameters.iter().map(|it| &*it.name).collect();
+                let message = format!(
+                    "`{at}` is no [[parameter]] of the plan; those are {}",
+                    names.join(", ")
+                );
+                self.source.refuse(&key("multiplies"), &message)
+            })?;
+            if !(factor.is_finite() && *factor > 0.0) {
+                let message =
+                    format!("`{at}` is {factor}, but must be finite and greater than zero");
+                return Err(self.source.refuse(&key("multiplies"), &message));
+            }
+            factors.push((place, *factor));
+        }
+        let upkeep = purse.sum(&key("upkeep"), written.upkeep.as_ref())?;
+        let investment = purse.sum(&key("investment"), written.investment.as_ref())?;
+        let a_year = match (&written.life, investment > 0.0) {
+            (None, false) => 0.0,
+            (None, true) => {
+                let help = "say how long the investment lasts, as in life = \"25 a\"";
+                return Err(self.source.missing(&key("life"), help));
+            }
+            (Some(life), _) => annuity(
+                investment,
+                rate,
+                self.duration(&key("life"), life)? / MONTHS,
+            ),
+        };
+        let every = match &written.grind_every {
+            Some(value) => Some(self.duration(&key("grind_every"), value)?),
+            None => None,
+        };
+        let title = match (&written.title, &changes) {
+            (Some(title), _) => title.clone(),
+            (None, Some(changes)) => changes.title.clone(),
+            (None, None) => return Err(self.source.missing(&key("title"), "name the action")),
+        };
+        Ok(Action {
+            title,
+            annual: a_year + upkeep,
+            every,
+            changes,
+            factors,
+        })
+    }
+
+    fn measurement(
+        &self,
+        index: usize,
+        written: &MeasurementFile,
+        purse: &Purse<'_>,
+    ) -> Result<Planned, CaseError> {
+        let key = |key: &str| format!("measurement[{index}].{key}");
+        let price = purse.sum(&key("price"), Some(&written.price))?;
+        let wrong = |at: &str, rule: &str, help: &str| self.source.invalid(&key(at), rule, help);
+        let (of, name) = match (written.kind, &written.key) {
+            (Some(_), Some(_)) => {
+                return Err(wrong(
+                    "key",
+                    "and `kind` exclude each other",
+                    "give one of the two",
+                ));
+            }
+            (None, None) => {
+                let help = "give kind = \"dated-levels\" to measure once more, or key = \"…\" with factor = 1.1";
+                return Err(self.source.missing(&key("kind"), help));
+            }
+            (Some(kind), None) => {
+                let is_own = |data: &&crate::file::DataFile| {
+                    data.kind == kind
+                        && written
+                            .name
+                            .as_ref()
+                            .is_none_or(|name| name == name_of(data))
+                };
+                let data = self.file.data.iter().find(is_own);
+                let block = data.and_then(|data| {
+                    let mut blocks = self.posterior.blocks.iter();
+                    blocks.position(|block| block.names[0] == name_of(data))
+                });
+                let block = block.ok_or_else(|| {
+                    let rule = format!("is \"{}\", but the plan has no such [[data]] whose places and errors it could repeat", kind.name());
+                    let help = "an axle box cannot be weighed yet; one value can, by key and factor";
+                    wrong("kind", &rule, help)
+                })?;
+                (PlannedData::Block(block), kind.name().to_owned())
+            }
+            (None, Some(name)) => {
+                let parameters = self.posterior.parameters();
+                let place = parameters
+                    .iter()
+                    .position(|parameter| parameter.name == *name);
+                let place = place.ok_or_else(|| {
+                    wrong(
+                        "key",
+                        &format!("is \"{name}\", but no [[parameter]] has this name"),
+                        "",
+                    )
+                })?;
+                let factor = written.factor.ok_or_else(|| {
+                    self.source
+                        .missing(&key("factor"), "say how good it is: factor = 1.1 for 10 %")
+                })?;
+                if !(factor.is_finite() && factor > 1.0) {
+                    let rule = format!("is {factor}, but must be greater than one");
+                    return Err(wrong("factor", &rule, "1.1 stands for 10 %"));
+                }
+                (PlannedData::Parameter(place, factor.ln()), name.clone())
+            }
+        };
+        let title = written.title.clone().unwrap_or(name);
+        Ok(Planned { title, price, of })
+    }
+}
+
+/// What an investment costs each year of its life \[a\] at a rate of interest.
+fn annuity(investment: f64, rate: f64, life: f64) -> f64 {
+    match rate > 0.0 {
+        true => investment * rate / (1.0 - (1.0 + rate).powf(-life)),
+        false => investment / life,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// 1000 over ten years at 3 %: 117.2305 a year; without interest a tenth.
+    #[test]
+    fn an_investment_is_paid_in_equal_years() {
+        assert!((annuity(1000.0, 0.03, 10.0) - 117.230_506_6).abs() < 1e-6);
+        assert_eq!(annuity(1000.0, 0.0, 10.0), 100.0);
+    }
+}

@@ -1,0 +1,260 @@
+//! Decisions against brute force.
+
+use std::fs;
+
+use riffel::roughness::{LevelLimit, Spectrum, ThirdOctave};
+use riffel_calibrate::{Decision, Folder, Forecast, Plan};
+use riffel_study::Stop;
+use tempfile::TempDir;
+
+use crate::{folder, json};
+
+const DAYS_PER_MONTH: f64 = 365.2425 / 12.0;
+
+/// Costs of three actions, and months as it is.
+type Node = ([f64; 3], f64);
+
+/// A folder with the case and the traffic of set b, one uncertain value, and some rows of levels.
+fn one_value(rows: &str, more: &str) -> TempDir {
+    let copy = TempDir::new().unwrap();
+    for name in ["case.toml", "traffic.toml", "friction.toml"] {
+        fs::copy(folder("b-three-dates").join(name), copy.path().join(name)).unwrap();
+    }
+    let head = "passages,wavelength_mm,level_db,standard_error_db\n";
+    fs::write(copy.path().join("roughness.csv"), format!("{head}{rows}")).unwrap();
+    let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nchains = 2\nwarmup = 200\ndraws = 500\nseed = 3\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
+        discrepancy = { kind = \"band\", standard_deviation = 0.0 }\n";
+    fs::write(copy.path().join("plan.toml"), format!("{plan}{more}")).unwrap();
+    copy
+}
+
+/// Passages until a band has risen by 6 dB, for a value: levels that the model says of many dates, with a line between them.
+fn brute_force(plan: &Plan, dates: &[f64], bands: usize, value: f64) -> f64 {
+    let rises = plan.posterior.predictions(&[value]).unwrap().concat();
+    assert_eq!(rises.len(), dates.len() * bands);
+    let highest = |date: usize| {
+        let own = &rises[date * bands..(date + 1) * bands];
+        own.iter().copied().fold(f64::NEG_INFINITY, f64::max)
+    };
+    let (mut passages, mut rise) = (0.0, 0.0);
+    for (date, at) in dates.iter().enumerate() {
+        if highest(date) >= 6.0 {
+            return passages + (6.0 - rise) / (highest(date) - rise) * (at - passages);
+        }
+        (passages, rise) = (*at, highest(date));
+    }
+    f64::INFINITY
+}
+
+/// One uncertain value, three bands at two dates, three actions: mean costs, chances, regrets and the worth of knowing all are those
+/// of a grid over the value, on which each interval is looked up in a long table of levels.
+#[test]
+fn a_decision_is_that_of_brute_force_on_a_grid() {
+    let measured = "0,158,0.0,0.5\n0,126,0.0,0.5\n0,100,0.0,0.5\n\
+        2000000,158,2.2,0.5\n2000000,126,2.9,0.5\n2000000,100,1.4,0.5\n";
+    let costs = "[cost]\ngrinding = \"9000 EUR\"\nover_limit = \"2000 EUR\"\nhorizon = \"25 months\"\n\
+        [[action]]\nchanges = \"friction.toml\"\nupkeep = \"2300 EUR\"\n\
+        [[action]]\ntitle = \"every 12 months\"\ngrind_every = \"12 months\"\n\
+        [[measurement]]\nkind = \"dated-levels\"\nprice = \"100 EUR\"\n";
+    let copy = one_value(measured, costs);
+    let plan = Plan::read(&copy.path().join("plan.toml")).unwrap();
+    let out = copy.path().join("out");
+    let run = Folder::begin(&plan, &out, false).unwrap();
+    let chains = run.run(&|_| {}, &Stop::default()).unwrap().unwrap();
+    let found = Decision::of(&plan, &chains).unwrap();
+    // The same levels as a table of many dates, as the case is and with less friction.
+    let dates: Vec<f64> = (1..=60).map(|step| 1e5 * f64::from(step)).collect();
+    let row = |passages: f64| {
+        let bands = ["158", "126", "100"].map(|band| format!("{passages},{band},0,0.5\n"));
+        bands.concat()
+    };
+    let long: String = std::iter::once(0.0)
+        .chain(dates.iter().copied())
+        .map(row)
+        .collect();
+    let tables = ["", "[set]\ncontact.friction = 0.25\n"].map(|set| {
+        let copy = one_value(&long, set);
+        Plan::read(&copy.path().join("plan.toml")).unwrap()
+    });
+    let (mut weights, mut all) = (Vec::new(), Vec::new());
+    for step in -120..=120 {
+        let z = 2.5e-9f64.ln() + 0.02 * f64::from(step);
+        let months = tables
+            .each_ref()
+            .map(|table| brute_force(table, &dates, 3, z.exp()) / 6000.0 / DAYS_PER_MONTH);
+        let [own, treated] = months;
+        let reactive = |months: f64| 12.0 / months.min(25.0) * 9000.0;
+        let over = if own > 25.0 {
+            0.0
+        } else {
+            (12.0 - own).max(0.0)
+        };
+        let costs = [
+            reactive(own),
+            2300.0 + reactive(treated),
+            9000.0 + 2000.0 * over,
+        ];
+        weights.push(plan.posterior.log_density(&[z]).unwrap().exp());
+        all.push((costs, own));
+    }
+    let sum: f64 = weights.iter().sum();
+    let mean = |of: &dyn Fn(&Node) -> f64| {
+        let terms = weights.iter().zip(&all);
+        terms.map(|(weight, it)| weight * of(it)).sum::<f64>() / sum
+    };
+    let least = |costs: &[f64; 3]| costs.iter().copied().fold(f64::INFINITY, f64::min);
+    let best = mean(&|(costs, _)| least(costs));
+    let mut means = Vec::new();
+    for (place, action) in found.actions.iter().enumerate() {
+        let cost = mean(&|(costs, _)| costs[place]);
+        means.push(cost);
+        // 1000 draws of chains: 1 % of a cost, 0.05 of a chance.
+        assert!(
+            (action.mean_cost_per_year / cost - 1.0).abs() < 0.01,
+            "{action:?} {cost}"
+        );
+        let regret = action.expected_regret_per_year;
+        assert!(
+            (regret - (cost - best)).abs() < 0.01 * cost,
+            "{action:?} {best}"
+        );
+        let cheapest = mean(&|(costs, _)| f64::from(u8::from(costs[place] == least(costs))));
+        assert!(
+            (action.probability_cheapest - cheapest).abs() < 0.05,
+            "{action:?} {cheapest}"
+        );
+    }
+    let never = mean(&|(_, months)| f64::from(u8::from(*months > 25.0)));
+    assert!((found.actions[0].months_to_limit.probability_never - never).abs() < 0.05);
+    let worth = means.iter().copied().fold(f64::INFINITY, f64::min) - best;
+    eprintln!("{never} {worth} {means:?} {:?}", found.measurements);
+    assert!(
+        (found.evpi_per_year - worth).abs() < 0.15 * worth,
+        "{} {worth}",
+        found.evpi_per_year
+    );
+    // There is but one value to know, and a measurement is worth less than to know it.
+    let value = found.evppi_per_year[0].per_year;
+    assert!((value - found.evpi_per_year).abs() < 0.2 * worth, "{value}");
+    let measured = found.measurements[0].per_year;
+    assert!(
+        measured > 0.0 && measured < found.evpi_per_year,
+        "{measured}"
+    );
+}
+
+/// `decide.json`: mean costs to 3 %, the worth of knowing to 0.02 thousand a year.
+pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) {
+    let found = Decision::of(plan, chains).unwrap();
+    let expected = json("b-three-dates", "decide.json");
+    for (action, name) in
+        found
+            .actions
+            .iter()
+            .zip(["as_it_is", "soft_pads", "friction", "speed_spread"])
+    {
+        let cost = 1e3 * expected["actions"][name]["mean_cost"].as_f64().unwrap();
+        eprintln!("  {name} {:.0} for {cost:.0}", action.mean_cost_per_year);
+        assert!(
+            (action.mean_cost_per_year / cost - 1.0).abs() < 0.03,
+            "{action:?}"
+        );
+    }
+    // The levels of the date that was held out, 6e6 axles: those of 400 draws of the second implementation.
+    let months = 2.5e6 / 6000.0 / DAYS_PER_MONTH;
+    let held_out = &json("b-three-dates", "posterior.json")["heldout"];
+    let limit = [(ThirdOctave::centred(0.1).unwrap(), 0.0)];
+    let limit = LevelLimit::new(Spectrum::new(limit).unwrap());
+    let forecast = Forecast::of(plan, chains, &limit, months).unwrap();
+    for (band, found) in forecast.bands.iter().enumerate() {
+        for (share, level) in ["0.05", "0.25", "0.5", "0.75", "0.95"]
+            .iter()
+            .zip(found.level_then_db)
+        {
+            let expected = held_out["level_db"][share][band].as_f64().unwrap();
+            assert!(
+                (level - expected).abs() < 0.4,
+                "{found:?} {share} {expected}"
+            );
+        }
+    }
+    let evpi = 1e3 * expected["evpi"].as_f64().unwrap();
+    assert!(
+        (found.evpi_per_year - evpi).abs() < 20.0,
+        "{}",
+        found.evpi_per_year
+    );
+    let speed = found
+        .evppi_per_year
+        .iter()
+        .find(|it| it.title == "vehicle.speed.standard_deviation");
+    let evppi = 1e3 * expected["evppi"]["Vs"].as_f64().unwrap();
+    assert!((speed.unwrap().per_year - evppi).abs() < 20.0, "{speed:?}");
+}
+
+/// Levels that the model made of a wear coefficient of 3e-9 kg/J, good to 0.01 dB, at two dates: at a third that nobody measured
+/// their forecast is what the model made, and the limit that they have there is reached then.
+#[test]
+fn a_forecast_finds_the_levels_that_were_made() {
+    const BANDS: [&str; 3] = ["158", "126", "100"];
+    const DATES: [f64; 3] = [0.0, 2e6, 4e6];
+    let levels = |dates: &[f64], rise: &dyn Fn(usize, usize) -> f64| -> String {
+        let rows = dates.iter().enumerate().flat_map(|(date, passages)| {
+            let bands = BANDS.iter().enumerate();
+            bands.map(move |(band, name)| format!("{passages},{name},{},0.01\n", rise(date, band)))
+        });
+        rows.collect()
+    };
+    let all = one_value(&levels(&DATES, &|_, _| 0.0), "");
+    let all = Plan::read(&all.path().join("plan.toml")).unwrap();
+    let rises = all.posterior.predictions(&[3e-9]).unwrap().concat();
+    let truth = |date: usize, band: usize| match date {
+        0 => -5.0,
+        date => -5.0 + rises[(date - 1) * 3 + band],
+    };
+    let copy = one_value(&levels(&DATES[..2], &truth), "");
+    let plan = Plan::read(&copy.path().join("plan.toml")).unwrap();
+    let folder = Folder::begin(&plan, &copy.path().join("out"), false).unwrap();
+    let chains = folder.run(&|_| {}, &Stop::default()).unwrap().unwrap();
+    let limit = (0..3).map(|band| {
+        let centre = ThirdOctave::centred(1e-3 * BANDS[band].parse::<f64>().unwrap()).unwrap();
+        (centre, truth(2, band))
+    });
+    let limit = LevelLimit::new(Spectrum::new(limit).unwrap());
+    let months = 2e6 / 6000.0 / DAYS_PER_MONTH;
+    let found = Forecast::of(&plan, &chains, &limit, 2.0 * months).unwrap();
+    assert_eq!(found.passages_now, 2e6);
+    for (band, forecast) in found.bands.iter().enumerate() {
+        assert!(
+            (forecast.level_now_db[2] - truth(1, band)).abs() < 0.05,
+            "{forecast:?}"
+        );
+        let reached = forecast.months_to_limit.as_ref().unwrap().quantiles;
+        let [low, .., high] = reached.map(Option::unwrap);
+        // The common error of a date, 0.3 dB, and a second one are in it: 0.4 dB of some 3 dB.
+        assert!(low < months && months < high, "{reached:?} {months}");
+    }
+    let then = Forecast::of(&plan, &chains, &limit, months).unwrap();
+    for (band, forecast) in then.bands.iter().enumerate() {
+        assert!(
+            (forecast.level_then_db[2] - truth(2, band)).abs() < 0.3,
+            "{forecast:?}"
+        );
+        assert!(forecast.level_then_db[0] < forecast.level_then_db[1]);
+    }
+    // A limit that is far off is not reached, and one that is passed was reached.
+    let far = |by: f64| {
+        let bands = limit.spectrum().levels().iter();
+        let moved = bands.map(|level| (level.band, level.level + by));
+        let limit = LevelLimit::new(Spectrum::new(moved).unwrap());
+        Forecast::of(&plan, &chains, &limit, months)
+            .unwrap()
+            .months_to_limit
+    };
+    assert_eq!(far(50.0).quantiles, [None; 5]);
+    assert_eq!(far(50.0).probability_never, 1.0);
+    assert_eq!(far(-50.0).quantiles, [Some(0.0); 5]);
+}

@@ -1,0 +1,44 @@
+//! `riffel forecast --posterior`
+
+use std::path::Path;
+
+use riffel_answers::forecast::PosteriorForecast;
+use riffel_answers::level_limit;
+
+use crate::arguments::Forecast;
+use crate::command::decide::calibration;
+use crate::error::CliError;
+use crate::results::Results;
+
+pub(super) fn run(arguments: &Forecast, folder: &Path) -> miette::Result<()> {
+    let (plan, chains) = calibration(folder, None)?;
+    if !arguments.case.is_just(&plan.inputs[1]) {
+        return Err(CliError::Argument {
+            argument: "--posterior",
+            value: folder.display().to_string(),
+            rule: format!(
+                "a calibration of the case that is named, without --set; it is of {}",
+                plan.inputs[1].display()
+            ),
+        }
+        .into());
+    }
+    let months = arguments.horizon.months.unwrap_or(12.0);
+    if !(months.is_finite() && months > 0.0) {
+        return Err(CliError::Argument {
+            argument: "--months",
+            value: months.to_string(),
+            rule: "finite and greater than zero".to_owned(),
+        }
+        .into());
+    }
+    let limit = level_limit(&arguments.limit)?;
+    let answer = PosteriorForecast::new(&plan, &chains, &limit, months)?;
+    let results = Results {
+        command: "forecast",
+        case: &arguments.case,
+        output: arguments.output.as_deref(),
+        json: arguments.json,
+    };
+    Ok(results.answer(&answer)?)
+}
