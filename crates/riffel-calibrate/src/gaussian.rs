@@ -96,6 +96,23 @@ impl Gaussian {
         })
     }
 
+    /// ln of the density of each datum given all others.
+    pub(crate) fn of_each(&self, residuals: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        let inverse = self.covariance(sizes).cholesky()?.inverse_of_square();
+        let weighted = inverse.times(residuals);
+        let places = 0..residuals.len();
+        places
+            .map(|place| log_density_given_others(&inverse, &weighted, &[place]))
+            .collect()
+    }
+
+    /// Errors, from draws of mean 0 and variance 1.
+    pub(crate) fn draw(&self, sizes: &[f64], mut normal: impl FnMut() -> f64) -> Option<Vec<f64>> {
+        let lower = self.covariance(sizes).cholesky()?;
+        let normals: Vec<f64> = (0..lower.size).map(|_| normal()).collect();
+        Some(lower.times(&normals))
+    }
+
     pub(crate) fn covariance(&self, sizes: &[f64]) -> Matrix {
         self.covariance_of_mean(sizes, 1.0)
     }
@@ -119,7 +136,6 @@ impl Gaussian {
 /// ln of the density of some data given all others, from the inverse S⁻¹ of the covariance of all and from S⁻¹r.
 ///
 /// Source: Sundararajan & Keerthi (2001), Neural Computation 13.
-#[cfg(test)]
 pub(crate) fn log_density_given_others(
     inverse: &Matrix,
     weighted: &[f64],

@@ -2,15 +2,19 @@
 
 use std::path::{Path, PathBuf};
 
+use rayon::prelude::*;
 use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
 use serde_json::{Value, json};
 
-use crate::chain::Draw;
+use crate::chain::{Draw, random};
 use crate::error::CalibrationError;
 use crate::plan::Plan;
+use crate::posterior::Named;
 use crate::run::{Chains, Folder};
 use crate::summary::Summary;
 
+/// The random numbers of replicas are those of no chain and of no rail.
+const STREAM: u64 = u64::MAX - 1;
 /// Draws of the prior that are written.
 const OF_PRIOR: u64 = 1000;
 
@@ -140,8 +144,66 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
         });
     }
     written.extend(axes("prior", 1, OF_PRIOR));
+    for (group, written_of) in predictive(plan, chains) {
+        written.extend(written_of);
+        written.extend(axes(group, count, draws));
+    }
     written.extend(data(plan));
     written
+}
+
+/// ln likelihood of each datum given all others of its data, and data as they might have been measured, by draw.
+fn predictive(plan: &Plan, chains: &Chains) -> [(&'static str, Vec<Written>); 2] {
+    let posterior = &plan.posterior;
+    let all: Vec<&Draw> = chains.draws.iter().flatten().collect();
+    // By draw and block.
+    let drawn: Vec<Vec<[Vec<f64>; 2]>> = all
+        .into_par_iter()
+        .enumerate()
+        .map(|(index, draw)| {
+            let values = posterior.values(&draw.place);
+            let trial = posterior.model.trial(&values);
+            let mut random = random(plan.file.sampler.seed, STREAM, index as u64);
+            let of_block = |named: &Named| {
+                let sizes = named.sizes(&values);
+                let predicted = named.block.predict(&trial).ok()?;
+                let likelihood = named.block.of_each(&predicted, &sizes)?;
+                let replica = named.block.replicate(&predicted, &sizes, &mut random)?;
+                Some([likelihood, replica])
+            };
+            let blocks = posterior.blocks.iter().map(of_block);
+            // A draw that was kept has a density.
+            let nothing = || [Vec::new(), Vec::new()];
+            blocks.map(|block| block.unwrap_or_else(nothing)).collect()
+        })
+        .collect();
+    let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
+    [("log_likelihood", 0), ("posterior_predictive", 1)].map(|(group, part)| {
+        let blocks = posterior
+            .blocks
+            .iter()
+            .zip(DIMENSIONS.iter().cycle())
+            .enumerate();
+        let written = blocks.map(|(block, (named, dimension))| {
+            let values: Vec<f64> = drawn
+                .iter()
+                .flat_map(|blocks| blocks[block][part].clone())
+                .collect();
+            Written {
+                group,
+                array: Array {
+                    name: format!("{group}/{}", named.names.join("+")),
+                    data_type: DataType::Float64,
+                    shape: vec![count, draws, values.len() as u64 / (count * draws)],
+                    rows_per_chunk: count,
+                    dimensions: vec!["chain", "draw", dimension],
+                    attributes: json!({}),
+                },
+                values,
+            }
+        });
+        (group, written.collect())
+    })
 }
 
 /// What was measured, in the form in which it is compared.

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::noise::FrequencyBand;
 use riffel::receptance::DecayRate;
 use riffel_case::Case;
@@ -12,6 +13,7 @@ use super::{Block, table};
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
 use crate::model::Trial;
+use crate::nuts::uniform;
 
 /// Frequencies of a band.
 const LINES: u32 = 16;
@@ -39,6 +41,11 @@ fn usual_error(frequency: f64) -> f64 {
 }
 
 impl DecayRates {
+    /// Scale of the error of a band, with what the model misses.
+    fn scale(&self, band: usize, sizes: &[f64]) -> f64 {
+        self.error[band].hypot(sizes[0])
+    }
+
     /// ln of the rates of the model by so many frequencies a band.
     fn rates(&self, trial: &Trial<'_>, lines: u32) -> Result<Vec<f64>, String> {
         let case = trial.case(self.view)?;
@@ -106,14 +113,13 @@ impl Block for DecayRates {
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        let size = sizes[0];
         let degrees = self.student.freedom();
         let mut density = Density::default();
         let mut by_size = 0.0;
         for (band, predicted) in predicted.iter().enumerate() {
-            let scale = (self.error[band].powi(2) + size * size).sqrt();
+            let scale = self.scale(band, sizes);
             let t = (self.rate[band] - predicted) / scale;
-            let scale_by_size = size / scale;
+            let scale_by_size = sizes[0] / scale;
             let (value, by_t, by_scale) = match self.upper_bound[band] {
                 true => {
                     let below = self.student.cdf(t);
@@ -130,6 +136,35 @@ impl Block for DecayRates {
         }
         density.by_size.push(by_size);
         density.value.is_finite().then_some(density)
+    }
+
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        let bands = predicted.iter().enumerate();
+        Some(
+            bands
+                .map(|(band, predicted)| {
+                    let scale = self.scale(band, sizes);
+                    let t = (self.rate[band] - predicted) / scale;
+                    match self.upper_bound[band] {
+                        true => self.student.cdf(t).ln(),
+                        false => self.student.ln_pdf(t) - scale.ln(),
+                    }
+                })
+                .collect(),
+        )
+    }
+
+    fn replicate(
+        &self,
+        predicted: &[f64],
+        sizes: &[f64],
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<Vec<f64>> {
+        let bands = predicted.iter().enumerate();
+        let drawn = bands.map(|(band, predicted)| {
+            predicted + self.scale(band, sizes) * self.student.inverse_cdf(uniform(random))
+        });
+        Some(drawn.collect())
     }
 
     fn views(&self) -> Vec<usize> {

@@ -3,15 +3,17 @@
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
 use riffel_case::Case;
 use riffel_keys::CaseError;
 
-use super::{Block, table};
+use super::{Block, differences, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
 use crate::model::Trial;
+use crate::nuts::normal;
 
 /// Relative error of a line of which nothing is said.
 const USUAL_ERROR: f64 = 0.05;
@@ -142,8 +144,7 @@ impl Block for FrequencyResponses {
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        let observed = self.observed();
-        let residuals: Vec<f64> = observed.iter().zip(predicted).map(|(y, m)| y - m).collect();
+        let residuals = differences(&self.observed(), predicted);
         let (real, imaginary) = residuals.split_at(self.response.len());
         let real = self.parts[0].density(real, sizes)?;
         let imaginary = self.parts[1].density(imaginary, sizes)?;
@@ -152,6 +153,24 @@ impl Block for FrequencyResponses {
             by_prediction: [real.by_prediction, imaginary.by_prediction].concat(),
             by_size: vec![real.by_size[0] + imaginary.by_size[0]],
         })
+    }
+
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        let residuals = differences(&self.observed(), predicted);
+        let (real, imaginary) = residuals.split_at(self.response.len());
+        let real = self.parts[0].of_each(real, sizes)?;
+        Some([real, self.parts[1].of_each(imaginary, sizes)?].concat())
+    }
+
+    fn replicate(
+        &self,
+        predicted: &[f64],
+        sizes: &[f64],
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<Vec<f64>> {
+        let real = self.parts[0].draw(sizes, || normal(random))?;
+        let imaginary = self.parts[1].draw(sizes, || normal(random))?;
+        Some(sums(predicted, &[real, imaginary].concat()))
     }
 
     fn views(&self) -> Vec<usize> {

@@ -5,17 +5,19 @@ use std::collections::btree_map::Entry;
 use std::f64::consts::TAU;
 use std::path::Path;
 
+use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::forecast::{LINES_PER_BAND, band_lines};
 use riffel::roughness::ThirdOctave;
 use riffel_case::{Case, LoopOnTrack};
 use riffel_keys::CaseError;
 
-use super::{Block, table};
+use super::{Block, differences, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
 use crate::model::Trial;
+use crate::nuts::normal;
 
 /// Passages of the unit of what the model misses of growth.
 const UNIT: f64 = 1e6;
@@ -409,9 +411,23 @@ impl Block for Levels {
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        let observed = self.observed();
-        let residuals: Vec<f64> = observed.iter().zip(predicted).map(|(y, m)| y - m).collect();
+        let residuals = differences(&self.observed(), predicted);
         self.gaussian.density(&residuals, sizes)
+    }
+
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        self.gaussian
+            .of_each(&differences(&self.observed(), predicted), sizes)
+    }
+
+    fn replicate(
+        &self,
+        predicted: &[f64],
+        sizes: &[f64],
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<Vec<f64>> {
+        let errors = self.gaussian.draw(sizes, || normal(random))?;
+        Some(sums(predicted, &errors))
     }
 
     fn views(&self) -> Vec<usize> {

@@ -9,6 +9,8 @@ pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
 pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels};
 
+use rand_xoshiro::Xoshiro256PlusPlus;
+
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
 use crate::model::Trial;
@@ -33,6 +35,17 @@ pub(crate) trait Block: Send + Sync {
     /// The data, in the order of the predictions.
     fn observed(&self) -> Vec<f64>;
 
+    /// ln of the density of each datum given all others of the block; none where it is beyond numbers.
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>>;
+
+    /// Data as they might have been measured: predictions with errors that are drawn.
+    fn replicate(
+        &self,
+        predicted: &[f64],
+        sizes: &[f64],
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<Vec<f64>>;
+
     /// Covariance of the errors of the data, what the model misses among them, where each datum is the mean of so many
     /// measurements.
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix;
@@ -46,6 +59,20 @@ pub(crate) trait Block: Send + Sync {
     fn as_levels(&self) -> Option<&Levels> {
         None
     }
+}
+
+fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {
+    one.iter()
+        .zip(other)
+        .map(|(one, other)| one - other)
+        .collect()
+}
+
+fn sums(one: &[f64], other: &[f64]) -> Vec<f64> {
+    one.iter()
+        .zip(other)
+        .map(|(one, other)| one + other)
+        .collect()
 }
 
 /// How much a model misses.
