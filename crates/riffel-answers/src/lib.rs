@@ -21,6 +21,7 @@
 mod answer;
 pub mod axlebox;
 mod banded;
+pub mod calibrate;
 mod capital;
 mod column;
 pub mod compare;

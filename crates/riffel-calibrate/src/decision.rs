@@ -246,21 +246,10 @@ struct Told {
 
 impl Told {
     fn of(places: &[Vec<f64>], costs: &[Vec<f64>]) -> Self {
-        let size = places[0].len();
-        let column = |index: usize| {
-            places
-                .iter()
-                .map(|place| place[index])
-                .collect::<Vec<f64>>()
-        };
-        let columns: Vec<Vec<f64>> = (0..size).map(column).collect();
-        let place: Vec<f64> = columns.iter().map(|column| mean(column)).collect();
-        let product = |one: &[f64], other: &[f64]| {
-            let (a, b) = (mean(one), mean(other));
-            let pairs = one.iter().zip(other);
-            pairs.map(|(x, y)| (x - a) * (y - b)).sum::<f64>() / (one.len() - 1) as f64
-        };
-        let covariance = Matrix::of(size, |i, j| product(&columns[i], &columns[j]));
+        let (place, covariance) = moments_of(places);
+        let columns: Vec<Vec<f64>> = (0..place.len())
+            .map(|index| places.iter().map(|place| place[index]).collect())
+            .collect();
         let inverse = inverse(&covariance);
         let slopes = costs.iter().map(|costs| {
             let along: Vec<f64> = columns
@@ -276,6 +265,29 @@ impl Told {
             covariance,
         }
     }
+}
+
+fn product(one: &[f64], other: &[f64]) -> f64 {
+    let (a, b) = (mean(one), mean(other));
+    let pairs = one.iter().zip(other);
+    pairs.map(|(x, y)| (x - a) * (y - b)).sum::<f64>() / (one.len() - 1) as f64
+}
+
+/// Mean and covariance of draws.
+pub(crate) fn moments_of(places: &[Vec<f64>]) -> (Vec<f64>, Matrix) {
+    let size = places[0].len();
+    let column = |index: usize| {
+        places
+            .iter()
+            .map(|place| place[index])
+            .collect::<Vec<f64>>()
+    };
+    let columns: Vec<Vec<f64>> = (0..size).map(column).collect();
+    let covariance = Matrix::of(size, |i, j| product(&columns[i], &columns[j]));
+    (
+        columns.iter().map(|column| mean(column)).collect(),
+        covariance,
+    )
 }
 
 /// Inverse of a covariance; what does not vary at all stays at zero.

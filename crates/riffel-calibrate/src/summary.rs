@@ -65,6 +65,13 @@ impl Chains {
             .collect()
     }
 
+    /// All draws of one parameter, in SI.
+    pub fn values(&self, plan: &Plan, index: usize) -> Vec<f64> {
+        let prior = &plan.posterior.parameters()[index].prior;
+        let draws = self.draws.iter().flatten();
+        draws.map(|draw| prior.value(draw.place[index])).collect()
+    }
+
     /// What the chains say.
     pub fn summary(&self, plan: &Plan) -> Summary {
         let parameters = plan.posterior.parameters().iter().enumerate();

@@ -435,3 +435,12 @@ limit-of-band = Grenzwert dB
 months-banded = Monate bis zum Grenzwert
 months-to-the-limit = Monate bis zum Grenzwert ({ $limit }): { $months }; die Hälfte der Ziehungen zwischen { $low } und { $high }
 never-within = { $share } % der Ziehungen erreichen ihn nicht in { $months } Monaten
+told-by-data = Daten
+told-by-prior = Vorwissen
+told-by = bekannt durch
+values-together = Werte zusammen
+spread-percent = ± %
+first-of-pair = Wert
+second-of-pair = anderer Wert
+told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
+told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden

@@ -443,3 +443,12 @@ limit-of-band = limit dB
 months-banded = months to the limit
 months-to-the-limit = months to the limit ({ $limit }): { $months }; half of the draws between { $low } and { $high }
 never-within = { $share } % of the draws do not reach it within { $months } months
+told-by-data = data
+told-by-prior = prior
+told-by = told by
+values-together = values together
+spread-percent = ± %
+first-of-pair = value
+second-of-pair = other value
+told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
+told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone

@@ -3,14 +3,17 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
+use riffel_answers::calibrate::{close_pairs, correlations, directions, figure};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, level_limit};
-use riffel_calibrate::{Chains, Folder, Marginal, Plan, Summary, TOLD};
+use riffel_calibrate::{
+    CalibrationError, Chains, Folder, Identifiability, Marginal, Plan, Summary, TOLD,
+};
 
 use super::study::progress::{SampleProgress, duration};
 use crate::arguments::{Calibrate, stem};
-use crate::messages::{complain, print_remarks, say};
-use crate::output::{print, table};
+use crate::messages::{complain, language, print_remarks, say};
+use crate::output::{print, table, table_of};
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
 use crate::threads::on_threads;
@@ -55,10 +58,10 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     };
     let summary = chains.summary(&plan);
     let names = folder.write(&plan, &chains, &summary)?;
-    let forecast = forecast(&plan, &chains, &path)?;
+    let conclusions = conclusions(&plan, &chains, &summary, &path)?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&format!(
-        "{title}\n{}{forecast}{}: {}\n",
+        "{title}\n{}{conclusions}{}: {}\n",
         marginals(&summary),
         path.display(),
         names.join(" ")
@@ -74,22 +77,35 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     Ok(if doubts.is_empty() { 0 } else { NO_CONCLUSION })
 }
 
-/// Write when the rail reaches its limit, where the plan has levels and the traffic says how much of it there is; what is to be
-/// said of that.
-fn forecast(plan: &Plan, chains: &Chains, folder: &Path) -> miette::Result<String> {
-    if plan.passages_per_day.is_none() || !plan.has_levels() {
-        return Ok(String::new());
-    }
-    let limit = level_limit(LIMIT)?;
-    let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
-    let tables = answer.tables();
+/// Write what follows from the draws: what they tell of values together, and, where the plan has levels and the traffic says how much of
+/// it there is, when the rail reaches its limit; what is to be said of that.
+fn conclusions(
+    plan: &Plan,
+    chains: &Chains,
+    summary: &Summary,
+    folder: &Path,
+) -> miette::Result<String> {
+    let told = Identifiability::of(plan, chains).map_err(CalibrationError::Refused)?;
     let mut staging = Staging::new("calibrate", folder)?;
-    staging.write_figure(PosteriorForecast::NAME, &answer.figure())?;
+    let directions = directions(&told);
+    let mut text = format!("{}\n", table_of(&directions));
+    for sentence in close_pairs(&told) {
+        text += &format!("{}\n", sentence.text(language()));
+    }
+    let mut tables = vec![directions, correlations(&told)];
+    staging.write_figure("posterior", &figure(plan, chains, summary, &told))?;
+    if plan.passages_per_day.is_some() && plan.has_levels() {
+        let limit = level_limit(LIMIT)?;
+        let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
+        staging.write_figure(PosteriorForecast::NAME, &answer.figure())?;
+        text += &readable(&answer, &answer.tables());
+        tables.extend(answer.tables());
+    }
     for table in &tables {
         staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
     }
-    staging.publish()?;
-    Ok(readable(&answer, &tables))
+    let names = staging.publish()?;
+    Ok(format!("{text}{}: {}\n", folder.display(), names.join(" ")))
 }
 
 /// What a plan asks for.

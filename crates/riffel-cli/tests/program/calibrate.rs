@@ -44,3 +44,113 @@ fn what_is_wrong_is_said_and_other_files_stay() {
     assert!(outcome.sentence().contains("300 kg"), "{}", outcome.text);
     assert!(!sandbox.path("out").exists());
 }
+
+/// Two values that growth holds as a product, levels at two dates: from the chains to the forecast and the decision.
+#[test]
+fn chains_lead_to_a_forecast_and_a_decision() {
+    let sandbox = Sandbox::new();
+    sandbox.copy("validation/calibration/b-three-dates");
+    let set = "validation/calibration/b-three-dates";
+    fs::write(
+        sandbox.path(&format!("{set}/roughness.csv")),
+        "passages,wavelength_mm,level_db,standard_error_db\n\
+         0,158.48932,0,0.02\n0,125.89254,0,0.02\n2000000,158.48932,2.2,0.02\n2000000,125.89254,2.9,0.02\n",
+    )
+    .unwrap();
+    let head = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nchains = 2\nwarmup = 300\ndraws = 400\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+        [[parameter]]\nkey = \"vehicle.traction_share\"\nuniform = { min = 0.05, max = 0.95 }\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\ncommon_error = 0.01\n\
+        discrepancy = { kind = \"band\", standard_deviation = 0.1 }\n";
+    let plan = format!("{set}/two.toml");
+    fs::write(sandbox.path(&plan), head).unwrap();
+    let outcome = sandbox.riffel(&format!("calibrate {plan} -o out"));
+    assert!(outcome.status < Some(2), "{}", outcome.text);
+    for words in [
+        "the data tell wear.coefficient and vehicle.traction_share only together, as a product of powers",
+        "months to the limit (EN ISO 3095:2013, Figure 2): ",
+    ] {
+        assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+    }
+    for name in ["posterior.png", "forecast.png", "correlations.csv"] {
+        assert!(sandbox.path(&format!("out/{name}")).exists(), "{name}");
+    }
+    let told = fs::read_to_string(sandbox.path("out/identifiability.csv")).unwrap();
+    let by: Vec<&str> = told
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').nth(1).unwrap())
+        .collect();
+    assert_eq!(by, ["data", "prior"], "{told}");
+    // Densities of data given the others, one for each draw and contrast.
+    let array = fs::read_to_string(
+        sandbox.path("out/posterior.zarr/log_likelihood/dated-levels/zarr.json"),
+    );
+    let array: serde_json::Value = serde_json::from_str(&array.unwrap()).unwrap();
+    assert_eq!(array["shape"], serde_json::json!([2, 400, 2]));
+    // The same forecast on demand; another limit, other months.
+    let forecast = sandbox.json(&format!(
+        "forecast {set}/case.toml --posterior out --json -q"
+    ));
+    let level = |key: &str, place: usize| forecast["bands"][1][key][place].as_f64().unwrap();
+    assert!((level("level_now_db", 2) - 2.9).abs() < 0.1, "{forecast}");
+    assert!(
+        level("level_then_db", 0) > level("level_now_db", 4),
+        "{forecast}"
+    );
+    for (arguments, words) in [
+        (
+            format!("{set}/case.toml --posterior out --set contact.friction=0.3"),
+            "without --set",
+        ),
+        (
+            format!("{set}/case.toml --posterior out --months 0"),
+            "greater than zero",
+        ),
+        (
+            format!("{set}/case.toml --posterior out --traffic {set}/traffic.toml"),
+            "cannot be used with",
+        ),
+        (
+            format!("{set}/case.toml --posterior {set}"),
+            "holds no calibration",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&format!("forecast {arguments}"));
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(outcome.sentence().contains(words), "{}", outcome.text);
+    }
+    // Actions may come later; data may not.
+    let outcome = sandbox.riffel("decide out");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    assert!(
+        outcome.sentence().contains("`cost` is missing"),
+        "{}",
+        outcome.text
+    );
+    let costs = "[cost]\ngrinding = \"9000 EUR\"\n[[action]]\nchanges = \"friction.toml\"\nupkeep = \"100 EUR\"\n";
+    fs::write(sandbox.path(&plan), format!("{head}{costs}")).unwrap();
+    let decision = sandbox.json("decide out --json -q");
+    // A third less friction for next to nothing is the cheapest everywhere, and nothing is worth knowing.
+    assert_eq!(
+        decision["actions"][1]["probability_cheapest"], 1.0,
+        "{decision}"
+    );
+    assert_eq!(decision["evpi_per_year"], 0.0);
+    let outcome = sandbox.riffel("decide out");
+    assert!(
+        outcome.text.contains("cheapest in the mean: friction"),
+        "{}",
+        outcome.text
+    );
+    assert!(sandbox.path("out/decision.png").exists());
+    fs::write(sandbox.path(&plan), head.replace("0.95", "0.9")).unwrap();
+    let outcome = sandbox.riffel("decide out");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    assert!(
+        outcome.sentence().contains("another plan"),
+        "{}",
+        outcome.text
+    );
+}

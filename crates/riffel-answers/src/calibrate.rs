@@ -1,0 +1,212 @@
+//! What a calibration tells of each value, and of values together.
+
+use riffel_calibrate::{Chains, Correlation, Direction, Identifiability, Plan, Summary};
+use riffel_keys::{Message, fixed, say};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
+
+use crate::{Column, Table};
+
+/// Bins of a marginal distribution.
+const BINS: usize = 30;
+/// Draws of a pair that are shown.
+const SHOWN: usize = 400;
+/// Most pairs that are shown.
+const PAIRS: usize = 4;
+
+/// Directions of the values, those that the data tell first.
+pub fn directions(told: &Identifiability) -> Table {
+    let directions = &told.directions;
+    let by = |direction: &Direction| match direction.is_told() {
+        true => say!(told_by_data),
+        false => say!(told_by_prior),
+    };
+    let numbers =
+        |value: &dyn Fn(&Direction) -> f64| directions.iter().map(value).collect::<Vec<f64>>();
+    let words = directions.iter().map(|it| Message::verbatim(it.words()));
+    let spreads = directions.iter().map(|it| {
+        let spread = (!it.powers.is_empty()).then(|| 100.0 * it.spread.exp_m1());
+        spread.filter(|spread| spread.is_finite())
+    });
+    let mut columns = vec![
+        Column::words("direction", say!(values_together), words.collect()),
+        Column::words(
+            "told_by",
+            say!(told_by),
+            directions.iter().map(by).collect(),
+        ),
+        Column::fixed("spread_percent", say!(spread_percent), spreads, 0),
+        Column::in_file("information", numbers(&|it| it.information).into_iter()),
+    ];
+    for (place, name) in told.names.iter().enumerate() {
+        columns.push(Column::in_file(
+            name,
+            numbers(&|it| it.parts[place]).into_iter(),
+        ));
+    }
+    Table {
+        name: "identifiability",
+        columns,
+    }
+}
+
+/// Correlations of all pairs, for a file.
+pub fn correlations(told: &Identifiability) -> Table {
+    let names = |place: usize| {
+        let pairs = told.correlations.iter();
+        pairs
+            .map(|pair| Message::verbatim(&pair.names[place]))
+            .collect()
+    };
+    let values = told.correlations.iter().map(|pair| pair.correlation);
+    Table {
+        name: "correlations",
+        columns: vec![
+            Column::words("parameter", say!(first_of_pair), names(0)),
+            Column::words("other", say!(second_of_pair), names(1)),
+            Column::in_file("correlation", values),
+        ],
+    }
+}
+
+/// Pairs that move together, closest first.
+fn close(told: &Identifiability) -> Vec<&Correlation> {
+    let mut close: Vec<&Correlation> = told
+        .correlations
+        .iter()
+        .filter(|it| it.is_close())
+        .collect();
+    close.sort_by(|a, b| b.correlation.abs().total_cmp(&a.correlation.abs()));
+    close
+}
+
+/// A sentence on each pair that the data do not part.
+pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
+    let pairs = close(told).into_iter().map(|pair| {
+        let [one, other] = &pair.names;
+        let correlation = fixed(pair.correlation, 2);
+        match pair.correlation < 0.0 {
+            true => say!(
+                told_as_a_product,
+                one = one,
+                other = other,
+                correlation = correlation
+            ),
+            false => say!(
+                told_as_a_ratio,
+                one = one,
+                other = other,
+                correlation = correlation
+            ),
+        }
+    });
+    pairs.collect()
+}
+
+/// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.
+pub fn figure(
+    plan: &Plan,
+    chains: &Chains,
+    summary: &Summary,
+    told: &Identifiability,
+) -> LineFigure {
+    let parameters = plan.posterior.parameters();
+    let axis = |place: usize| {
+        let parameter = &parameters[place];
+        match &*parameter.unit {
+            "" => parameter.name.clone(),
+            unit => format!("{} [{unit}]", parameter.name),
+        }
+    };
+    let marginal = |place: usize| {
+        let values = chains.values(plan, place);
+        let [low, .., high] = summary.marginals[place].quantiles;
+        let ends = [1e-3, 1.0 - 1e-3].map(|share| parameters[place].prior.quantile(share));
+        let from = (low - 0.7 * (high - low)).max(ends[0].min(low));
+        let to = (high + 0.7 * (high - low)).min(ends[1].max(high));
+        let width = (to - from) / BINS as f64;
+        let middle = |bin: usize| from + (bin as f64 + 0.5) * width;
+        let after = (0..BINS).map(|bin| {
+            let is_in = |x: &&f64| (**x - middle(bin)).abs() <= 0.5 * width;
+            values.iter().filter(is_in).count() as f64 / values.len() as f64 / width
+        });
+        let after: Vec<f64> = after.collect();
+        let highest = after.iter().copied().fold(0.0, f64::max);
+        // Density of the prior: shares over the distances of its quantiles.
+        let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
+        let ends: Vec<f64> = ends
+            .map(|share| parameters[place].prior.quantile(share))
+            .collect();
+        let before = ends
+            .windows(2)
+            .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
+        let before = before.filter(|(x, _)| (from..=to).contains(x));
+        let (x, y): (Vec<f64>, Vec<f64>) =
+            before.map(|(x, density)| (x, density / highest)).unzip();
+        LinePanel {
+            x_label: axis(place),
+            y_label: "density, relative".to_owned(),
+            x_range: Some((from, to)),
+            series: vec![
+                Series {
+                    label: "after".to_owned(),
+                    x: (0..BINS).map(middle).collect(),
+                    y: after.iter().map(|density| density / highest).collect(),
+                    ..Series::default()
+                },
+                Series {
+                    label: "before".to_owned(),
+                    x,
+                    y,
+                    style: LineStyle::Dashed,
+                    ..Series::default()
+                },
+            ],
+            ..LinePanel::default()
+        }
+    };
+    let pair = |pair: &&Correlation| {
+        let place = |name: &String| {
+            parameters
+                .iter()
+                .position(|parameter| parameter.name == *name)
+        };
+        let (one, other) = (place(&pair.names[0])?, place(&pair.names[1])?);
+        let [x, y] = [one, other].map(|place| {
+            let values = chains.values(plan, place);
+            let step = values.len().div_ceil(SHOWN);
+            values.into_iter().step_by(step).collect::<Vec<f64>>()
+        });
+        Some(LinePanel {
+            subtitle: format!("r = {:.2}", pair.correlation),
+            x_label: axis(one),
+            y_label: axis(other),
+            series: vec![Series {
+                x,
+                y,
+                style: LineStyle::Markers,
+                ..Series::default()
+            }],
+            ..LinePanel::default()
+        })
+    };
+    let mut pairs: Vec<&Correlation> = told.correlations.iter().collect();
+    pairs.sort_by(|a, b| b.correlation.abs().total_cmp(&a.correlation.abs()));
+    let panels = (0..parameters.len()).map(marginal);
+    let together = close_pairs(told);
+    let mut caption = "Distributions after and before the data, over their highest; below the closest pairs of values.".to_owned();
+    for sentence in &together {
+        caption += &format!(" {}.", sentence.text(riffel_keys::Language::English));
+    }
+    LineFigure {
+        title: plan
+            .file
+            .title
+            .clone()
+            .unwrap_or_else(|| "Calibration".to_owned()),
+        caption,
+        panels: panels
+            .chain(pairs.iter().take(PAIRS).filter_map(pair))
+            .collect(),
+        ..LineFigure::default()
+    }
+}
