@@ -42,5 +42,5 @@ pub use model::Parameter;
 pub use plan::Plan;
 pub use posterior::{Point, Posterior};
 pub use prior::Prior;
-pub use run::{Chains, Folder, plan_of};
+pub use run::{Chains, Folder, finished};
 pub use summary::{Marginal, Summary, TOLD};

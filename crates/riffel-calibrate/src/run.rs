@@ -71,7 +71,7 @@ impl<'a> Folder<'a> {
     ///
     /// # Errors
     /// [`CalibrationError::OtherPlan`], [`CalibrationError::NotThere`].
-    pub fn finished(plan: &'a Plan, path: &Path) -> Result<Self, CalibrationError> {
+    fn finished(plan: &'a Plan, path: &Path) -> Result<Self, CalibrationError> {
         let folder = path.to_owned();
         let Ok(there) = fs::read(path.join(RECORD)) else {
             return Err(CalibrationError::NotThere { folder });
@@ -86,7 +86,7 @@ impl<'a> Folder<'a> {
     ///
     /// # Errors
     /// [`CalibrationError::Unfinished`].
-    pub fn chains_of_all(&self) -> Result<Chains, CalibrationError> {
+    fn chains_of_all(&self) -> Result<Chains, CalibrationError> {
         let stop = Stop::default();
         stop.ask();
         let chains = self.run(&|_| (), &stop)?;
@@ -252,11 +252,25 @@ impl<'a> Folder<'a> {
     }
 }
 
+/// The plan of a finished calibration, the one that its folder names or another, and its chains.
+///
+/// # Errors
+/// [`CalibrationError::NotThere`], [`CalibrationError::OtherPlan`] and [`CalibrationError::Unfinished`] of the folder, and those of the
+/// plan.
+pub fn finished(folder: &Path, plan: Option<&Path>) -> Result<(Plan, Chains), CalibrationError> {
+    let plan = match plan {
+        Some(path) => Plan::read(path)?,
+        None => Plan::read(&plan_of(folder)?)?,
+    };
+    let chains = Folder::finished(&plan, folder)?.chains_of_all()?;
+    Ok((plan, chains))
+}
+
 /// The plan that the record of a folder names.
 ///
 /// # Errors
 /// [`CalibrationError::NotThere`].
-pub fn plan_of(folder: &Path) -> Result<PathBuf, CalibrationError> {
+fn plan_of(folder: &Path) -> Result<PathBuf, CalibrationError> {
     let record = fs::read(folder.join(RECORD)).ok();
     let record: Option<Value> = record.and_then(|bytes| serde_json::from_slice(&bytes).ok());
     let plan = record.as_ref().and_then(|record| record["plan"].as_str());

@@ -11,6 +11,7 @@
 mod array;
 mod arrays_of_rails;
 mod axlebox;
+mod calibrate;
 mod case;
 mod curving;
 mod diagnosis;
@@ -38,6 +39,8 @@ mod wheels;
 mod _riffel {
     #[pymodule_export]
     use crate::axlebox::axlebox;
+    #[pymodule_export]
+    use crate::calibrate::{calibrate, decide};
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]

@@ -14,7 +14,7 @@ use std::process::Command;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure};
 
 /// Commands whose help the book shows.
-const COMMANDS: [&str; 29] = [
+const COMMANDS: [&str; 30] = [
     "init",
     "point",
     "map",
@@ -36,6 +36,7 @@ const COMMANDS: [&str; 29] = [
     "stability",
     "study",
     "calibrate",
+    "decide",
     "figures",
     "serve",
     "page",

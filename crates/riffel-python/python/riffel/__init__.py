@@ -20,6 +20,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from riffel import roughness
+    from riffel._calibration import calibrate, decide
     from riffel._case import Case
     from riffel._curving import contact_geometry, contact_under_load, curve, profile, profile_wear
     from riffel._matlab import to_matlab
@@ -38,10 +39,12 @@ __all__ = [
     "ReceptanceError",
     "Study",
     "__version__",
+    "calibrate",
     "compare_models",
     "contact_geometry",
     "contact_under_load",
     "curve",
+    "decide",
     "merge_studies",
     "open_results",
     "presets",
@@ -62,10 +65,12 @@ _HOMES = {
     "Network": "riffel._network",
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
+    "calibrate": "riffel._calibration",
     "compare_models": "riffel._models",
     "contact_geometry": "riffel._curving",
     "contact_under_load": "riffel._curving",
     "curve": "riffel._curving",
+    "decide": "riffel._calibration",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
     "presets": "riffel._riffel",

@@ -4,14 +4,14 @@ use std::path::Path;
 
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::level_limit;
+use riffel_calibrate::finished;
 
 use crate::arguments::Forecast;
-use crate::command::decide::calibration;
 use crate::error::CliError;
 use crate::results::Results;
 
 pub(super) fn run(arguments: &Forecast, folder: &Path) -> miette::Result<()> {
-    let (plan, chains) = calibration(folder, None)?;
+    let (plan, chains) = finished(folder, None)?;
     if !arguments.case.is_just(&plan.inputs[1]) {
         return Err(CliError::Argument {
             argument: "--posterior",

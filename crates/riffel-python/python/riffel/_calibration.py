@@ -1,0 +1,108 @@
+"""What measurements say of a case, and what to do."""
+
+from __future__ import annotations
+
+import os
+import warnings
+from pathlib import Path
+
+import xarray as xr
+
+from riffel import _riffel
+
+Folder = str | os.PathLike[str]
+
+# Numbers of an action in the document, with their long names.
+OF_ACTIONS = {
+    "fixed_cost_per_year": "investment and upkeep of a year",
+    "mean_cost_per_year": "cost of a year in the mean",
+    "probability_longer": "probability that the interval is longer than as it is",
+    "probability_cheapest": "probability that it is the cheapest",
+    "expected_regret_per_year": "cost of a year beyond the cheapest in the mean",
+}
+SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
+
+
+def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.DataTree:
+    """Draw from the posterior of the uncertain values of a case, as ``riffel calibrate`` does.
+
+    Parameters
+    ----------
+    plan : path
+        The plan: priors, data, sampler.
+    folder : path
+        Where the chains and ``posterior.zarr`` go; made if need be.
+    restart : bool
+        Keep finished parts of chains that were stopped, and go on from there.
+
+    Returns
+    -------
+    xarray.DataTree
+        ``posterior.zarr``, with the groups of ArviZ: ``posterior``, ``sample_stats``, ``prior``, ``observed_data``,
+        ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``.
+
+    Warns
+    -----
+    UserWarning
+        Where the chains allow no conclusion, with the reason.
+
+    Raises
+    ------
+    ValueError
+        For a key, a value or data that cannot be used.
+    """
+    remarks, doubts = _riffel.calibrate(os.fspath(plan), os.fspath(folder), restart)
+    for sentence in [*remarks, *doubts]:
+        warnings.warn(sentence, stacklevel=2)
+    return xr.open_datatree(Path(folder) / "posterior.zarr", engine="zarr")
+
+
+def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
+    """Rank the actions of a plan over its finished calibration, as ``riffel decide`` does.
+
+    Parameters
+    ----------
+    folder : path
+        Folder of the calibration.
+    plan : path, optional
+        The plan; left out, the one that the chains were drawn for.
+
+    Returns
+    -------
+    xarray.Dataset
+        Over ``action``, to leave all as it is first, and ``quantile``: ``months_to_limit``, NaN beyond the horizon, with
+        ``probability_never``; ``cost_per_year`` and ``saving_per_year``; ``mean_cost_per_year``, ``expected_regret_per_year``,
+        ``probability_cheapest`` and ``probability_longer``. Attributes: ``currency``, ``evpi_per_year``, ``evppi_per_year``,
+        ``measurements``.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the folder holds no calibration.
+    ValueError
+        For a key of the plan that cannot be used, or chains of another plan.
+    """
+    found = _riffel.decide(os.fspath(folder), None if plan is None else os.fspath(plan))
+    actions = found["actions"]
+    numbers = {
+        name: ("action", [action[name] for action in actions], {"long_name": words})
+        for name, words in OF_ACTIONS.items()
+    }
+    over = ("action", "quantile")
+    months = [action["months_to_limit"] for action in actions]
+    nothing = float("nan")
+    quantiles = [[nothing if it is None else it for it in of["quantiles"]] for of in months]
+    return xr.Dataset(
+        {
+            "months_to_limit": (over, quantiles, {"long_name": "months from grinding to the limit"}),
+            "probability_never": ("action", [of["probability_never"] for of in months]),
+            "cost_per_year": (over, [action["cost_per_year"] for action in actions]),
+            "saving_per_year": (over, [action["saving_per_year"] for action in actions]),
+            **numbers,
+        },
+        coords={"action": [action["title"] for action in actions], "quantile": SHARES},
+        attrs={
+            name: found[name]
+            for name in ("currency", "rise_db", "horizon_months", "draws", "evpi_per_year", "evppi_per_year", "measurements")
+        },
+    )

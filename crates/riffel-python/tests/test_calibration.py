@@ -1,0 +1,81 @@
+"""Calibrations and decisions from Python."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import numpy as np
+import pytest
+import riffel
+
+SET = Path(__file__).parents[3] / "validation" / "calibration" / "b-three-dates"
+HEAD = """case = "case.toml"
+traffic = "traffic.toml"
+[sampler]
+chains = 2
+warmup = 200
+draws = 400
+[[parameter]]
+key = "wear.coefficient"
+lognormal = { median = 2.5e-9, factor = 2.0 }
+[[data]]
+kind = "dated-levels"
+file = "roughness.csv"
+discrepancy = { kind = "band", standard_deviation = 1.0 }
+"""
+DECISION = """[cost]
+grinding = "9000 EUR"
+horizon = "30 months"
+[[action]]
+changes = "friction.toml"
+upkeep = "2000 EUR"
+"""
+
+
+@pytest.fixture
+def plan(tmp_path: Path) -> Path:
+    for name in ("case.toml", "traffic.toml", "friction.toml", "roughness.csv"):
+        shutil.copy(SET / name, tmp_path)
+    path = tmp_path / "plan.toml"
+    path.write_text(HEAD)
+    return path
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(plan: Path, tmp_path: Path) -> None:
+    folder = tmp_path / "out"
+    tree = riffel.calibrate(plan, folder)
+    draws = tree["posterior/wear.coefficient"]
+    assert draws.shape == (2, 400)
+    assert draws.attrs["units"] == "kg/J"
+    likelihood = tree["log_likelihood/dated-levels"]
+    assert likelihood.sizes == {"chain": 2, "draw": 400, "datum": 16}
+    observed = tree["observed_data/dated-levels"]
+    replicas = tree["posterior_predictive/dated-levels"]
+    apart = (replicas.mean(("chain", "draw")) - observed) / replicas.std(("chain", "draw"))
+    # With 1 dB per 10^6 passages that the model may miss, replicas lie as far from their mean as the data.
+    assert 0.2 < np.sqrt((apart**2).mean()) < 1.5
+    with pytest.raises(ValueError, match="`cost` is missing"):
+        riffel.decide(folder)
+    plan.write_text(HEAD + DECISION)
+    found = riffel.decide(folder)
+    printed = subprocess.run(
+        [os.environ["RIFFEL"], "decide", folder, "--json", "-q"], check=True, capture_output=True
+    ).stdout
+    expected = json.loads(printed)
+    assert list(found["action"].values) == ["as it is", "friction treatment"]
+    for place, action in enumerate(expected["actions"]):
+        assert found["mean_cost_per_year"].values[place] == action["mean_cost_per_year"]
+        assert found["probability_never"].values[place] == action["months_to_limit"]["probability_never"]
+    assert found.attrs["evpi_per_year"] == expected["evpi_per_year"]
+    assert found["probability_cheapest"].sum() == pytest.approx(1)
+
+
+def test_what_is_not_there_is_said(plan: Path, tmp_path: Path) -> None:
+    with pytest.raises(FileNotFoundError, match="holds no calibration"):
+        riffel.decide(tmp_path)
+    plan.write_text(HEAD.replace("2.5e-9", '"2 kg"'))
+    with pytest.raises(ValueError, match="2 kg"):
+        riffel.calibrate(plan, tmp_path / "out")
