@@ -126,11 +126,7 @@ impl Decision {
                 let rates = match action.changes.is_none() && action.factors.is_empty() {
                     true => draw.rates.clone(),
                     false => {
-                        let mut values = draw.values.clone();
-                        action
-                            .factors
-                            .iter()
-                            .for_each(|(place, factor)| values[*place] *= factor);
+                        let values = multiplied(plan, action, &draw.values)?;
                         levels.rates(&model.trial(&values))?
                     }
                 };
@@ -170,6 +166,31 @@ impl Decision {
             currency: choices.currency,
         })
     }
+}
+
+/// The values of a draw after an action; why not, where one leaves what can be computed.
+fn multiplied(plan: &Plan, action: &Action, values: &[f64]) -> Result<Vec<f64>, String> {
+    let mut values = values.to_vec();
+    for (place, factor) in &action.factors {
+        values[*place] *= factor;
+        let parameter = &plan.posterior.parameters()[*place];
+        let [low, high] = parameter.ends;
+        if !(low..=high).contains(&values[*place]) {
+            let value = values[*place];
+            let value = match value.abs() < 1e4 {
+                true => format!("{value:.3}"),
+                false => format!("{value:.3e}"),
+            };
+            let unit = &parameter.unit;
+            let rule = format!("must be between {low} and {high} {unit}");
+            return Err(format!(
+                "`{}` becomes {value}, but {}",
+                parameter.name,
+                rule.trim_end()
+            ));
+        }
+    }
+    Ok(values)
 }
 
 impl Choices {

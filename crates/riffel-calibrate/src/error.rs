@@ -48,7 +48,9 @@ pub enum CalibrationError {
         "{folder} holds the chains of another plan, case or data, or of another version",
         folder = folder.display()
     )]
-    #[diagnostic(help("leave --restart out to begin anew, or give another folder"))]
+    #[diagnostic(help(
+        "riffel calibrate without --restart begins anew; another folder keeps both"
+    ))]
     OtherPlan {
         /// The folder.
         folder: PathBuf,

@@ -27,6 +27,8 @@ pub struct Parameter {
     pub unit: String,
     /// What was known of it before.
     pub prior: Prior,
+    /// What can be computed.
+    pub(crate) ends: [f64; 2],
     pub(crate) role: Role,
     /// Names of the data in which it acts; none for all.
     pub(crate) in_data: Option<Vec<String>>,

@@ -401,6 +401,7 @@ impl Reading<'_> {
                     name: format!("{}.discrepancy", name_of(data)),
                     unit: unit.to_owned(),
                     prior: Prior::HalfNormal(half_normal),
+                    ends: [0.0, f64::INFINITY],
                     role: Role::Size,
                     in_data: None,
                 });

@@ -139,6 +139,7 @@ impl Reading<'_> {
             name,
             unit: kind.unit.to_owned(),
             prior,
+            ends,
             role,
             in_data: written.in_data.clone(),
         })

@@ -145,6 +145,25 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         outcome.text
     );
     assert!(sandbox.path("out/decision.png").exists());
+    // A factor that leads beyond what can be computed.
+    let more = costs.replace(
+        "changes = \"friction.toml\"",
+        "title = \"all driven\"\nmultiplies = { \"vehicle.traction_share\" = 20 }",
+    );
+    fs::write(sandbox.path(&plan), format!("{head}{more}")).unwrap();
+    let outcome = sandbox.riffel("decide out");
+    assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+    for words in [
+        "\"all driven\"",
+        "`vehicle.traction_share` becomes",
+        "must be between 0 and 1",
+    ] {
+        assert!(
+            outcome.sentence().contains(words),
+            "{words}: {}",
+            outcome.text
+        );
+    }
     fs::write(sandbox.path(&plan), head.replace("0.95", "0.9")).unwrap();
     let outcome = sandbox.riffel("decide out");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
