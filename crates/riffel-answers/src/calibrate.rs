@@ -34,7 +34,7 @@ pub fn directions(told: &Identifiability) -> Table {
             say!(told_by),
             directions.iter().map(by).collect(),
         ),
-        Column::fixed("spread_percent", say!(spread_percent), spreads, 0),
+        Column::fixed("spread_percent", say!(spread_percent), spreads, 1),
         Column::in_file("information", numbers(&|it| it.information).into_iter()),
     ];
     for (place, name) in told.names.iter().enumerate() {

@@ -113,8 +113,8 @@ impl Decision {
     /// of a draw.
     pub fn of(plan: &Plan, chains: &Chains) -> Result<Self, CalibrationError> {
         let choices = plan.choices()?;
-        let per_month = plan.passages_per_month()?;
         let (_, levels) = plan.levels()?;
+        let per_month = plan.passages_per_month()?;
         let draws = plan.rail_draws(chains)?;
         let end = choices.horizon * per_month;
         let mut months = Vec::new();

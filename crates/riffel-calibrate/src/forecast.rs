@@ -56,8 +56,8 @@ impl Forecast {
         limit: &LevelLimit,
         months: f64,
     ) -> Result<Self, CalibrationError> {
-        let per_month = plan.passages_per_month()?;
         let (_, levels) = plan.levels()?;
+        let per_month = plan.passages_per_month()?;
         let draws = plan.rail_draws(chains)?;
         let (now, ahead) = (levels.last(), months * per_month);
         let limits = levels
