@@ -131,7 +131,7 @@ fn wrong_traffic_is_refused() {
         "[line]\npassages_per_day = 0\n[[vehicle]]\nname = \"unit\"\nshare = 1\nspeed = { mean = 30 }\n => `line.passages_per_day` is 0",
     ] {
         let (text, part) = row.split_once(" => ").unwrap();
-        let error = Traffic::parse("t.toml", text).err().expect("a mistake");
+        let error = Traffic::parse("t.toml", text).expect_err("a mistake");
         assert!(error.to_string().contains(part), "{error}");
     }
 }
