@@ -185,6 +185,18 @@ pub(crate) enum Command {
     Validate(Validate),
 }
 
+/// Where results go.
+#[derive(Args, Default)]
+pub(crate) struct ResultsArguments {
+    /// Folder for the results, made if need be [default: named after the case or file and the command, as in case-map].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
 /// A case file with overrides.
 #[derive(Args)]
 pub(crate) struct CaseArguments {
@@ -394,10 +406,6 @@ pub(crate) struct Map {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
-    /// Folder for the results, made if need be [default: CASE-map].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
     /// Measured corrugation to draw on the map: a table with the columns wavelength, speed and label,
     /// values in SI, with their units, or with those in the head, as in wavelength_mm.
     #[arg(long, value_name = "CSV")]
@@ -441,9 +449,8 @@ pub(crate) struct Map {
     )]
     pub(crate) speed: Option<Asked<Speed>>,
 
-    /// Print the summary as one JSON document.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]
@@ -451,10 +458,6 @@ pub(crate) struct Map {
 pub(crate) struct Receptance {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
-
-    /// Folder for the results, made if need be [default: CASE-receptance].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
 
     /// Lowest frequency, in Hz or with its unit [default: 20 Hz, or the lowest measured].
     #[arg(long, value_name = "FREQUENCY")]
@@ -488,9 +491,8 @@ pub(crate) struct Receptance {
     #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "matrix", conflicts_with_all = ["from", "to", "points"])]
     pub(crate) frequencies: Vec<Asked<Frequency>>,
 
-    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]
@@ -499,18 +501,13 @@ pub(crate) struct Wheelset {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
 
-    /// Folder for the results, made if need be [default: CASE-wheelset].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
     /// Frequencies of the receptances, separated by commas, in Hz or with their unit [default: 600 from 20 Hz to
     /// 2 kHz].
     #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) frequencies: Vec<Asked<Frequency>>,
 
-    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 /// Direction of force and displacement.
@@ -531,10 +528,6 @@ pub(crate) enum DirectionArgument {
 pub(crate) struct Contact {
     #[command(flatten)]
     pub(crate) case: CaseArguments,
-
-    /// Folder for the results, made if need be [default: CASE-contact].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
 
     /// Creepages of the creep curves, as ratios or with %, separated by commas [default: 40, to 1.2
     /// times that of full slip].
@@ -559,9 +552,8 @@ pub(crate) struct Contact {
     )]
     pub(crate) stress_at: Vec<PointInRail>,
 
-    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 /// By what a profile is laid on the nominal one.
@@ -670,13 +662,8 @@ pub(crate) struct Profile {
     #[arg(long = "set", value_name = "KEY=VALUE", requires = "wheelset")]
     pub(crate) overrides: Vec<String>,
 
-    /// Folder for the results, made if need be [default: FILE-profile].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]
@@ -697,13 +684,8 @@ pub(crate) struct Curve {
     )]
     pub(crate) radius: Vec<ListedLength>,
 
-    /// Folder for the results, made if need be [default: CASE-curve].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]

@@ -1,11 +1,9 @@
 //! The results of a command: a document on standard output, or files and words on them.
 
-use std::path::Path;
-
 use riffel_answers::{Answer, Table};
 use riffel_keys::Message;
 
-use crate::arguments::CaseArguments;
+use crate::arguments::{CaseArguments, ResultsArguments};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
 use crate::output::{json, print, table_of};
@@ -17,10 +15,7 @@ pub(crate) struct Results<'a> {
     /// The command, which gives the folder its name where none is named.
     pub(crate) command: &'static str,
     pub(crate) case: &'a CaseArguments,
-    /// `--output`.
-    pub(crate) output: Option<&'a Path>,
-    /// `--json`.
-    pub(crate) json: bool,
+    pub(crate) to: &'a ResultsArguments,
 }
 
 impl Results<'_> {
@@ -32,17 +27,17 @@ impl Results<'_> {
         write: impl FnOnce(&mut Staging) -> Result<(), CliError>,
         readable: impl FnOnce() -> String,
     ) -> Result<(), CliError> {
-        if self.json {
+        if self.to.json {
             print(&document())?;
-            if self.output.is_none() {
+            if self.to.output.is_none() {
                 return Ok(());
             }
         }
-        let folder = self.case.folder(self.output, self.command);
+        let folder = self.case.folder(self.to.output.as_deref(), self.command);
         let mut staging = Staging::new(self.command, &folder)?;
         write(&mut staging)?;
         let files = staging.publish()?.join(" ");
-        if self.json {
+        if self.to.json {
             return Ok(());
         }
         print(&format!("{}{}: {files}\n", readable(), folder.display()))

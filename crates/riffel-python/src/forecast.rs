@@ -9,7 +9,7 @@ use riffel::forecast::{Forecast, Reach, SpeedDistribution};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::WearReport;
-use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
+use riffel_case::traffic::{Line, Traffic, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
 use riffel_rail::{GroundRail, Layout};
@@ -45,12 +45,14 @@ impl GivenTraffic<'_> {
     }
 }
 
-/// The traffic that was given, or the usual one of the line of the case.
+/// The traffic that was given, or the usual one of the line of the case, of which no amount is assumed.
 pub(crate) fn traffic_of(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
-    match given {
-        Some(given) => given.traffic(),
-        None => UsualTraffic::of(&case.case).traffic().map_err(of_case),
+    if let Some(given) = given {
+        return given.traffic();
     }
+    let mut usual = UsualTraffic::of(&case.case).traffic().map_err(of_case)?;
+    usual.file.line = Line::default();
+    Ok(usual)
 }
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -247,7 +249,10 @@ pub(crate) fn compare<'py>(
     for variant in &mut variants {
         variant.hold = hold;
     }
-    let traffic = traffic_of(case, traffic.as_ref())?;
+    let traffic = match &traffic {
+        Some(given) => given.traffic()?,
+        None => UsualTraffic::of(&case.case).traffic().map_err(of_case)?,
+    };
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let measured = begins(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {

@@ -1,10 +1,9 @@
 """Calibrations and decisions from Python."""
 
-import json
-import os
 import shutil
-import subprocess
+from collections.abc import Callable
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 import pytest
@@ -44,7 +43,9 @@ def plan(tmp_path: Path) -> Path:
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
-def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(plan: Path, tmp_path: Path) -> None:
+def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
+    plan: Path, tmp_path: Path, program: Callable[..., Any]
+) -> None:
     folder = tmp_path / "out"
     tree = riffel.calibrate(plan, folder)
     draws = tree["posterior/wear.coefficient"]
@@ -61,10 +62,7 @@ def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(plan: Path
         riffel.decide(folder)
     plan.write_text(HEAD + DECISION)
     found = riffel.decide(folder)
-    printed = subprocess.run(
-        [os.environ["RIFFEL"], "decide", folder, "--json", "-q"], check=True, capture_output=True
-    ).stdout
-    expected = json.loads(printed)
+    expected = program("decide", str(folder), "--json", "-q")
     assert list(found["action"].values) == ["as it is", "friction treatment"]
     for place, action in enumerate(expected["actions"]):
         assert found["mean_cost_per_year"].values[place] == action["mean_cost_per_year"]

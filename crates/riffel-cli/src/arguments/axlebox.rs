@@ -7,7 +7,7 @@ use riffel_answers::axlebox::AxleBoxRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity, Speed};
 use riffel_rail::AxleBoxLayout;
 
-use super::{Asked, CaseArguments, positive};
+use super::{Asked, CaseArguments, ResultsArguments, positive};
 use crate::error::CliError;
 
 #[derive(Args)]
@@ -89,13 +89,8 @@ pub(crate) struct AxleBox {
     )]
     block: Quantity<Length>,
 
-    /// Folder for the results, made if need be [default: FILE-axlebox].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 impl AxleBox {

@@ -10,7 +10,7 @@ use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout};
+use super::{Asked, CaseArguments, Layout, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -47,13 +47,8 @@ pub(crate) struct Forecast {
     #[arg(long, value_name = "DATE", value_parser = read_date)]
     pub(crate) date: Option<Date>,
 
-    /// Folder for the results, made if need be [default: CASE-forecast].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 /// How far to look ahead.
@@ -241,11 +236,6 @@ pub(crate) struct Compare {
     #[arg(long, value_name = "LIMIT", default_value = "iso-3095-2013")]
     pub(crate) limit: String,
 
-    /// Folder for the results, made if need be [default: CASE-compare].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }

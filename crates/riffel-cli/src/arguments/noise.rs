@@ -6,7 +6,7 @@ use clap::Args;
 use riffel_keys::quantity::{Area, Length, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout};
+use super::{Asked, CaseArguments, Layout, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -101,11 +101,6 @@ pub(crate) struct Noise {
     #[arg(long, value_name = "DECIBELS", allow_negative_numbers = true, value_parser = plain_number, requires = "traffic")]
     pub(crate) limit_dba: Option<f64>,
 
-    /// Folder for the results, made if need be [default: CASE-noise].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }

@@ -9,7 +9,7 @@ use riffel_keys::quantity::{Frequency, Length, Quantity};
 use riffel_rail::{LengthUnit, RecordPart, read_date};
 
 use super::number::plain_number;
-use super::{CaseArguments, Ground, HoldArgument};
+use super::{CaseArguments, Ground, HoldArgument, ResultsArguments};
 
 /// How files of roughness are laid out, and what is taken of them.
 #[derive(Args, Default)]
@@ -284,13 +284,8 @@ pub(crate) struct Diagnose {
     #[command(flatten)]
     pub(crate) record: DiagnosisArguments,
 
-    /// Folder for figure and tables, made if need be [default: CASE-diagnosis].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 #[derive(Args)]

@@ -1,11 +1,9 @@
 //! Arguments of `shakedown`.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 
-use super::{Asked, CaseArguments};
+use super::{Asked, CaseArguments, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -51,11 +49,6 @@ pub(crate) struct Shakedown {
     )]
     pub(crate) amplitude: Option<Asked<Length>>,
 
-    /// Folder for the results, made if need be [default: CASE-shakedown].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }

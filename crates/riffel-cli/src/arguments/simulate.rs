@@ -9,7 +9,7 @@ use riffel_keys::PhysicalRange;
 use riffel_keys::quantity::{Length, Quantity, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout, positive};
+use super::{Asked, CaseArguments, Layout, ResultsArguments, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 
@@ -112,13 +112,8 @@ pub(crate) struct Simulate {
     #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
     pub(crate) step: Option<Quantity<Length>>,
 
-    /// Folder for the results, made if need be [default: CASE-simulate].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }
 
 impl Simulate {

@@ -1,11 +1,9 @@
 //! Arguments of `stability`.
 
-use std::path::PathBuf;
-
 use clap::Args;
 use riffel_keys::quantity::{Quantity, Ratio};
 
-use super::CaseArguments;
+use super::{CaseArguments, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -25,11 +23,6 @@ pub(crate) struct Stability {
     )]
     pub(crate) friction: Vec<Quantity<Ratio>>,
 
-    /// Folder for the results, made if need be [default: CASE-stability].
-    #[arg(short, long, value_name = "DIR")]
-    pub(crate) output: Option<PathBuf>,
-
-    /// Print one JSON document; files are written only with --output.
-    #[arg(long)]
-    pub(crate) json: bool,
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
 }

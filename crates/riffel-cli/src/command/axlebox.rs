@@ -29,11 +29,12 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
     let answer = AxleBoxAnswer::new(&case, &files, &limits, &request, &|by| progress.advance(by))?;
     drop(progress);
     let document = json(&answer.document());
-    if arguments.json {
+    if arguments.results.json {
         print(&document)?;
     }
-    if !arguments.json || arguments.output.is_some() {
+    if !arguments.results.json || arguments.results.output.is_some() {
         let folder = arguments
+            .results
             .output
             .clone()
             .unwrap_or_else(|| folder(&arguments.paths));
@@ -45,7 +46,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
         staging.write_with("grind.csv", |file| answer.grind_csv(file))?;
         staging.write("summary.json", document)?;
         let files = staging.publish()?.join(" ");
-        if !arguments.json {
+        if !arguments.results.json {
             print(&format!(
                 "{}{}: {files}\n",
                 readable(&answer),

@@ -30,8 +30,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     let results = Results {
         command: "compare",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     let document = || json(&answer.document(&case));
     results.hand_out(

@@ -34,8 +34,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let results = Results {
         command: "contact",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     results.hand_out(
         || json(&answer.document()),
@@ -63,8 +62,7 @@ fn stress(arguments: &Contact, contact: &CaseContact) -> miette::Result<()> {
     Results {
         command: "contact",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     }
     .answer(&answer)?;
     Ok(())

@@ -17,8 +17,7 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
     let results = Results {
         command: "curve",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     results.hand_out(
         || json(&answer.document(radii.as_deref())),

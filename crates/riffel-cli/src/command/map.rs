@@ -1,7 +1,5 @@
 //! `riffel map`
 
-use std::path::Path;
-
 use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, map_csv, map_netcdf};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
 use riffel_answers::{LineGrowth, capital, for_whom};
@@ -13,7 +11,8 @@ use crate::arguments::{Map, covering};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::observations;
-use crate::output::{Progress, json, print, table};
+use crate::output::{Progress, json, table};
+use crate::results::Results;
 use crate::staging::Staging;
 
 /// Rows of the table on the terminal.
@@ -39,9 +38,6 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         Some(path) => observations::read(path)?,
         None => Vec::new(),
     };
-    let folder = arguments.case.folder(arguments.output.as_deref(), "map");
-
-    let mut staging = Staging::new("map", &folder)?;
     let progress = Progress::new("growth map", case.speed.points());
     let mut answer = MapAnswer::new(&case, |rows| progress.advance(rows));
     drop(progress);
@@ -61,17 +57,22 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         answer.observations = Some(ObservationCount::new(&case, &observations));
     }
     let document = json(&answer.document(&case));
-    write_files(&mut staging, &case, &answer, observations, &document)?;
-    if let Some(bay) = &answer.bay {
-        write_bay(&mut staging, &case, bay)?;
-    }
-    let files = staging.publish()?;
-
-    if arguments.json {
-        print(&document)?;
-    } else {
-        print(&readable(&case, &answer, &folder, &files))?;
-    }
+    let results = Results {
+        command: "map",
+        case: &arguments.case,
+        to: &arguments.results,
+    };
+    results.hand_out(
+        || document.clone(),
+        |staging| {
+            write_files(staging, &case, &answer, observations, &document)?;
+            match &answer.bay {
+                Some(bay) => write_bay(staging, &case, bay),
+                None => Ok(()),
+            }
+        },
+        || readable(&case, &answer),
+    )?;
     print_remarks(&case.remarks);
     Ok(())
 }
@@ -120,8 +121,8 @@ fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), 
     staging.write_with("bay-mean-branches.csv", |file| branches_csv(ridge, file))
 }
 
-/// The ridge at a few speeds, its branches in a sentence, and where the files are.
-fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) -> String {
+/// The ridge at a few speeds, and its branches in a sentence.
+fn readable(case: &Case, answer: &MapAnswer) -> String {
     let ridge = &answer.ridge;
     let branches = BranchDocument::sentence(&answer.branches);
     let mut table = table(&[
@@ -163,12 +164,10 @@ fn readable(case: &Case, answer: &MapAnswer, folder: &Path, files: &[String]) ->
         .map(|remark| capital(&remark.to_string()) + ".\n")
         .collect();
     format!(
-        "{}\n{remarks}highest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}{}: {}\n",
+        "{}\n{remarks}highest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}",
         case.file.title.as_deref().unwrap_or("Growth map"),
         1e3 * case.wavelength.min(),
         1e3 * case.wavelength.max(),
         for_whom(case),
-        folder.display(),
-        files.join(" "),
     )
 }

@@ -29,8 +29,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
     let results = Results {
         command: "models",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     let document = || json(&answer.document(&case));
     results.hand_out(

@@ -65,8 +65,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     Results {
         command: "noise",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     }
     .answer(&answer)?;
     print_remarks(&survey.warnings);

@@ -24,8 +24,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     let results = Results {
         command: "profile",
         case: &named,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     if arguments.wheelset {
         return on_track(arguments, &named, &results);

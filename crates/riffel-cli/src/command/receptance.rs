@@ -44,8 +44,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let results = Results {
         command: "receptance",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     results.hand_out(
         || json(&answer.document()),
@@ -83,8 +82,7 @@ fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
     let results = Results {
         command: "receptance",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     results.hand_out(
         || json(&answer.document()),

@@ -30,8 +30,7 @@ pub(crate) fn run(arguments: &Shakedown) -> miette::Result<()> {
     Results {
         command: "shakedown",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     }
     .answer(&answer)?;
     Ok(())

@@ -143,8 +143,7 @@ fn results(arguments: &Simulate) -> Results<'_> {
     Results {
         command: "simulate",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     }
 }
 

@@ -18,8 +18,7 @@ pub(crate) fn run(arguments: &Stability) -> miette::Result<()> {
     Results {
         command: "stability",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     }
     .answer(&answer)?;
     Ok(())

@@ -18,8 +18,7 @@ pub(super) fn run(arguments: &Map) -> miette::Result<()> {
     let results = Results {
         command: "wheels",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     let document = || json(&answer.document(&case));
     results.hand_out(

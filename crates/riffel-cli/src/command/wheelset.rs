@@ -28,8 +28,7 @@ pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
     let results = Results {
         command: "wheelset",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     results.hand_out(
         || json(&answer.document()),

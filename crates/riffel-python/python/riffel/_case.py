@@ -590,7 +590,8 @@ class Case:
         spectrum : DataArray, optional
             One-third-octave levels in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
         traffic : path or mapping, optional
-            A traffic file or its keys; without it, the wheel of the case at `speed`, or else the usual traffic of its line.
+            A traffic file or its keys; without it, the wheel of the case at `speed`, or else at the usual speeds of its line,
+            whose amount of traffic is not assumed.
         speed, speed_deviation : quantity, optional
             Mean and standard deviation of the speed of the wheel of the case.
         passages, mgt, months : number or array, optional
@@ -696,7 +697,7 @@ class Case:
         variants : sequence of paths or mappings
             Files of changes or their keys: ``{"title": ..., "track": {...}, "speed": {"factor": 0.8}}``.
         traffic, speed, speed_deviation, ground, from_limit, limit
-            As of `forecast`.
+            As of `forecast`; without a traffic and a speed under all of the usual traffic of the line, with its axles a day.
         spectrum : DataArray, optional
             Measured levels, to say when each variant reaches the limit.
         hold : {"force", "ratio", "creepage"}, optional

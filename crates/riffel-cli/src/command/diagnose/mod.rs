@@ -17,23 +17,23 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
     let diagnosis = diagnosis(&case, &arguments.roughness, &record, &arguments.record)?;
     let file = arguments.roughness.display().to_string();
     let document = json(&diagnosis.document(&file));
-    if arguments.json {
+    if arguments.results.json {
         print(&document)?;
         print_remarks(&diagnosis.warnings);
-        if arguments.output.is_none() {
+        if arguments.results.output.is_none() {
             return Ok(());
         }
     }
     let folder = arguments
         .case
-        .folder(arguments.output.as_deref(), "diagnosis");
+        .folder(arguments.results.output.as_deref(), "diagnosis");
     let mut staging = Staging::new("diagnose", &folder)?;
     staging.write_figure("diagnosis", &diagnosis.figure(&file))?;
     staging.write_with("candidates.csv", |file| diagnosis.candidates_csv(file))?;
     staging.write_with("places.csv", |file| diagnosis.places_csv(file))?;
     staging.write("diagnosis.json", document)?;
     let files = staging.publish()?;
-    if !arguments.json {
+    if !arguments.results.json {
         let place = format!("{}: {}\n", folder.display(), files.join(" "));
         print(&(words::readable(&diagnosis, &file, &case) + &place))?;
         print_remarks(&diagnosis.warnings);

@@ -40,8 +40,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let results = Results {
         command: "forecast",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     let document = || json(&answer.document(&case, name.map(|path| path.display().to_string())));
     results.hand_out(

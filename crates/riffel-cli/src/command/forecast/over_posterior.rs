@@ -37,8 +37,7 @@ pub(super) fn run(arguments: &Forecast, folder: &Path) -> miette::Result<()> {
     let results = Results {
         command: "forecast",
         case: &arguments.case,
-        output: arguments.output.as_deref(),
-        json: arguments.json,
+        to: &arguments.results,
     };
     Ok(results.answer(&answer)?)
 }

@@ -25,8 +25,8 @@ use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_words::page_in_german;
 
 use crate::arguments::{
-    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Report, Spectra,
-    Statistics,
+    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Report,
+    ResultsArguments, Spectra, Statistics,
 };
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
@@ -399,8 +399,7 @@ fn outlook(
             months: arguments.months,
         },
         date: now.date,
-        output: None,
-        json: false,
+        results: ResultsArguments::default(),
     };
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
@@ -469,8 +468,7 @@ fn what_if(
         layout: Layout::default(),
         choose: Vec::new(),
         limit,
-        output: None,
-        json: false,
+        results: ResultsArguments::default(),
     };
     let survey = now.map(|now| now.survey.clone());
     Ok(Ok(compare(&given.case, &asked, survey)?))

@@ -51,8 +51,8 @@ pub(super) fn run(
     let mut run = EvolutionRun::new(case, request)?;
     let folder = arguments
         .case
-        .folder(arguments.output.as_deref(), "simulate");
-    let keeps = arguments.output.is_some() || !arguments.json;
+        .folder(arguments.results.output.as_deref(), "simulate");
+    let keeps = arguments.results.output.is_some() || !arguments.results.json;
     let state = keeps.then(|| folder.join(STATE));
     if let Some(path) = &state {
         check_files(&folder, &FILES)?;
