@@ -97,6 +97,13 @@ def test_points_of_other_cases(case: str, overrides: dict[str, Any], program: Ca
     assert found == written
 
 
+def test_a_comparison_is_under_the_usual_traffic(program: Callable[..., Any]) -> None:
+    printed = program("compare", "cases/metro.toml", "--with", "cases/soft-pads.toml", "--json")["outcomes"]
+    found = riffel.Case.from_toml("cases/metro.toml").compare(["cases/soft-pads.toml"])
+    rates = [outcome["fastest_growth_rate_per_passage"] for outcome in printed]
+    assert found["fastest_growth_rate"].values.tolist() == rates
+
+
 def test_many_points_are_those_one_by_one(nominal: riffel.Case) -> None:
     wavelengths, speeds = np.linspace(0.02, 0.08, 7), np.array([11.0, 31.0])
     grid = nominal.point(wavelength=wavelengths, speed=speeds)
