@@ -154,7 +154,7 @@ def test_presets_have_sources() -> None:
     assert all(entry["source"] for entry in rail["values"].values())
 
 
-def test_growth_of_a_line_is_that_of_the_program():
+def test_growth_of_a_line_is_that_of_the_program() -> None:
     case = riffel.Case.from_toml("cases/metro.toml").with_({"map.speed.points": 3, "map.wavelength.points": 21})
     usual, given = case.line_growth(), case.line_growth("cases/traffic.toml")
     assert usual["usual_traffic_of"] == "metro" and given["usual_traffic_of"] is None
