@@ -6,13 +6,12 @@ use riffel_study::sensitivity::quantile;
 use serde::Serialize;
 
 use crate::error::CalibrationError;
-use crate::growing_band::GrowingBand;
 use crate::information::{mean, of_a_measurement, of_everything};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
 use crate::plan::Plan;
 use crate::plan::decision::{Action, Choices, MONTHS, Planned, PlannedData};
-use crate::rail_draw::RailDraw;
+use crate::rail_draw::{RailDraw, growing_bands};
 use crate::run::Chains;
 use crate::summary::SHARES;
 
@@ -134,8 +133,10 @@ impl Decision {
                     true => draw.missed.clone(),
                     false => vec![0.0; draw.missed.len()],
                 };
-                let bands = GrowingBand::all(&rates, &missed);
-                let reached = bands.filter_map(|band| band.passages_until(choices.rise, 0.0, end));
+                let rise = 10f64.powf(0.1 * choices.rise);
+                let reached = growing_bands(&rates, &missed)
+                    .filter_map(|band| band.passages_to(rise))
+                    .filter(|passages| *passages <= end);
                 Ok(reached
                     .min_by(f64::total_cmp)
                     .map(|passages| passages / per_month))

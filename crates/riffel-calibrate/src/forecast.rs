@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::decision::Months;
 use crate::error::CalibrationError;
-use crate::growing_band::GrowingBand;
 use crate::plan::Plan;
+use crate::rail_draw::growing_bands;
 use crate::run::Chains;
 use crate::summary::SHARES;
 
@@ -72,14 +72,19 @@ impl Forecast {
         let courses: Vec<Vec<Course>> = draws
             .iter()
             .map(|draw| {
-                let bands = GrowingBand::all(&draw.rates, &draw.missed);
+                let bands = growing_bands(&draw.rates, &draw.missed);
                 let bands = bands.zip(&draw.levels).zip(&limits);
                 bands
                     .map(|((band, level), limit)| {
-                        let at = |passages: f64| level + band.rise(passages).0;
+                        let at = |passages: f64| level + band.level_change(passages);
+                        let levels = [at(now), at(now + ahead)];
+                        let from_now = band.after(now);
                         let reached = limit
-                            .and_then(|limit| band.passages_until(limit - level, now, now + ahead));
-                        (at(now), at(now + ahead), reached)
+                            .and_then(|limit| {
+                                from_now.passages_to(10f64.powf(0.1 * (limit - level)))
+                            })
+                            .filter(|passages| *passages <= ahead);
+                        (levels[0], levels[1], reached)
                     })
                     .collect()
             })

@@ -17,7 +17,6 @@ mod error;
 pub mod file;
 mod forecast;
 mod gaussian;
-mod growing_band;
 mod identifiability;
 pub mod information;
 mod kernel;

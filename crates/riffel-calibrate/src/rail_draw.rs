@@ -1,6 +1,9 @@
 //! The rail in draws of the posterior.
 
+use std::f64::consts::LN_10;
+
 use rayon::prelude::*;
+use riffel::forecast::{GrowingSum, LINES_PER_BAND};
 
 use crate::chain::{Draw, random};
 use crate::data::Levels;
@@ -27,6 +30,20 @@ pub(crate) struct RailDraw {
     pub(crate) missed: Vec<f64>,
     /// Growth rates of the amplitude of all lines, per passage.
     pub(crate) rates: Vec<f64>,
+}
+
+/// The bands of a rail by the growth rates of all their lines, which begin alike. What is missed of growth \[dB per passage\] goes to
+/// every line of a band.
+pub(crate) fn growing_bands<'a>(
+    rates: &'a [f64],
+    missed: &'a [f64],
+) -> impl Iterator<Item = GrowingSum> {
+    let bands = rates.chunks(LINES_PER_BAND).zip(missed);
+    bands.map(|(rates, missed)| {
+        let square = (rates.len() as f64).recip();
+        let missed = LN_10 / 20.0 * missed;
+        GrowingSum::new(rates.iter().map(|rate| (square, rate + missed)))
+    })
 }
 
 impl Plan {
@@ -80,5 +97,37 @@ impl Plan {
         drawn
             .collect::<Result<Vec<RailDraw>, String>>()
             .map_err(CalibrationError::Refused)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// One rate has a line: 20 lg e · g N. Two have cosh: 10 lg ((e^{2gN} + e^{−2gN})/2), and never a fall at zero.
+    #[test]
+    fn a_rise_is_reached_where_its_closed_form_says() {
+        let band = |rates: &[f64; 16], missed: f64| growing_bands(rates, &[missed]).next().unwrap();
+        let rise = |decibels: f64| 10f64.powf(0.1 * decibels);
+        let one = band(&[1e-7; 16], 0.5e-6);
+        let per_passage = 20.0 / LN_10 * 1e-7 + 0.5e-6;
+        let expected = 6.0 / per_passage;
+        let found = one.passages_to(rise(6.0)).unwrap();
+        assert!((found / expected - 1.0).abs() < 1e-12);
+        assert!((one.level_change(1e6) - 1e6 * per_passage).abs() < 1e-12);
+        // From a later begin as many less, and none where it is there.
+        let later = one.clone().after(1e6).passages_to(rise(6.0)).unwrap();
+        assert!((later - (expected - 1e6)).abs() < 1e-3);
+        assert_eq!(one.after(1.01 * expected).passages_to(rise(6.0)), Some(0.0));
+        let mut rates = [3e-7; 16];
+        rates[..8].fill(-3e-7);
+        let two = band(&rates, 0.0);
+        let found = two.passages_to(rise(6.0)).unwrap();
+        let expected = 10f64.powf(0.6).acosh() / 6e-7;
+        assert!((found / expected - 1.0).abs() < 1e-10, "{found} {expected}");
+        // No number is too large.
+        assert!(two.level_change(1e12).is_finite());
+        // What falls never rises.
+        assert_eq!(band(&[-1e-7; 16], 0.0).passages_to(rise(6.0)), None);
     }
 }

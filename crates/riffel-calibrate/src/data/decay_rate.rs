@@ -41,6 +41,14 @@ fn usual_error(frequency: f64) -> f64 {
 }
 
 impl DecayRates {
+    /// ln of the density of the rate of a band, or of the probability that its bound holds, t scales off the prediction.
+    fn log_density(&self, band: usize, t: f64, scale: f64) -> f64 {
+        match self.upper_bound[band] {
+            true => self.student.cdf(t).ln(),
+            false => self.student.ln_pdf(t) - scale.ln(),
+        }
+    }
+
     /// Scale of the error of a band, with what the model misses.
     fn scale(&self, band: usize, sizes: &[f64]) -> f64 {
         self.error[band].hypot(sizes[0])
@@ -120,17 +128,11 @@ impl Block for DecayRates {
             let scale = self.scale(band, sizes);
             let t = (self.rate[band] - predicted) / scale;
             let scale_by_size = sizes[0] / scale;
-            let (value, by_t, by_scale) = match self.upper_bound[band] {
-                true => {
-                    let below = self.student.cdf(t);
-                    (below.ln(), self.student.pdf(t) / below, 0.0)
-                }
-                false => {
-                    let by_t = -(degrees + 1.0) * t / (degrees + t * t);
-                    (self.student.ln_pdf(t) - scale.ln(), by_t, -1.0 / scale)
-                }
+            let (by_t, by_scale) = match self.upper_bound[band] {
+                true => (self.student.pdf(t) / self.student.cdf(t), 0.0),
+                false => (-(degrees + 1.0) * t / (degrees + t * t), -1.0 / scale),
             };
-            density.value += value;
+            density.value += self.log_density(band, t, scale);
             density.by_prediction.push(-by_t / scale);
             by_size += (by_scale - by_t * t / scale) * scale_by_size;
         }
@@ -144,11 +146,7 @@ impl Block for DecayRates {
             bands
                 .map(|(band, predicted)| {
                     let scale = self.scale(band, sizes);
-                    let t = (self.rate[band] - predicted) / scale;
-                    match self.upper_bound[band] {
-                        true => self.student.cdf(t).ln(),
-                        false => self.student.ln_pdf(t) - scale.ln(),
-                    }
+                    self.log_density(band, (self.rate[band] - predicted) / scale, scale)
                 })
                 .collect(),
         )

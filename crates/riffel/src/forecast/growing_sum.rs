@@ -31,6 +31,15 @@ impl GrowingSum {
         }
     }
 
+    /// The waves as they are after some passages.
+    #[must_use]
+    pub fn after(mut self, passages: f64) -> Self {
+        for (square, growth) in &mut self.terms {
+            *square += *growth * passages;
+        }
+        self
+    }
+
     /// ln r² after some passages, without overflow.
     fn ln_at(&self, passages: f64) -> f64 {
         self.sums(passages).0
@@ -132,6 +141,17 @@ mod tests {
         assert!(wave.level_change(1e6) < 0.0);
         assert_eq!(GrowingSum::new([]).passages_to(1.0), None);
         assert_eq!(GrowingSum::new([(1.0, 0.0)]).passages_to(2.0), None);
+    }
+
+    /// Later waves have as many passages less before them, also where their squares are beyond all numbers.
+    #[test]
+    fn waves_begin_anew_after_some_passages() {
+        let sum = GrowingSum::new([(1.0, -1e-6), (1e-4, 2e-6)]);
+        let later = sum.clone().after(3e5);
+        let (early, late) = (sum.passages_to(4.0), later.passages_to(4.0));
+        assert!((early.unwrap() - late.unwrap() - 3e5).abs() < 1e-4);
+        assert_eq!(sum.clone().after(1e12).passages_to(4.0), Some(0.0));
+        assert!(sum.after(1e12).level_change(1e3).is_finite());
     }
 
     /// A strong wave fades while a weak one rises: down first, then up to where it began.
