@@ -68,20 +68,17 @@ pub fn correlations(told: &Identifiability) -> Table {
     }
 }
 
-/// Pairs that move together, closest first.
-fn close(told: &Identifiability) -> Vec<&Correlation> {
-    let mut close: Vec<&Correlation> = told
-        .correlations
-        .iter()
-        .filter(|it| it.is_close())
-        .collect();
-    close.sort_by(|a, b| b.correlation.abs().total_cmp(&a.correlation.abs()));
-    close
+/// All pairs, those that move together most closely first.
+fn closest_first(told: &Identifiability) -> Vec<&Correlation> {
+    let mut pairs: Vec<&Correlation> = told.correlations.iter().collect();
+    pairs.sort_by(|a, b| b.correlation.abs().total_cmp(&a.correlation.abs()));
+    pairs
 }
 
 /// A sentence on each pair that the data do not part.
 pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
-    let pairs = close(told).into_iter().map(|pair| {
+    let close = closest_first(told).into_iter();
+    let pairs = close.take_while(|pair| pair.is_close()).map(|pair| {
         let [one, other] = &pair.names;
         let correlation = fixed(pair.correlation, 2);
         match pair.correlation < 0.0 {
@@ -189,8 +186,7 @@ pub fn figure(
             ..LinePanel::default()
         })
     };
-    let mut pairs: Vec<&Correlation> = told.correlations.iter().collect();
-    pairs.sort_by(|a, b| b.correlation.abs().total_cmp(&a.correlation.abs()));
+    let pairs = closest_first(told);
     let panels = (0..parameters.len()).map(marginal);
     let together = close_pairs(told);
     let mut caption = "Distributions after and before the data, over their highest; below the closest pairs of values.".to_owned();

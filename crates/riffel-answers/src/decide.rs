@@ -113,12 +113,11 @@ impl Answer for DecideAnswer {
                 Column::fixed(name, head, (0..actions.len()).map(value), shown)
             };
         let mut columns = vec![Column::words("action", say!(action_column), self.names())];
-        for (place, name) in [(2, "months_q50"), (0, "months_q05"), (4, "months_q95")] {
-            let head = match place {
-                2 => say!(months_to_limit_median),
-                0 => say!(five_per_cent),
-                _ => say!(ninety_five_per_cent),
-            };
+        for (place, name, head) in [
+            (2, "months_q50", say!(months_to_limit_median)),
+            (0, "months_q05", say!(five_per_cent)),
+            (4, "months_q95", say!(ninety_five_per_cent)),
+        ] {
             columns.push(numbers(name, head, 1, &|row| {
                 actions[row].months_to_limit.quantiles[place]
             }));
@@ -130,22 +129,17 @@ impl Answer for DecideAnswer {
         columns.push(numbers("mean_cost_per_year", head, 0, &|row| {
             Some(actions[row].mean_cost_per_year)
         }));
-        for (place, name) in [
-            (0, "saving_q05"),
-            (1, "saving_q25"),
-            (2, "saving_q50"),
-            (3, "saving_q75"),
-            (4, "saving_q95"),
+        for (place, name, head) in [
+            (0, "saving_q05", Some(say!(saving_from))),
+            (1, "saving_q25", None),
+            (2, "saving_q50", None),
+            (3, "saving_q75", None),
+            (4, "saving_q95", Some(say!(saving_to))),
         ] {
-            let values = (0..actions.len()).map(|row| actions[row].saving_per_year[place]);
-            columns.push(match place {
-                0 => numbers(name, say!(saving_from), 0, &|row| {
-                    Some(actions[row].saving_per_year[0])
-                }),
-                4 => numbers(name, say!(saving_to), 0, &|row| {
-                    Some(actions[row].saving_per_year[4])
-                }),
-                _ => Column::in_file(name, values),
+            let values = actions.iter().map(|it| it.saving_per_year[place]);
+            columns.push(match head {
+                Some(head) => Column::fixed(name, head, values.map(Some), 0),
+                None => Column::in_file(name, values),
             });
         }
         columns.push(numbers("longer_percent", say!(longer_percent), 0, &|row| {

@@ -47,12 +47,19 @@ impl GivenTraffic<'_> {
 
 /// The traffic that was given, or the usual one of the line of the case, of which no amount is assumed.
 pub(crate) fn traffic_of(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
-    if let Some(given) = given {
-        return given.traffic();
+    let mut traffic = given_or_usual(case, given)?;
+    if given.is_none() {
+        traffic.file.line = Line::default();
     }
-    let mut usual = UsualTraffic::of(&case.case).traffic().map_err(of_case)?;
-    usual.file.line = Line::default();
-    Ok(usual)
+    Ok(traffic)
+}
+
+/// The traffic that was given, or the usual one of the line of the case.
+fn given_or_usual(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Traffic> {
+    match given {
+        Some(given) => given.traffic(),
+        None => UsualTraffic::of(&case.case).traffic().map_err(of_case),
+    }
 }
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
@@ -249,10 +256,7 @@ pub(crate) fn compare<'py>(
     for variant in &mut variants {
         variant.hold = hold;
     }
-    let traffic = match &traffic {
-        Some(given) => given.traffic()?,
-        None => UsualTraffic::of(&case.case).traffic().map_err(of_case)?,
-    };
+    let traffic = given_or_usual(case, traffic.as_ref())?;
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let measured = begins(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {

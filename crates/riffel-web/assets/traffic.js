@@ -87,15 +87,18 @@ export class Traffic {
   #accept(name, value) {
     const next = { ...this.values, [name]: value ?? this.usual[name] };
     if (next.from_km_per_h > next.to_km_per_h) return t('must_rise');
-    const isDefault = value === undefined && !next.vehicles && !next.all_wheels && FIELDS.every(([other]) => next[other] === this.usual[other]);
-    this.#take(isDefault ? null : next);
+    this.#take(value === undefined && this.#isUsual(next) ? null : next);
     return '';
   }
 
   #setAllWheels(is) {
     const { all_wheels: _, ...others } = this.values;
-    const isUsual = !is && !others.vehicles && FIELDS.every(([name]) => others[name] === this.usual[name]);
-    this.#take(isUsual ? null : { ...others, ...(is && { all_wheels: true }) });
+    const next = { ...others, ...(is && { all_wheels: true }) };
+    this.#take(this.#isUsual(next) ? null : next);
+  }
+
+  #isUsual({ vehicles, all_wheels: allWheels, ...values }) {
+    return !vehicles && !allWheels && FIELDS.every(([name]) => values[name] === this.usual[name]);
   }
 
   #take(next) {

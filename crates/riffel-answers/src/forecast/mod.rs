@@ -514,7 +514,10 @@ impl ForecastAnswer {
 
 impl ForecastHorizon {
     /// `Ok` for a number that is finite and positive.
-    fn check(self) -> Result<(), AnswerError> {
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for any other.
+    pub fn check(self) -> Result<(), AnswerError> {
         let (argument, value) = match self {
             Self::Passages(passages) => ("--passages", passages),
             Self::MillionGrossTonnes(mgt) => ("--mgt", mgt),

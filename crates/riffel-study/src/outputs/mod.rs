@@ -323,37 +323,31 @@ impl Outputs {
                 ),
             }
         }
-        if let Some(variable) = variables
-            .iter_mut()
-            .find(|v| v.name == "normalized_dissipation")
-        {
-            variable.complex = true;
-        }
         if self.traffic.is_some() {
-            let mut add = |name: &str, unit, description: &str| {
-                variables.push(Variable {
-                    name: name.to_owned(),
-                    dimensions: Vec::new(),
-                    complex: false,
-                    unit,
-                    description: description.to_owned(),
-                });
-            };
             add(
                 "traffic_growth_rate",
+                &[],
                 "1",
                 "highest growth rate per axle passage under the traffic",
             );
             add(
                 "traffic_growth_wavelength",
+                &[],
                 "m",
                 "wavelength of the highest growth rate under the traffic",
             );
             add(
                 "traffic_growth_at_edge",
+                &[],
                 "1",
                 "1 where the highest growth under the traffic sits at an end of the wavelengths, else 0",
             );
+        }
+        if let Some(variable) = variables
+            .iter_mut()
+            .find(|v| v.name == "normalized_dissipation")
+        {
+            variable.complex = true;
         }
         for (index, point) in file.point.iter().enumerate() {
             let name = point

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_answers::forecast::PosteriorForecast;
+use riffel_answers::forecast::{ForecastHorizon, PosteriorForecast};
 use riffel_answers::level_limit;
 use riffel_calibrate::finished;
 
@@ -24,14 +24,7 @@ pub(super) fn run(arguments: &Forecast, folder: &Path) -> miette::Result<()> {
         .into());
     }
     let months = arguments.horizon.months.unwrap_or(12.0);
-    if !(months.is_finite() && months > 0.0) {
-        return Err(CliError::Argument {
-            argument: "--months",
-            value: months.to_string(),
-            rule: "finite and greater than zero".to_owned(),
-        }
-        .into());
-    }
+    ForecastHorizon::Months(months).check()?;
     let limit = level_limit(&arguments.limit)?;
     let answer = PosteriorForecast::new(&plan, &chains, &limit, months)?;
     let results = Results {
