@@ -110,13 +110,26 @@ impl Profile {
                 share < RINGING && beside(place, other) || share < FAR_RINGING && near
             })
         };
-        let mut single: Vec<_> = places.iter().filter(|place| !rings(place)).collect();
+        let single = places.iter().filter(|place| !rings(place));
+        let mut single: Vec<[Range<usize>; 2]> = single.cloned().collect();
         single.sort_by_key(|[_, place]| place.start);
+        // What two parts of the wavelengths show at one place is one defect.
+        single.dedup_by(|[next_own, next], [own, place]| {
+            let both = place.start..place.end.max(next.end);
+            let one = next.start < place.end || beside(place, next) && both.len() <= longest;
+            if one {
+                if height(next) > height(place) {
+                    *own = next_own.clone();
+                }
+                *place = both;
+            }
+            one
+        });
         single
             .into_iter()
             .map(|[own, place]| RailDefect {
                 length: own.len() as f64 * spacing,
-                ..self.bridge(place.clone())
+                ..self.bridge(place)
             })
             .collect()
     }
@@ -364,6 +377,36 @@ mod tests {
         }
         // Nothing of them is left.
         assert!(profile.bridge_defects().is_empty());
+        Ok(())
+    }
+
+    /// Joints, whose kinks all parts of the wavelengths show, are listed once each, with their height.
+    #[test]
+    fn each_joint_is_one_defect() -> Result<(), Error> {
+        for seed in 0..8u32 {
+            let joints: Vec<(f64, f64, f64)> = (0..6u32)
+                .map(|joint| {
+                    let mixed = f64::from((seed * 7 + joint * 5) % 11) / 11.0;
+                    let at = 10.0 + 19.3 * f64::from(joint) + mixed;
+                    (at, 150e-6 + 350e-6 * mixed, 0.03 + 0.07 * (1.0 - mixed))
+                })
+                .collect();
+            let heights = rail(u64::from(seed), &[]).into_iter().enumerate();
+            let heights = heights.map(|(index, height)| {
+                let x = index as f64 * 2e-3;
+                let dip = |&(at, depth, length): &(f64, f64, f64)| {
+                    depth * (-(x - at).abs() / length).exp()
+                };
+                0.6 * height - joints.iter().map(dip).sum::<f64>()
+            });
+            let found = Profile::new(0.0, 2e-3, heights.collect())?.bridge_defects();
+            assert_eq!(found.len(), joints.len(), "{seed}: {found:?}");
+            for (defect, (at, depth, _)) in found.iter().zip(joints) {
+                assert!(defect.from < at && at < defect.to, "{at}: {defect:?}");
+                let height = defect.height / -depth;
+                assert!((0.6..1.2).contains(&height), "{depth}: {defect:?}");
+            }
+        }
         Ok(())
     }
 
