@@ -38,6 +38,7 @@ pub(crate) fn axlebox<'py>(
     channels: Vec<String>,
     within: (f64, f64, f64, f64),
     contact_filter: bool,
+    keep_defects: bool,
     limits: Vec<String>,
 ) -> PyResult<Bound<'py, PyAny>> {
     let (speed, speeds, odometer) = place;
@@ -79,6 +80,7 @@ pub(crate) fn axlebox<'py>(
         longest,
         slowest,
         contact_filter,
+        keep_defects,
         block,
         ..AxleBoxRequest::default()
     };

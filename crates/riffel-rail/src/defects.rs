@@ -11,6 +11,8 @@ use crate::{Record, RoughnessFile};
 pub enum DefectsAre {
     /// They are no part of its spectra.
     LeftOut,
+    /// They are no part of levels, but of statistics and of what to grind.
+    OutOfLevels,
     /// They are a part of levels and limits.
     Judged,
 }
@@ -45,6 +47,7 @@ pub fn defects_in_words(rail: &str, defects: &[RailDefect], are: DefectsAre) -> 
     };
     Some(match are {
         DefectsAre::LeftOut => say!(defects_left_out, found = found),
+        DefectsAre::OutOfLevels => say!(defects_out_of_levels, found = found),
         DefectsAre::Judged => say!(defects_judged, found = found),
     })
 }

@@ -4,6 +4,7 @@ use riffel::roughness::{GrindSection, line_length};
 use serde::Serialize;
 
 use super::{AxleBoxAnswer, AxleBoxRail};
+use crate::defect_document::DefectDocument;
 use crate::roughness::{Band, Verdict, bands};
 
 /// What `riffel axlebox --json` prints; levels in dB re 1 µm.
@@ -28,6 +29,8 @@ struct RailDocument<'a> {
     spectrum: Vec<Level>,
     bands: Vec<Band>,
     verdicts: &'a [Verdict],
+    /// Welds, joints and squats.
+    defects: Vec<DefectDocument>,
     grind: Vec<Section>,
     grind_share_of_length: f64,
 }
@@ -98,6 +101,7 @@ fn rail(answer: &AxleBoxRail) -> RailDocument<'_> {
             .collect(),
         bands: bands(&rail.name, &analysis.bands),
         verdicts: &rail.verdicts,
+        defects: DefectDocument::all(&rail.name, &analysis.defects),
         grind: rail.sections.iter().map(Section::from).collect(),
         grind_share_of_length: line_length(analysis.measured_within(&rail.sections))
             / analysis.length(),

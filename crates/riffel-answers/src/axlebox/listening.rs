@@ -127,6 +127,7 @@ pub(super) fn listen(
         longest_wavelength: request.longest,
         block: request.block,
         limit: rms_limit(limits)?,
+        without_defects: !request.keep_defects,
         ..AnalysisSettings::default()
     };
     let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());

@@ -14,7 +14,7 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::LineFigure;
-use riffel_rail::{AxleBoxFile, LimitTable, check_felt};
+use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, check_felt, defects_in_words};
 
 pub use document::AxleBoxDocument;
 
@@ -33,6 +33,8 @@ pub struct AxleBoxRequest {
     pub slowest: f64,
     /// Whether roughness is that of the rail, and not what the patch lets through of it.
     pub contact_filter: bool,
+    /// Whether welds, joints and squats stay in the levels.
+    pub keep_defects: bool,
     /// Length of a block \[m\].
     pub block: f64,
     /// What is ground as one.
@@ -48,6 +50,7 @@ impl Default for AxleBoxRequest {
             longest: run.longest,
             slowest: run.slowest,
             contact_filter: false,
+            keep_defects: false,
             block: 10.0,
             grinding: GrindSettings::default(),
         }
@@ -181,6 +184,14 @@ impl AxleBoxAnswer {
             });
         }
         worst_first(&mut rails);
+        let are = match request.keep_defects {
+            true => DefectsAre::Judged,
+            false => DefectsAre::OutOfLevels,
+        };
+        let defects = rails.iter().flat_map(|AxleBoxRail { rail, .. }| {
+            defects_in_words(&rail.name, &rail.analysis.defects, are)
+        });
+        remarks.extend(defects.map(|said| said.to_string()));
         remarks.extend(validity(case, request));
         Ok(Self {
             files: files.iter().map(|(path, _)| path.clone()).collect(),

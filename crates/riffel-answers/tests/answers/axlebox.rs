@@ -7,7 +7,9 @@ use riffel::roughness::{
     AnalysisSettings, BandPass, ColouredNoise, Profile, RailAnalysis, Recipe, Spectrum,
     WavelengthBand,
 };
+use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
 use riffel_case::{Case, NOMINAL_CASE};
+use riffel_rail::{AxleBoxFile, AxleBoxPlace, LimitTable};
 
 /// A train over a rail.
 struct Journey {
@@ -317,6 +319,135 @@ fn a_run_comes_in_pieces() {
     );
     let end = second.profile.start() + second.profile.length();
     assert!((third.profile.start() - end).abs() < 1e-6, "{end}");
+}
+
+/// Settings that no run has are refused in a sentence, and do not end in numbers too large to count with.
+#[test]
+fn settings_beyond_any_run_are_refused() {
+    let case = case();
+    let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
+    let usual = RunSettings::at_rate(5000.0);
+    for (settings, what) in [
+        (
+            RunSettings {
+                slowest: 1e-300,
+                ..usual
+            },
+            "lowest speed",
+        ),
+        (
+            RunSettings {
+                longest: 1e300,
+                ..usual
+            },
+            "longest wavelength",
+        ),
+        (
+            RunSettings {
+                longest: 0.015,
+                ..usual
+            },
+            "longest wavelength",
+        ),
+    ] {
+        let refused = Run::new(&transfer, settings).err().unwrap();
+        assert!(refused.to_string().contains(what), "{refused}");
+    }
+}
+
+/// Eight welds, 200 µm deep and 100 to 380 mm long, are listed and raise no level: a wave of 100 mm stays within 0.5 dB, and
+/// levels up to 200 mm, which they raise by up to 15 dB where they are kept, within 1.5 dB. Statistics have them either way.
+#[test]
+fn welds_are_listed_and_raise_no_level() {
+    let case = case();
+    let journey = Journey {
+        length: 260.0,
+        rate: 5000.0,
+        noise: 0.05,
+        ..QUIET
+    };
+    let welds: Vec<(f64, f64)> = (0..8u32)
+        .map(|weld| (35.3 + 27.1 * f64::from(weld), 0.1 + 0.04 * f64::from(weld)))
+        .collect();
+    let answer = |depth: f64, keep_defects: bool| {
+        let smooth = rail(journey.length + 1.0);
+        let heights = smooth.heights().iter().enumerate().map(|(index, height)| {
+            let x = 1e-3 * index as f64;
+            let dips = welds
+                .iter()
+                .filter(|(at, length)| (x - at).abs() < 0.5 * length);
+            let dips =
+                dips.map(|(at, length)| 0.5 * depth * (1.0 + (TAU * (x - at) / length).cos()));
+            height * 0.3 + 3e-6 * (TAU * x / 0.1).sin() - dips.sum::<f64>()
+        });
+        let rail = Profile::new(0.0, 1e-3, heights.collect()).unwrap();
+        let samples = signal(&case, &journey, &rail);
+        let accelerations = samples.iter().map(|sample| sample.acceleration).collect();
+        let channels = vec![("left".to_owned(), accelerations)];
+        let place = AxleBoxPlace::Constant(journey.speed);
+        let file = AxleBoxFile::of_arrays("run", channels, journey.rate, place).unwrap();
+        let request = AxleBoxRequest {
+            keep_defects,
+            ..AxleBoxRequest::default()
+        };
+        let files = [("run".into(), file)];
+        AxleBoxAnswer::new(&case, &files, &LimitTable::all(), &request, &|_| ()).unwrap()
+    };
+    let [smooth, left_out, kept] =
+        [(0.0, false), (200e-6, false), (200e-6, true)].map(|(depth, keep)| answer(depth, keep));
+    let rises = |of: &AxleBoxAnswer| -> Vec<(f64, f64)> {
+        let levels = of.rails[0].levels.iter().zip(&smooth.rails[0].levels);
+        levels
+            .map(|(welded, smooth)| {
+                (
+                    welded.band.nominal_millimetres(),
+                    welded.level - smooth.level,
+                )
+            })
+            .filter(|(wavelength, _)| (16.0..=200.0).contains(wavelength))
+            .collect()
+    };
+    for (wavelength, rise) in rises(&left_out) {
+        let most = if wavelength == 100.0 { 0.5 } else { 1.5 };
+        assert!(rise.abs() < most, "{wavelength} mm: {rise} dB");
+    }
+    let most = rises(&kept)
+        .into_iter()
+        .map(|(_, rise)| rise)
+        .fold(0.0, f64::max);
+    assert!(most > 8.0, "{most}");
+    assert!(smooth.rails[0].rail.analysis.defects.is_empty());
+    for of in [&left_out, &kept] {
+        let analysis = &of.rails[0].rail.analysis;
+        assert_eq!(
+            analysis.defects.len(),
+            welds.len(),
+            "{:?}",
+            analysis.defects
+        );
+        for (defect, (at, _)) in analysis.defects.iter().zip(&welds) {
+            assert!(
+                (0.5 * (defect.from + defect.to) - at).abs() < 0.3,
+                "{defect:?}"
+            );
+        }
+    }
+    let highest = |of: &AxleBoxAnswer| -> Vec<f64> {
+        let bands = of.rails[0].rail.analysis.bands.iter();
+        bands.map(|band| band.moving_rms_max).collect()
+    };
+    assert_eq!(highest(&left_out), highest(&kept));
+    assert!(
+        left_out
+            .remarks
+            .iter()
+            .any(|said| said.contains("8 welds") && said.contains("left out of the levels"))
+    );
+    assert!(
+        kept.remarks
+            .iter()
+            .any(|said| said.contains("they count in levels"))
+    );
 }
 
 /// RMS \[m\] between 30 and 100 mm in blocks of 10 m.

@@ -76,6 +76,11 @@ pub(crate) struct AxleBox {
     #[arg(long)]
     contact_filter: bool,
 
+    /// Keep welds, joints and squats in the levels [default: they are listed and left out; statistics of bands and what to
+    /// grind always have them].
+    #[arg(long)]
+    keep_defects: bool,
+
     /// Limit table, by name or as a TOML file; may be repeated [default: all].
     #[arg(long, value_name = "LIMIT")]
     pub(crate) limit: Vec<String>,
@@ -117,6 +122,7 @@ impl AxleBox {
             longest: positive("--longest", self.longest)?,
             slowest: positive("--slowest", self.slowest)?,
             contact_filter: self.contact_filter,
+            keep_defects: self.keep_defects,
             block: positive("--block", self.block)?,
             ..AxleBoxRequest::default()
         };

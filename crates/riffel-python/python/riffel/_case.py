@@ -1123,6 +1123,7 @@ class Case:
         longest: Quantity = 0.4,
         slowest: Quantity = "20 km/h",
         contact_filter: bool = False,
+        keep_defects: bool = False,
         limit: str | Sequence[str] = (),
         block: Quantity = 10.0,
     ) -> dict[str, Any]:
@@ -1147,6 +1148,8 @@ class Case:
             Lowest speed at which the train is listened to.
         contact_filter : bool
             Give back what the contact patch does not let through.
+        keep_defects : bool
+            Keep welds, joints and squats in the levels; else they are listed and left out of them.
         limit : str or sequence of str, optional
             Limit tables, by name or as TOML files; by default all.
         block : quantity
@@ -1155,8 +1158,8 @@ class Case:
         Returns
         -------
         dict
-            With the keys of ``riffel axlebox --json``: ``rails`` with their ``spectrum``, ``bands``, ``verdicts`` and
-            ``grind``, and ``remarks``.
+            With the keys of ``riffel axlebox --json``: ``rails`` with their ``spectrum``, ``bands``, ``verdicts``,
+            ``defects`` and ``grind``, and ``remarks``.
 
         Raises
         ------
@@ -1187,7 +1190,15 @@ class Case:
             raise ValueError(f"longest is {longest}, but must be at least twice shortest")
         limits = [limit] if isinstance(limit, str) else list(limit)
         return _riffel.axlebox(
-            self._case, given, rate_hz, place, list(channels), within, bool(contact_filter), limits
+            self._case,
+            given,
+            rate_hz,
+            place,
+            list(channels),
+            within,
+            bool(contact_filter),
+            bool(keep_defects),
+            limits,
         )
 
     def noise(

@@ -181,6 +181,7 @@ def axlebox(
     channels: Sequence[str],
     within: tuple[float, float, float, float],
     contact_filter: bool,
+    keep_defects: bool,
     limits: Sequence[str],
 ) -> dict[str, Any]: ...
 def network_ingest(

@@ -56,18 +56,28 @@ impl RunSettings {
     }
 
     fn check(&self) -> Result<(), Error> {
+        /// Longest wavelength of any axle box \[m\], and seconds in which the ends of a stretch must go by.
+        const MOST: (f64, f64) = (100.0, 3600.0);
         Error::unless_positive("sampling rate", self.sampling_rate, "Hz")?;
         Error::unless_positive("shortest wavelength", self.shortest, "m")?;
         Error::unless_positive("lowest speed", self.slowest, "m/s")?;
-        if self.longest.is_finite() && self.longest >= 2.0 * self.shortest {
-            return Ok(());
+        if !(self.longest <= MOST.0 && self.longest >= 2.0 * self.shortest) {
+            return Err(Error::OutOfRange {
+                quantity: "longest wavelength",
+                value: self.longest,
+                unit: "m",
+                rule: "must be at least twice the shortest and at most 100 m",
+            });
         }
-        Err(Error::OutOfRange {
-            quantity: "longest wavelength",
-            value: self.longest,
-            unit: "m",
-            rule: "must be finite and at least twice the shortest",
-        })
+        if EDGE * self.longest > MOST.1 * self.slowest {
+            return Err(Error::OutOfRange {
+                quantity: "lowest speed",
+                value: self.slowest,
+                unit: "m/s",
+                rule: "must be such that ten of the longest waves go by within an hour",
+            });
+        }
+        Ok(())
     }
 }
 

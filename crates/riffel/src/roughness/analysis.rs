@@ -23,6 +23,8 @@ pub struct AnalysisSettings {
     /// The wavelengths of a profile that is what a wheel has felt of the rail: other bands are left out, no spikes are
     /// removed, and nothing is rolled over once more. None for the rail itself.
     pub felt: Option<WavelengthBand>,
+    /// Whether [defects](RailAnalysis::defects) are left out of the levels; they stay in statistics.
+    pub without_defects: bool,
 }
 
 impl Default for AnalysisSettings {
@@ -35,6 +37,7 @@ impl Default for AnalysisSettings {
             block: 10.0,
             limit: None,
             felt: None,
+            without_defects: false,
         }
     }
 }
@@ -48,8 +51,8 @@ pub struct RailAnalysis {
     pub spikes: usize,
     /// Number of pits that the wheel bridges.
     pub pits: usize,
-    /// Welds, joints and squats ([`Profile::bridge_defects`]), which stay in levels and statistics; none are looked for where no
-    /// band is asked for, nor in what a wheel has felt.
+    /// Welds, joints and squats ([`Profile::bridge_defects`]); none are looked for where no band is asked for and levels have
+    /// them.
     pub defects: Vec<RailDefect>,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
@@ -143,9 +146,11 @@ impl RailAnalysis {
             }
             if settings.felt.is_none() {
                 pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
-                if !settings.bands.is_empty() {
-                    defects.extend(stretch.clone().bridge_defects());
-                }
+            }
+            if settings.without_defects {
+                defects.extend(stretch.bridge_defects());
+            } else if !settings.bands.is_empty() {
+                defects.extend(stretch.clone().bridge_defects());
             }
             progress();
         }
