@@ -1,7 +1,9 @@
 //! Numbers that only mark a missing value.
 
 /// What programs write where there is no value, without its sign.
-const MARKS: [f64; 11] = [
+const MARKS: [f64; 16] = [
+    99.9,
+    99.99,
     999.0,
     999.25,
     999.9,
@@ -9,8 +11,11 @@ const MARKS: [f64; 11] = [
     9999.0,
     9999.9,
     9999.99,
+    32_767.0,
     32_768.0,
+    65_535.0,
     99_999.0,
+    2_147_483_647.0,
     2_147_483_648.0,
     1e30,
 ];
@@ -30,13 +35,8 @@ pub struct Marked {
 #[inline]
 pub fn is_mark(value: f64) -> bool {
     // Of a chainage all values come here.
-    match value.abs() {
-        size if size < 999.0 => false,
-        size if size < 1000.0 => MARKS[..4].contains(&size),
-        size if size < 9999.0 => false,
-        size if size < 10_000.0 => MARKS[4..7].contains(&size),
-        size => MARKS[7..].contains(&size),
-    }
+    let size = value.abs();
+    size >= MARKS[0] && MARKS.contains(&size)
 }
 
 /// The marks of missing values in a column: numbers of the list above that stand off all others, by more than half of what
@@ -83,13 +83,15 @@ mod tests {
 
     #[test]
     fn only_what_stands_off_is_a_mark() {
-        let mut heights = [1.5, -9999.0, 2.5, -32_768.0, 1.0];
+        let mut heights = [1.5, -9999.0, 2.5, -32_768.0, 1.0, 32_767.0, -99.99];
         let marked = leave_out_marks(&mut heights).unwrap();
-        assert_eq!((marked.mark, marked.count, marked.first), (-9999.0, 2, 1));
-        assert!(heights[1].is_nan() && heights[3].is_nan());
+        assert_eq!((marked.mark, marked.count, marked.first), (-9999.0, 4, 1));
+        assert_eq!(heights.iter().filter(|height| height.is_nan()).count(), 4);
         let chainage: Vec<f64> = (9990..=9999).map(f64::from).collect();
         assert_eq!(marks(&chainage), None);
         assert_eq!(marks(&[-800.0, 999.0, 1200.0]), None);
+        // A dip of 99.9 µm has shallower heights beside it.
+        assert_eq!(marks(&[2.0, -61.3, -99.9, -72.5, -3.0]), None);
         assert_eq!(marks(&[-9999.0, f64::NAN]), None);
     }
 }
