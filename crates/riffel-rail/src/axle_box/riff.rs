@@ -6,6 +6,9 @@ use std::path::Path;
 
 /// Size of a chunk that its writer did not know, or that another chunk tells.
 const UNKNOWN: u64 = u32::MAX as u64;
+/// Sizes of a chunk that goes beyond the end of the file from which it is taken to be unknown: the largest of 31 bits, from which
+/// SoX and others take their heads.
+const LARGEST: std::ops::RangeInclusive<u64> = 0x7fff_e000..=0x8000_0000;
 /// Samples by which a file with fewer bits than its samples have room for shows where they lie.
 const LOOKED_AT: usize = 1 << 14;
 
@@ -54,8 +57,9 @@ impl Wave {
     /// Read the head.
     ///
     /// Chunks of odd length have a byte behind them, which some writers forget. The size of the samples of a file of more
-    /// than 4 GB stands in a chunk before (RF64, EBU Tech 3306; BW64, ITU-R BS.2088); a size of nought or of all bits
-    /// is that of a writer who could not go back: the samples go to the end of the file.
+    /// than 4 GB stands in a chunk before (RF64, EBU Tech 3306; BW64, ITU-R BS.2088); a size of nought, of all bits, of all but
+    /// those of a head or near 2 GB where the file is shorter is that of a writer who could not go back: the samples go to the
+    /// end of the file.
     pub(super) fn open(path: &Path) -> Result<Self, WaveError> {
         let mut file = BufReader::new(File::open(path)?);
         let end = file.seek(SeekFrom::End(0))?;
@@ -82,6 +86,13 @@ impl Wave {
                     let size = match (size, long) {
                         (UNKNOWN, Some(long)) => long,
                         (0 | UNKNOWN, None) => end - start,
+                        // All bits but for the head of the file.
+                        (size, None)
+                            if start + size > end
+                                && (size + start >= UNKNOWN || LARGEST.contains(&size)) =>
+                        {
+                            end - start
+                        }
                         (size, _) => size,
                     };
                     return Self::new(&format, &mut file, start, size, end);

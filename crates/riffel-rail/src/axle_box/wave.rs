@@ -274,13 +274,16 @@ mod tests {
             &[0; 12],
         ]
         .concat();
-        let cases: [(&[u8; 4], &[u8], Option<u32>); 6] = [
+        let cases: [(&[u8; 4], &[u8], Option<u32>); 9] = [
             (b"RIFF", b"LIST\x07\0\0\0INFOabc\0", None),
             (b"RIFF", b"LIST\x07\0\0\0INFOabc", None),
             (b"RF64", &long, Some(u32::MAX)),
             (b"BW64", &long, Some(u32::MAX)),
             (b"RIFF", b"", Some(u32::MAX)),
             (b"RIFF", b"", Some(0)),
+            (b"RIFF", b"", Some(u32::MAX - 36)),
+            (b"RIFF", b"", Some(0x7fff_ffff)),
+            (b"RIFF", b"", Some(0x7fff_f000)),
         ];
         for (mark, before, size) in cases {
             let made = Made {
