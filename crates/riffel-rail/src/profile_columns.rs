@@ -1,6 +1,6 @@
 //! Which columns of a table are the position and the heights of a profile.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 
 use riffel_keys::table::{self, Table, is_one_of, words};
 
@@ -21,32 +21,29 @@ pub(super) struct ProfileTable<'a> {
 impl<'a> ProfileTable<'a> {
     /// `bytes` are those in which the table was found.
     pub(super) fn new(table: &'a Table, bytes: &[u8], layout: &'a Layout) -> Self {
-        Self {
+        let mut found = Self {
             table,
             layout,
             stated: UnitRemarks::of(&table.heading.remarks, table.count()),
             labels: label_columns(table, bytes),
+        };
+        if found.labels.is_empty()
+            && let Some(position) = found.position_and_others().0
+        {
+            found.labels = dividing_column(table, bytes, position)
+                .into_iter()
+                .collect();
         }
+        found
     }
 
     /// The layout of a profile, or why there is none, as a sentence.
     pub(super) fn format(&self) -> Result<ReaderFormat, String> {
         let (table, heading) = (self.table, &self.table.heading);
         let spacing = self.layout.spacing;
-        let mut columns: Vec<usize> = (0..table.count())
-            .filter(|&column| table.kinds[column].is_numeric() && !self.is_no_length(column))
-            .filter(|&column| !is_something_else(table, column))
-            .collect();
-        let is_named = |column: usize| self.is_chainage(column) || heading.is(column, POSITION);
-        let named = columns.iter().position(|&column| is_named(column));
-        let position = match named {
-            Some(place) => Some(columns.remove(place)),
-            None => self
-                .unnamed_position(&columns)
-                .map(|place| columns.remove(place)),
-        };
-        columns.retain(|&column| left_out(table, column).is_none());
-        if position.is_none_or(|column| table.even_step(column).is_none() && named.is_none())
+        let (position, mut columns) = self.position_and_others();
+        columns.retain(|&column| self.left_out(column).is_none());
+        if position.is_none_or(|column| table.even_step(column).is_none() && !self.is_named(column))
             && spacing.is_none()
             && let Some(counter) = self.counter()
         {
@@ -94,6 +91,47 @@ impl<'a> ProfileTable<'a> {
         Ok(format)
     }
 
+    /// The column of positions, if there is one, and the other columns of lengths.
+    fn position_and_others(&self) -> (Option<usize>, Vec<usize>) {
+        let table = self.table;
+        let mut columns: Vec<usize> = (0..table.count())
+            .filter(|&column| table.kinds[column].is_numeric() && !self.is_no_length(column))
+            .filter(|&column| !is_something_else(table, column))
+            .collect();
+        let named = columns.iter().position(|&column| self.is_named(column));
+        let place = named.or_else(|| self.unnamed_position(&columns));
+        (place.map(|place| columns.remove(place)), columns)
+    }
+
+    /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside columns of lengths.
+    fn left_out(&self, column: usize) -> Option<&'static str> {
+        const COMPUTED: &str =
+            "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|rms";
+        let (table, heading) = (self.table, &self.table.heading);
+        left_out(table, column).or_else(|| {
+            let mut others = self.position_and_others().1;
+            others.retain(|&other| {
+                other != column
+                    && left_out(table, other).is_none()
+                    && heading.foreign_unit_of(other).is_none()
+            });
+            let beside = |is: &dyn Fn(usize) -> bool| others.iter().any(|&other| is(other));
+            if heading.foreign_unit_of(column).is_some()
+                && beside(&|other| heading.unit_of(other).is_some())
+            {
+                return Some("its unit is no length");
+            }
+            let is_computed = |column: usize| heading.is(column, COMPUTED);
+            (is_computed(column) && beside(&|other| !is_computed(other)))
+                .then_some("it is computed from other columns")
+        })
+    }
+
+    /// Whether a column is a position by its head or the form of its numbers.
+    fn is_named(&self, column: usize) -> bool {
+        self.is_chainage(column) || self.table.heading.is(column, POSITION)
+    }
+
     /// Whether a column tells records apart or only numbers the rows.
     fn is_no_length(&self, column: usize) -> bool {
         self.labels.contains(&column) || self.table.is_index(column)
@@ -135,6 +173,13 @@ impl<'a> ProfileTable<'a> {
             }
             let (what, option) = kind.words();
             if let Some(foreign) = heading.foreign_unit_of(column) {
+                if foreign.eq_ignore_ascii_case("dB") {
+                    return Err(format!(
+                        "column {}, \"{}\", holds levels, beside which there must be a column of wavelengths, as wavelength_mm",
+                        column + 1,
+                        heading.name(column).unwrap_or_default()
+                    ));
+                }
                 return Err(format!(
                     "the head of column {}, \"{}\", gives {foreign} as the unit of the {what}, which is no length known \
                      here; convert the column, or give {option}",
@@ -199,7 +244,7 @@ impl<'a> ProfileTable<'a> {
             if is_read || self.labels.contains(&column) || !self.table.kinds[column].is_numeric() {
                 return None;
             }
-            let why = match left_out(self.table, column) {
+            let why = match self.left_out(column) {
                 Some(why) => why,
                 None if self.table.is_index(column) => "it numbers the rows",
                 None => "it is neither a position nor a height",
@@ -244,14 +289,16 @@ impl<'a> ProfileTable<'a> {
 const POSITION: &str = "position|pos|chainage|station|distance|dist|abscissa|location|kilometre|kilometer|mileage|weg|\
                         strecke|pk|x|s|km|way|abszisse|abscisse|kilometrierung";
 const IGNORED: &str = "index|sample|samples|nr|no|number|id|time|zeit|speed|date|temperature|latitude|longitude|lat|lon|\
-                        event|velocity|geschwindigkeit|temperatur|datum|uhrzeit|lfd";
+                        event|velocity|geschwindigkeit|temperatur|datum|uhrzeit|lfd|temp|température|temperatura|vitesse|\
+                        velocidad|velocità|alt|altitude|elevation|acc|acceleration|beschleunigung|gyro|quality|flag";
 /// Units of columns that hold something else.
 const OTHER_UNITS: [&str; 9] = [
     "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
 ];
 /// Words for columns that tell records apart.
 const LABELS: &str = "rail|side|schiene|seite|track|gleis|line|linie|strecke|date|datum|run|lauf|fahrt|record|messung|\
-                        site|ort|section|abschnitt|campaign|kampagne";
+                        site|ort|section|abschnitt|campaign|kampagne|côté|cote|voie|carril|lado|vía|fecha|rotaia|binario|\
+                        lato|spoor|spoorstaaf|zijde|szyna|kolejnice";
 
 /// Whether the head of a column names neither a position nor a height.
 fn is_something_else(table: &Table, column: usize) -> bool {
@@ -274,7 +321,8 @@ pub(super) fn left_out_sentence(column: usize, name: &str, why: &str) -> String 
 /// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.
 fn left_out(table: &Table, column: usize) -> Option<&'static str> {
     const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|versine|pfeilhöhe|pfeilhoehe|\
-                        twist|verwindung|curvature|krümmung|kruemmung|alignment";
+                        twist|verwindung|curvature|krümmung|kruemmung|alignment|crosslevel|dévers|\
+                        écartement|flèche|peralte|ancho|flecha|alabeo|sopraelevazione|scartamento|freccia|sghembo";
     /// Lines along the head of a rail.
     const LINES: &str = "corner|side|face";
     if table.heading.is(column, GEOMETRY) && !table.heading.is(column, LINES) {
@@ -334,9 +382,73 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
     (0..widest).filter(is_label).collect()
 }
 
+/// The column of text under another head than [`LABELS`] that tells records apart, in whatever language: one of few words
+/// without which positions repeat or go back more often than within each of its words. Remarks on rows do not.
+fn dividing_column(table: &Table, bytes: &[u8], position: usize) -> Option<usize> {
+    /// Rows for each word.
+    const ROWS: usize = 20;
+    let is_text = |&column: &usize| table.kinds[column] == table::Kind::Text;
+    let columns: Vec<usize> = (0..table.count()).filter(is_text).collect();
+    if columns.is_empty() {
+        return None;
+    }
+    // Last position of each word, and steps that do not rise and that do.
+    let mut last: Vec<BTreeMap<String, f64>> = vec![BTreeMap::new(); columns.len() + 1];
+    let mut steps = vec![[0usize; 2]; columns.len() + 1];
+    let (mut rows, mut is_whole) = (0, vec![true; columns.len() + 1]);
+    for row in table::rows(
+        bytes,
+        table.header_lines,
+        table.delimiter,
+        Some(table.decimal),
+    ) {
+        let Some(here) = row.value(position).filter(|here| !here.is_nan()) else {
+            continue;
+        };
+        rows += 1;
+        let words = columns.iter().map(|&column| row.text(column));
+        for (index, word) in [String::new()].into_iter().chain(words).enumerate() {
+            is_whole[index] &= index == 0 || !word.is_empty() && !word.contains(':');
+            if last[index].len() > rows / ROWS + 2 {
+                is_whole[index] = false;
+            } else if let Some(before) = last[index].insert(word, here) {
+                steps[index][usize::from(here > before)] += 1;
+            }
+        }
+    }
+    let against = |index: usize| steps[index][0].min(steps[index][1]);
+    let mut divides = (1..=columns.len()).filter(|&index| {
+        let words = last[index].len();
+        let few = (2..=(rows / ROWS).max(2)).contains(&words);
+        is_whole[index] && few && against(index) < against(0)
+    });
+    divides.next().map(|index| columns[index - 1])
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// A text column under a head that no list has tells records apart where positions repeat or go back without it; a remark
+    /// on rows does not.
+    #[test]
+    fn words_tell_records_apart_where_positions_go_back() {
+        let row = |word: &str, n: i32| format!("{word};{:.3};{}.5\n", 0.001 * f64::from(n), n % 7);
+        let one_by_one: String = ["vas", "oikea"]
+            .iter()
+            .flat_map(|word| (0..200).map(|n| row(word, n)))
+            .collect();
+        let in_turn: String = (0..200)
+            .flat_map(|n| ["vas", "oikea"].map(|word| row(word, n)))
+            .collect();
+        let remarks: String = (0..400)
+            .map(|n| row(if n % 90 > 80 { "hitsi" } else { "ok" }, n))
+            .collect();
+        let labels = |rows: &str| format(&format!("kisko;x [m];z [um]\n{rows}")).labels;
+        assert_eq!(labels(&one_by_one), [1]);
+        assert_eq!(labels(&in_turn), [1]);
+        assert_eq!(labels(&remarks), [0; 0]);
+    }
 
     fn format(text: &str) -> ReaderFormat {
         let table = Table::find(text.as_bytes()).unwrap();
@@ -373,6 +485,37 @@ mod tests {
             (&format.rails[0].name[..], &format.labels[..]),
             ("left rail", &[2][..])
         );
+    }
+
+    /// Other channels of a trolley are no rails, and what is computed of rails is none beside them.
+    #[test]
+    fn other_channels_are_no_rails() {
+        let rails = |head: &str| {
+            let rows: String = (0..60)
+                .map(|n| {
+                    format!(
+                        "{:.3},{}.5,{}.25,{}.5\n",
+                        0.001 * f64::from(n),
+                        n % 7,
+                        n % 5,
+                        n % 3
+                    )
+                })
+                .collect();
+            let format = format(&format!("{head}\n{rows}"));
+            let rails: Vec<usize> = format.rails.iter().map(|rail| rail.column).collect();
+            rails
+        };
+        for (head, wanted) in [
+            ("x_m,left_um,temp_degC,alt_m", &[2][..]),
+            ("x_m,left_um,crosslevel,twist3m", &[2]),
+            ("x_m,left_um,right_um,acc_g", &[2, 3]),
+            ("x_m,left_um,right_um,mean_um", &[2, 3]),
+            ("x_m,left_um,tilt_deg,diff_um", &[2]),
+            ("x_m,left mean um,right mean um,humidity_pct", &[2, 3]),
+        ] {
+            assert_eq!(rails(head), wanted, "{head}");
+        }
     }
 
     #[test]

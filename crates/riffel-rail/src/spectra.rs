@@ -16,7 +16,8 @@ use crate::profile_columns::{is_statistic, left_out_sentence};
 use crate::refusal::Refusal;
 
 /// Names of the column of wavelengths.
-const WAVELENGTH: &str = "wavelength|lambda|λ|wellenlaenge|wellenlänge";
+const WAVELENGTH: &str =
+    "wavelength|lambda|λ|wellenlaenge|wellenlänge|longueur|longitud|lunghezza|golflengte";
 /// Names of the column of levels.
 const LEVEL: &str = "level|db|pegel|niveau|roughness";
 /// Names of what lies about the levels of a rail, and is none where there are others.

@@ -24,7 +24,8 @@ const LENGTHS: [(&str, &str); 12] = [
     ("mil", "mil|mils|thou|thous"),
 ];
 /// Units of other things at the end of a name, as in "t_s".
-const AT_THE_END: &str = "s|sec|ms|min|hz|khz|db|dba|deg|rad|rpm|kmh|mph|kph|pa|upa";
+const AT_THE_END: &str =
+    "s|sec|ms|min|hz|khz|db|dba|deg|rad|rpm|kmh|mph|kph|pa|upa|g|degc|degf|pct|percent";
 /// Units that are no other word.
 const ALWAYS: &str = "furlong|furlongs|fuss|fuß|hm|hectometre";
 
