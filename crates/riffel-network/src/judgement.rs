@@ -4,6 +4,7 @@ use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
+use crate::sections::LONGEST_PLACE;
 use crate::store::in_words;
 use crate::{NetworkError, Section, Store};
 
@@ -18,6 +19,8 @@ pub struct Judgement {
     limits: Vec<Option<f64>>,
     /// Share of a section that may be over its limit.
     pub(crate) share: f64,
+    /// Length of a cell \[m\].
+    resolution: f64,
 }
 
 /// What makes a section rough.
@@ -28,6 +31,8 @@ pub enum DefectKind {
     Corrugation,
     /// Joints, welds or squats of at most 2 m: they are mended one by one.
     SinglePlaces,
+    /// One or the other: its cells are too long to tell.
+    JointsOrCorrugation,
 }
 
 impl DefectKind {
@@ -36,6 +41,7 @@ impl DefectKind {
         match self {
             Self::Corrugation => "corrugation",
             Self::SinglePlaces => "single places",
+            Self::JointsOrCorrugation => "joints or corrugation",
         }
     }
 }
@@ -48,14 +54,17 @@ pub(crate) struct SectionInBand {
     pub(crate) ratio: f64,
     /// The same without single places.
     pub(crate) lasting: f64,
+    /// Whether cells are short enough to tell these.
+    tells_places: bool,
 }
 
 impl SectionInBand {
     /// What makes it rough; none where it is within its limit.
     pub(crate) fn kind(&self) -> Option<DefectKind> {
-        (self.ratio > 1.0).then_some(match self.lasting > 1.0 {
-            true => DefectKind::Corrugation,
-            false => DefectKind::SinglePlaces,
+        (self.ratio > 1.0).then_some(match (self.tells_places, self.lasting > 1.0) {
+            (false, _) => DefectKind::JointsOrCorrugation,
+            (true, true) => DefectKind::Corrugation,
+            (true, false) => DefectKind::SinglePlaces,
         })
     }
 }
@@ -89,6 +98,22 @@ impl Judgement {
             bands,
             limits,
             share: limit.share(),
+            resolution: store.resolution()?,
+        })
+    }
+
+    fn tells_places(&self) -> bool {
+        self.resolution <= LONGEST_PLACE
+    }
+
+    /// That cells are too long to tell joints from corrugation, and what to do.
+    pub fn remark(&self) -> Option<String> {
+        (!self.tells_places()).then(|| {
+            format!(
+                "cells of {} m do not tell joints, welds and squats from corrugation: blocks of {LONGEST_PLACE} m or less do, \
+                 as of riffel roughness --block \"1 m\", in a new store",
+                self.resolution
+            )
         })
     }
 
@@ -115,6 +140,7 @@ impl Judgement {
                 ratio,
                 // Where nothing is left, nothing lasts.
                 lasting: if lasting.is_finite() { lasting } else { 0.0 },
+                tells_places: self.tells_places(),
             })
         })
     }

@@ -126,7 +126,7 @@ pub fn plan(
             rule: "between 0 and 1200".to_owned(),
         });
     }
-    let mut remarks = Vec::new();
+    let mut remarks: Vec<String> = judgement.remark().into_iter().collect();
     // A line by line and section by section: the worse rail.
     let mut sections: BTreeMap<Key, f64> = BTreeMap::new();
     let mut worse = |line: &str, from: f64, ratio: f64| {

@@ -9,9 +9,10 @@ use crate::store::{ROWS, Store};
 const ENOUGH: f64 = 0.5;
 /// Share of a section that may be rougher than what it is judged by, where no limit says another.
 const SHARE: f64 = 0.05;
-/// Longest single place, as a joint, a weld or a squat has it \[m\], and how far it stands out of its section: corrugation of the
-/// shortest waves lasts for tens of them.
-const SINGLE: (f64, f64) = (2.0, 2.0);
+/// Longest single place, as a joint, a weld or a squat has it \[m\]: corrugation of the shortest waves lasts for tens of them.
+pub(crate) const LONGEST_PLACE: f64 = 2.0;
+/// How far it stands out of its section.
+const STANDS_OUT: f64 = 2.0;
 
 /// A section of a rail.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +25,8 @@ pub struct Section {
     pub to: f64,
     /// RMS in each band \[m\]; NaN where less than half of the section is known.
     pub rms: Vec<f64>,
+    /// The same with the cell before and the cell behind the section: a place that an odometer moves over one end is in both.
+    pub(crate) rms_around: Vec<f64>,
     /// RMS of its cells in each band \[m\] that no more than a share of them exceed: by this a section is over its limit or
     /// within.
     pub exceeded: Vec<f64>,
@@ -79,7 +82,9 @@ impl Sections {
         let mut cells: Vec<Vec<f64>> = vec![Vec::new(); bands];
         let mut present = i64::MIN;
         let enough = ENOUGH * (length / resolution).max(1.0);
-        let mut close = |index: i64, cells: &mut [Vec<f64>]| {
+        // The last cell of the section before.
+        let mut before: Vec<f64> = vec![f64::NAN; bands];
+        let mut close = |index: i64, cells: &mut [Vec<f64>], behind: &[f64]| {
             let of = |value: &dyn Fn(&[f64]) -> f64| -> Vec<f64> {
                 let bands = cells.iter();
                 bands
@@ -92,13 +97,12 @@ impl Sections {
                     })
                     .collect()
             };
-            let rms = of(&|cells| {
-                let known = cells.iter().filter(|rms| rms.is_finite());
-                let (sum, count): (f64, f64) = known.fold((0.0, 0.0), |(sum, count), rms| {
-                    (sum + rms * rms, count + 1.0)
-                });
-                (sum / count).sqrt()
+            let rms = of(&|cells| root_mean_square(cells.iter()));
+            let with_ends = cells.iter().zip(before.iter().zip(behind));
+            let rms_around = with_ends.map(|(cells, (before, behind))| {
+                root_mean_square(cells.iter().chain([before, behind]))
             });
+            let rms_around = rms_around.collect();
             if rms.iter().any(|value| value.is_finite()) {
                 let from = index as f64 * length;
                 sections.push(Section {
@@ -106,11 +110,15 @@ impl Sections {
                     from,
                     to: from + length,
                     rms,
+                    rms_around,
                     exceeded: of(&|cells| exceeded(cells.to_vec(), share)),
                     lasting: of(&|cells| exceeded(lasting(cells, resolution), share)),
                 });
             }
-            cells.iter_mut().for_each(Vec::clear);
+            for (before, cells) in before.iter_mut().zip(cells) {
+                *before = cells.last().copied().unwrap_or(f64::NAN);
+                cells.clear();
+            }
         };
         for chunk in 0..survey.cells.div_ceil(ROWS) {
             let Some(values) = store.chunk(survey, rail, bands, chunk)? else {
@@ -124,7 +132,7 @@ impl Sections {
                 let index = index.max(present);
                 if index != present {
                     if present != i64::MIN {
-                        close(present, &mut cells);
+                        close(present, &mut cells, cell);
                     }
                     present = index;
                 }
@@ -134,13 +142,22 @@ impl Sections {
             }
         }
         if present != i64::MIN {
-            close(present, &mut cells);
+            close(present, &mut cells, &vec![f64::NAN; bands]);
         }
         Ok(Self {
             rail: rail.name.clone(),
             sections,
         })
     }
+}
+
+/// Of what is known.
+fn root_mean_square<'a>(cells: impl Iterator<Item = &'a f64>) -> f64 {
+    let known = cells.filter(|rms| rms.is_finite());
+    let (sum, count): (f64, f64) = known.fold((0.0, 0.0), |(sum, count), rms| {
+        (sum + rms * rms, count + 1.0)
+    });
+    (sum / count).sqrt()
 }
 
 /// The value that no more than a share of those known exceed: over a limit where more of them are.
@@ -161,8 +178,8 @@ fn lasting(cells: &[f64], resolution: f64) -> Vec<f64> {
         .collect();
     sorted.sort_by(f64::total_cmp);
     let usual = sorted.get(sorted.len() / 2).copied().unwrap_or(f64::NAN);
-    let longest = (SINGLE.0 / resolution * (1.0 + 1e-9)).floor() as usize;
-    let stands_out = |rms: &f64| *rms > SINGLE.1 * usual;
+    let longest = (LONGEST_PLACE / resolution * (1.0 + 1e-9)).floor() as usize;
+    let stands_out = |rms: &f64| *rms > STANDS_OUT * usual;
     let runs = cells.chunk_by(|one, other| stands_out(one) == stands_out(other));
     let kept = runs.filter(|run| run.len() > longest || !run.first().is_some_and(stands_out));
     kept.flatten().copied().collect()

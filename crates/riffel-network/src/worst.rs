@@ -107,7 +107,7 @@ pub fn worst(
 /// Keep the worst; equal ones stay in the order of lines and places.
 fn first(places: &mut Vec<WorstPlace>, most: usize) {
     let class = |place: &WorstPlace| match place.kind {
-        Some(DefectKind::Corrugation) => 0,
+        Some(DefectKind::Corrugation | DefectKind::JointsOrCorrugation) => 0,
         Some(DefectKind::SinglePlaces) => 1,
         None => 2,
     };

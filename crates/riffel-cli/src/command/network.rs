@@ -32,6 +32,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             let most = arguments.most as usize;
             let found = worst(&store, &judgement, section, until.transpose()?, most)?;
             say(arguments.judged.json, &found, || worst_in_words(&found))?;
+            print_remarks(judgement.remark().as_slice());
             tell_left_out(&store)
         }
         NetworkCommand::Growth(arguments) => {
@@ -43,6 +44,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             let mut found = growth(&store, &judgement, section, between)?;
             found.truncate(arguments.most as usize);
             say(arguments.judged.json, &found, || growth_in_words(&found))?;
+            print_remarks(judgement.remark().as_slice());
             print_remarks(&rails_without_growth(&store, between)?);
             tell_left_out(&store)
         }
