@@ -513,23 +513,23 @@ impl ForecastAnswer {
 }
 
 impl ForecastHorizon {
-    /// `Ok` for a number that is finite and positive.
+    /// `Ok` for a number above zero and below what no rail lives to see: a century, and the traffic of a thousand.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for any other.
     pub fn check(self) -> Result<(), AnswerError> {
-        let (argument, value) = match self {
-            Self::Passages(passages) => ("--passages", passages),
-            Self::MillionGrossTonnes(mgt) => ("--mgt", mgt),
-            Self::Months(months) => ("--months", months),
+        let (argument, value, most) = match self {
+            Self::Passages(passages) => ("--passages", passages, 1e12),
+            Self::MillionGrossTonnes(mgt) => ("--mgt", mgt, 1e6),
+            Self::Months(months) => ("--months", months, 1200.0),
         };
-        if value.is_finite() && value > 0.0 {
+        if value > 0.0 && value <= most {
             return Ok(());
         }
         Err(AnswerError::Argument {
             argument,
             value: value.to_string(),
-            rule: "finite and greater than zero".to_owned(),
+            rule: format!("above zero and at most {most}"),
         })
     }
 

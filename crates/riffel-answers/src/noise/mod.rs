@@ -25,6 +25,7 @@ pub use measure::Measure;
 pub use sources::without_decay;
 pub(crate) use tables::name_of;
 
+use crate::forecast::ForecastHorizon;
 use crate::{Answer, AnswerError, Table, parameters};
 
 /// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
@@ -152,13 +153,9 @@ impl NoiseQuestion {
             );
             return wrong("--train-length", format!("{} m", self.length()), rule);
         }
-        match self.traffic.as_ref().map(|_| self.months) {
-            Some(months) if !(months.is_finite() && months > 0.0) => wrong(
-                "--months",
-                months.to_string(),
-                "finite and greater than zero".to_owned(),
-            ),
-            _ => Ok(()),
+        match self.traffic {
+            Some(_) => ForecastHorizon::Months(self.months).check(),
+            None => Ok(()),
         }
     }
 
