@@ -81,6 +81,34 @@ pub fn growth(
     length: f64,
     between: Option<[Date; 2]>,
 ) -> Result<Vec<SectionGrowth>, NetworkError> {
+    let mut sections: Vec<SectionGrowth> = Vec::new();
+    for section in growth_by_band(store, judgement, length, between)? {
+        // Of a section, the band that comes first; they stand one behind the other.
+        let is_same = |other: &&mut SectionGrowth| {
+            other.line == section.line
+                && other.rail == section.rail
+                && other.from_m == section.from_m
+        };
+        match sections.last_mut().filter(is_same) {
+            Some(other) if order(&section, other).is_lt() => *other = section,
+            Some(_) => {}
+            None => sections.push(section),
+        }
+    }
+    sections.sort_by(order);
+    Ok(sections)
+}
+
+/// Each section in each band, line by line, rail by rail and place by place.
+///
+/// # Errors
+/// As [`growth`].
+pub(crate) fn growth_by_band(
+    store: &Store,
+    judgement: &Judgement,
+    length: f64,
+    between: Option<[Date; 2]>,
+) -> Result<Vec<SectionGrowth>, NetworkError> {
     let lines = chosen(store, between)?;
     if lines.is_empty() {
         return Err(NetworkError::Nothing(
@@ -91,9 +119,7 @@ pub fn growth(
         .par_iter()
         .map(|surveys| of_line(store, judgement, length, surveys))
         .collect();
-    let mut sections: Vec<SectionGrowth> = found?.into_iter().flatten().collect();
-    sections.sort_by(order);
-    Ok(sections)
+    Ok(found?.into_iter().flatten().collect())
 }
 
 /// Sections of a rail at every survey that has them, with the number of the survey.
@@ -123,7 +149,7 @@ fn over_time(
     Ok(sections)
 }
 
-/// The sections of a line.
+/// The sections of a line, band by band.
 fn of_line(
     store: &Store,
     judgement: &Judgement,
@@ -198,54 +224,38 @@ fn of_line(
     }
     let trends: Vec<Trend> = grown.iter().map(|(trend, _)| trend.clone()).collect();
     let scatter = scatter(&trends);
-    let mut sections: Vec<SectionGrowth> = Vec::new();
-    for (trend, mut section) in grown {
+    let sections = grown.into_iter().map(|(trend, mut section)| {
         section.growth_error_db_per_year = trend.growth().map(|_| trend.growth_error(scatter));
         let left = -20.0 * section.rms_over_limit.log10();
         section.months_to_limit = match left <= 0.0 {
             true => Some(0.0),
             false => section.certain().map(|growth| 12.0 * left / growth),
         };
-        // Of a section, the band that comes first; they stand one behind the other.
-        let is_same = |other: &&mut SectionGrowth| {
-            other.rail == section.rail && other.from_m == section.from_m
-        };
-        match sections.last_mut().filter(is_same) {
-            Some(other) if order(&section, other).is_lt() => *other = section,
-            Some(_) => {}
-            None => sections.push(section),
-        }
-    }
-    Ok(sections)
+        section
+    });
+    Ok(sections.collect())
 }
 
-/// The number of each survey that knows a section in a band, and its RMS \[m\]: of the section itself and of the same with a cell
-/// more at either end that which changes less from survey to survey, for a weld near an end is in it or out of it by half a cell.
+/// The number of each survey that knows a section in a band, and its RMS \[m\]. Of a section that changes twice as much from survey to
+/// survey as it does with a cell more at an end the latter counts: a weld near that end is in it or out of it by half a cell.
 fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
     let known = |rms: &dyn Fn(&Section) -> f64| -> Vec<(usize, f64)> {
         let all = of_place
             .iter()
-            .map(|(number, section)| (*number, rms(section)));
-        all.filter(|(number, rms)| {
-            *rms > 0.0
-                && of_place
-                    .iter()
-                    .any(|(own, of)| own == number && of.rms[band] > 0.0)
-        })
-        .collect()
+            .filter(|(_, section)| section.rms[band] > 0.0);
+        all.map(|(number, section)| (*number, rms(section)))
+            .collect()
     };
     let changes = |of: &[(usize, f64)]| -> f64 {
-        of.windows(2)
-            .map(|pair| (pair[1].1 / pair[0].1).ln().abs())
-            .sum()
+        let pairs = of.windows(2);
+        pairs.map(|pair| (pair[1].1 / pair[0].1).ln().abs()).sum()
     };
-    let (own, around) = (
-        known(&|section| section.rms[band]),
-        known(&|section| section.rms_around[band]),
-    );
-    match around.len() == own.len() && changes(&around) < changes(&own) {
-        true => around,
-        false => own,
+    let own = known(&|section| section.rms[band]);
+    let around = (0..3).map(|ends| known(&|section| section.rms_around[band][ends]));
+    let steadiest = around.min_by(|one, other| changes(one).total_cmp(&changes(other)));
+    match steadiest {
+        Some(around) if changes(&around) < 0.5 * changes(&own) => around,
+        _ => own,
     }
 }
 

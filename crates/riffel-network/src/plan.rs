@@ -4,9 +4,10 @@ use std::collections::{BTreeMap, BTreeSet};
 
 use serde::Serialize;
 
+use crate::growth::growth_by_band;
 use crate::judgement::DefectKind;
 use crate::most_track::{OverLimit, brought_below, most_track};
-use crate::{Judgement, NetworkError, SectionGrowth, Store, growth, rails_without_growth, worst};
+use crate::{Judgement, NetworkError, SectionGrowth, Store, rails_without_growth, worst};
 
 /// What may be spent, in any currency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -146,7 +147,7 @@ pub fn plan(
         }
     }
     if months > 0.0 {
-        match growth(store, judgement, length, None) {
+        match growth_by_band(store, judgement, length, None) {
             Ok(grown) => {
                 grown.iter().for_each(|section: &SectionGrowth| {
                     worse(&section.line, section.from_m, section.lasting_after(months));

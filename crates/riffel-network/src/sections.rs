@@ -25,8 +25,8 @@ pub struct Section {
     pub to: f64,
     /// RMS in each band \[m\]; NaN where less than half of the section is known.
     pub rms: Vec<f64>,
-    /// The same with the cell before and the cell behind the section: a place that an odometer moves over one end is in both.
-    pub(crate) rms_around: Vec<f64>,
+    /// The same with the cell before, with the cell behind and with both: a place that an odometer moves over an end is in it then.
+    pub(crate) rms_around: Vec<[f64; 3]>,
     /// RMS of its cells in each band \[m\] that no more than a share of them exceed: by this a section is over its limit or
     /// within.
     pub exceeded: Vec<f64>,
@@ -98,11 +98,13 @@ impl Sections {
                     .collect()
             };
             let rms = of(&|cells| root_mean_square(cells.iter()));
-            let with_ends = cells.iter().zip(before.iter().zip(behind));
-            let rms_around = with_ends.map(|(cells, (before, behind))| {
-                root_mean_square(cells.iter().chain([before, behind]))
+            let ends = before.iter().zip(behind);
+            let with_ends = cells.iter().zip(ends).map(|(cells, (before, behind))| {
+                let with =
+                    |ends: &[&f64]| root_mean_square(cells.iter().chain(ends.iter().copied()));
+                [with(&[before]), with(&[behind]), with(&[before, behind])]
             });
-            let rms_around = rms_around.collect();
+            let rms_around = with_ends.collect();
             if rms.iter().any(|value| value.is_finite()) {
                 let from = index as f64 * length;
                 sections.push(Section {

@@ -7,8 +7,9 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::alignment::Alignment;
+use crate::growth::growth_by_band;
 use crate::judgement::DefectKind;
-use crate::{Judgement, NetworkError, Sections, Store, growth};
+use crate::{Judgement, NetworkError, Sections, Store};
 
 /// A section that is rough.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -31,7 +32,7 @@ pub struct WorstPlace {
     pub rms_over_limit: f64,
     /// What makes it rough, where it is over its limit.
     pub kind: Option<DefectKind>,
-    /// By how much it grows \[dB a year\], where surveys show it.
+    /// By how much it grows in that band \[dB a year\], where surveys show it.
     pub growth_db_per_year: Option<f64>,
 }
 
@@ -54,22 +55,24 @@ pub fn worst(
         .iter()
         .flat_map(|survey| survey.rails.iter().map(move |rail| (survey, rail)))
         .collect();
-    let grown = match growth(store, judgement, length, until.map(|day| [Date::MIN, day])) {
+    let grown = match growth_by_band(store, judgement, length, until.map(|day| [Date::MIN, day])) {
         Ok(grown) => grown,
         Err(NetworkError::Nothing(_)) => Vec::new(),
         Err(error) => return Err(error),
     };
-    let key = |line: &str, rail: &str, from: f64| {
+    let key = |line: &str, rail: &str, from: f64, band: [f64; 2]| {
         (
             line.to_owned(),
             rail.to_owned(),
             (from / length).round() as i64,
+            band.map(f64::to_bits),
         )
     };
-    let grown: HashMap<(String, String, i64), f64> = grown
-        .iter()
-        .filter_map(|one| Some((key(&one.line, &one.rail, one.from_m), one.certain()?)))
-        .collect();
+    let grown = grown.iter().filter_map(|one| {
+        let key = key(&one.line, &one.rail, one.from_m, one.band_m);
+        Some((key, one.certain()?))
+    });
+    let grown: HashMap<_, f64> = grown.collect();
     let found: Result<Vec<Vec<WorstPlace>>, NetworkError> = rails
         .par_iter()
         .map(|(survey, rail)| {
@@ -80,14 +83,15 @@ pub fn worst(
                 .into_iter()
                 .filter_map(|section| {
                     let found = judgement.worst(&section)?;
-                    let growth = grown.get(&key(&survey.line, &rail.name, section.from));
+                    let band_m = judgement.ends(found.band);
+                    let growth = grown.get(&key(&survey.line, &rail.name, section.from, band_m));
                     Some(WorstPlace {
                         line: survey.line.clone(),
                         date: survey.date.to_string(),
                         rail: rail.name.clone(),
                         from_m: section.from,
                         to_m: section.to,
-                        band_m: judgement.ends(found.band),
+                        band_m,
                         rms_m: section.rms[found.band],
                         rms_over_limit: found.ratio,
                         kind: found.kind(),

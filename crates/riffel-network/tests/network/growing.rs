@@ -121,6 +121,44 @@ fn welds_that_come_over_the_end_of_a_section_do_not_grow() -> Result<(), Network
     Ok(())
 }
 
+/// A section over its limit in a band that does not grow, with corrugation in another that will be far over it in a year, is ground before
+/// one that is and stays farther over it than the first.
+#[test]
+fn the_band_that_grows_is_planned_for() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    for (date, level) in [("2024-07-01", 3.2), ("2025-07-01", 6.4)] {
+        let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um,rms_100_to_300_mm_um\n".to_owned();
+        for from in 0..1000 {
+            let (short, long) = match from / 100 {
+                2 => (level, 8.0),
+                6 => (1.0, 9.0),
+                _ => (1.0, 1.0),
+            };
+            text += &format!("left,{from},{},{short},{long}\n", from + 1);
+        }
+        let path = folder.path().join(format!("{date}.csv"));
+        std::fs::write(&path, text).unwrap();
+        take(&store, "A", date, &SurveyFile::check(&path).unwrap());
+    }
+    let judgement = grassie(&store);
+    let budget = Budget::of_length(100.0);
+    let found = plan(&store, &judgement, 100.0, 12.0, &budget, Aim::WorstFirst)?;
+    let sites: Vec<f64> = found.sites.iter().map(|site| site.from_m).collect();
+    assert_eq!(sites, [200.0]);
+    // 6.4 µm grow to 12.8, and are now within 7.
+    let ratio = found.sites[0].rms_over_limit;
+    assert!((ratio / (12.8 / 7.0) - 1.0).abs() < 0.02, "{ratio}");
+    // The band that is told does not grow.
+    let places = worst(&store, &judgement, 100.0, None, 20)?;
+    let told: Vec<_> = places[..2]
+        .iter()
+        .map(|place| (place.from_m, place.growth_db_per_year))
+        .collect();
+    assert_eq!(told, [(600.0, None), (200.0, None)]);
+    Ok(())
+}
+
 /// A trend goes through all dates, from where the rail was ground; a repeated survey tells the scatter, within which nothing grows.
 #[test]
 fn a_trend_goes_through_all_dates() -> Result<(), NetworkError> {
