@@ -1,7 +1,8 @@
 //! Roughness held against limit tables.
 
 use riffel::roughness::{
-    BandSummary, JUDGED_LENGTH, JudgedSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand,
+    BandSummary, JUDGED_LENGTH, JudgedSection, LevelExcess, LevelLimit, RailAnalysis, RmsLimit,
+    Spectrum, ThirdOctave, WavelengthBand,
 };
 use riffel_keys::decimal;
 use riffel_rail::{Limit, LimitTable};
@@ -32,6 +33,9 @@ pub struct Verdict {
     /// Of a table of RMS, the sections of 100 m that are over the limit, the worst first.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sections_over_limit: Vec<SectionOver>,
+    /// Of a table of levels, which are means over the record, the sections of 100 m that are over the limit, the worst first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    sections_over_levels: Vec<SectionOverLevels>,
     /// The verdict in a sentence.
     pub sentence: String,
 }
@@ -44,6 +48,58 @@ pub(crate) struct SectionOver {
     band_m: [f64; 2],
     share_over_limit: f64,
     rms_over_limit: f64,
+}
+
+/// A section whose levels are over a limit.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub(crate) struct SectionOverLevels {
+    from_m: f64,
+    to_m: f64,
+    excess_db: f64,
+    /// Of the band that is farthest over it.
+    wavelength_m: f64,
+}
+
+impl SectionOverLevels {
+    /// Those of a rail, the worst first.
+    fn all(limit: &LevelLimit, analysis: &RailAnalysis) -> Vec<Self> {
+        let sections = analysis.section_spectra.iter().filter_map(|section| {
+            let compared = limit.compare(&section.spectrum);
+            let worst = worst_band(&compared)?;
+            (worst.excess() > 0.0).then(|| Self {
+                from_m: section.from,
+                to_m: section.to,
+                excess_db: worst.excess(),
+                wavelength_m: worst.band.wavelength(),
+            })
+        });
+        let mut sections: Vec<Self> = sections.collect();
+        sections.sort_by(|one, other| other.excess_db.total_cmp(&one.excess_db));
+        sections
+    }
+
+    /// Where the worst is, where the mean over the record hides it by 3 dB or more.
+    fn in_words(over: &[Self], all: usize, excess: f64) -> String {
+        const HIDDEN: f64 = 3.0;
+        let Some(worst) = over.first().filter(|one| one.excess_db >= excess + HIDDEN) else {
+            return String::new();
+        };
+        let wavelength = ThirdOctave::containing(worst.wavelength_m);
+        format!(
+            "; by themselves {} of {all} sections of {JUDGED_LENGTH:.0} m are over it, at worst {}–{:.0} m by {:.1} dB at {} mm",
+            over.len(),
+            decimal(worst.from_m, 0),
+            worst.to_m,
+            worst.excess_db,
+            wavelength.map_or(0.0, ThirdOctave::nominal_millimetres)
+        )
+    }
+}
+
+/// The band that is farthest over its limit, or nearest to it.
+fn worst_band(compared: &[LevelExcess]) -> Option<&LevelExcess> {
+    let bands = compared.iter();
+    bands.max_by(|a, b| a.excess().total_cmp(&b.excess()))
 }
 
 impl From<&JudgedSection> for SectionOver {
@@ -101,6 +157,7 @@ impl Verdict {
             share_over_limit: None,
             rms_over_limit: None,
             sections_over_limit: Vec::new(),
+            sections_over_levels: Vec::new(),
             limit: table.name.clone(),
             edition: table.edition.clone(),
             source: table.source.clone(),
@@ -136,9 +193,7 @@ impl Verdict {
                 let compared = limit.compare(spectrum);
                 let all = limit.spectrum().levels().len();
                 let over = compared.iter().filter(|band| band.excess() > 0.0);
-                let worst = compared
-                    .iter()
-                    .max_by(|a, b| a.excess().total_cmp(&b.excess()))?;
+                let worst = worst_band(&compared)?;
                 let (excess, wavelength) = (worst.excess(), worst.band.nominal_millimetres());
                 let count = over.count();
                 let measured = match compared.len() {
@@ -151,9 +206,14 @@ impl Verdict {
                 } else {
                     format!("{count} of {measured}, at worst by {excess:.1} dB at {wavelength} mm")
                 };
+                let sections = analysis
+                    .map_or_else(Vec::new, |analysis| SectionOverLevels::all(limit, analysis));
+                let judged = analysis.map_or(0, |analysis| analysis.section_spectra.len());
+                let hidden = SectionOverLevels::in_words(&sections, judged, excess);
                 Some(Self {
                     excess_db: Some(excess),
-                    ..Self::new(table, count == 0, &rest)
+                    sections_over_levels: sections,
+                    ..Self::new(table, count == 0, &(rest + &hidden))
                 })
             }
             Limit::Rms(limit) => Self::by_sections(table, limit, analysis?),
@@ -224,6 +284,40 @@ mod tests {
 
     use super::*;
     use crate::roughness::rms_limit;
+
+    /// 150 m of 5 µm at 50 mm in 6 km are within the limit of levels in the mean, by which the standard judges, and the verdict says that
+    /// by themselves two sections are over it, where and by how much; alone it says nothing more.
+    #[test]
+    fn a_rough_place_is_told_where_the_mean_hides_it() {
+        let limits = [LimitTable::find("iso-3095-2013").unwrap()];
+        let settings = AnalysisSettings::default();
+        let verdict = |length: f64, from: f64| {
+            let height = |n: usize| {
+                let x = 5e-3 * n as f64;
+                let is_rough = (from..from + 150.0).contains(&x);
+                let amplitude = if is_rough { 5e-6 } else { 0.05e-6 };
+                amplitude * (TAU * x / 0.05).sin()
+            };
+            let heights = (0..(length / 5e-3) as usize).map(height).collect();
+            let profile = Profile::new(0.0, 5e-3, heights).unwrap();
+            let analysis = RailAnalysis::new(vec![profile], &settings, &|| ()).unwrap();
+            Verdict::all(&limits, &analysis.spectrum, Some(&analysis)).remove(0)
+        };
+        let long = verdict(6000.0, 1200.0);
+        // 5 µm are 11.0 dB, over 6 km 16.0 dB less; the limit at 50 mm is -1.1 dB.
+        assert!(
+            long.within && (long.excess_db.unwrap() + 3.9).abs() < 0.4,
+            "{long:?}"
+        );
+        let said = "by themselves 2 of 60 sections of 100 m are over it, at worst 1200–1300 m by 12.1 dB at 50 mm";
+        assert!(long.sentence.contains(said), "{long:?}");
+        assert_eq!(long.sections_over_levels.len(), 2);
+        let short = verdict(150.0, 0.0);
+        assert!(
+            !short.within && !short.sentence.contains("themselves"),
+            "{short:?}"
+        );
+    }
 
     /// 12 m at twice the limit in 800 m are 1.5 % of the length, and over it in their section; the sentence says where.
     #[test]

@@ -1,9 +1,12 @@
 //! Everything about the roughness of one rail, in one call.
 
+use rayon::prelude::*;
+
 use super::{
     BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile,
-    RailDefect, RmsLimit, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS, WavelengthBand,
-    grind_sections, level, mean_square, method_a::RecordLevels,
+    RailDefect, RmsLimit, SectionSpectrum, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
+    WavelengthBand, grind_sections, judged_section::pieces, level, mean_square,
+    method_a::RecordLevels,
 };
 use crate::Error;
 
@@ -56,6 +59,8 @@ pub struct RailAnalysis {
     pub defects: Vec<RailDefect>,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
+    /// The levels of each section of 100 m; none where there is one section, or no band is asked for.
+    pub section_spectra: Vec<SectionSpectrum>,
     /// Length of a segment for the longest wavelengths \[m\].
     pub segment_length: f64,
     /// Number of such segments.
@@ -156,6 +161,10 @@ impl RailAnalysis {
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
         let levels = RecordLevels::new(&stretches, settings.longest_wavelength)?;
+        let section_spectra = match settings.bands.is_empty() {
+            true => Vec::new(),
+            false => section_spectra(&stretches, &ends, settings),
+        };
         progress();
         let summaries = settings.bands.iter().zip(&statistics);
         Ok(Self {
@@ -163,6 +172,7 @@ impl RailAnalysis {
             pits,
             defects,
             spectrum: known(levels.spectrum, settings)?,
+            section_spectra,
             segment_length: levels.segment_length,
             segments: levels.segments,
             bands: summaries
@@ -190,6 +200,7 @@ impl RailAnalysis {
             pits,
             defects: Vec::new(),
             spectrum,
+            section_spectra: Vec::new(),
             segment_length,
             segments,
             bands,
@@ -198,6 +209,7 @@ impl RailAnalysis {
             stretches: Vec::new(),
         };
         for part in parts {
+            joined.section_spectra.extend(part.section_spectra);
             joined.defects.extend(part.defects);
             joined.blocks.extend(part.blocks);
             joined.over_limit.extend(part.over_limit);
@@ -229,6 +241,31 @@ impl RailAnalysis {
     pub fn steps(stretches: &[Profile]) -> usize {
         3 * stretches.len() + 1
     }
+}
+
+/// The levels of each section, on all cores; those too short for any are left out.
+fn section_spectra(
+    stretches: &[Profile],
+    ends: &[(f64, f64)],
+    settings: &AnalysisSettings,
+) -> Vec<SectionSpectrum> {
+    let pieces = pieces(ends);
+    if pieces.len() < 2 {
+        return Vec::new();
+    }
+    let levels = |&[from, to]: &[f64; 2]| {
+        let parts = stretches
+            .iter()
+            .filter_map(|stretch| stretch.between(from, to));
+        let parts: Vec<Profile> = parts.collect();
+        let levels = RecordLevels::new(&parts, settings.longest_wavelength).ok()?;
+        Some(SectionSpectrum {
+            from,
+            to,
+            spectrum: known(levels.spectrum, settings).ok()?,
+        })
+    };
+    pieces.par_iter().filter_map(levels).collect()
 }
 
 /// The one-third octaves that the wheel felt from edge to edge; all of a rail's own profile.

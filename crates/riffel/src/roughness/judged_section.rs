@@ -1,6 +1,6 @@
 //! A rail judged piece by piece.
 
-use super::{GrindSection, RailAnalysis, RmsLimit, WavelengthBand};
+use super::{GrindSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand};
 
 /// Length on which a rail is judged \[m\]: the verdict on a place does not depend on how far the record goes on.
 ///
@@ -24,6 +24,18 @@ pub struct JudgedSection {
     pub ratio: f64,
 }
 
+/// The levels of a section.
+#[derive(Debug, Clone, PartialEq)]
+#[must_use]
+pub struct SectionSpectrum {
+    /// First place \[m\].
+    pub from: f64,
+    /// Last place \[m\].
+    pub to: f64,
+    /// Its levels.
+    pub spectrum: Spectrum,
+}
+
 impl JudgedSection {
     /// Whether more of the length is over a limit than it allows: the one definition, by which a network is judged, too.
     pub fn is_over(&self, limit: &RmsLimit) -> bool {
@@ -33,32 +45,9 @@ impl JudgedSection {
 
 impl RailAnalysis {
     /// The sections of the rail, those with the largest share over the limit first.
-    ///
-    /// Sections begin at whole hundreds of metres, as the posts beside a line do. One of which less than half was measured
-    /// is judged with the one before it, the first with the one behind.
     #[must_use]
     pub fn judged_sections(&self) -> Vec<JudgedSection> {
-        let Some((first, last)) = self.ends() else {
-            return Vec::new();
-        };
-        let measured = |from: f64, to: f64| {
-            let own = |&(low, high): &(f64, f64)| (high.min(to) - low.max(from)).max(0.0);
-            self.stretches.iter().map(own).sum::<f64>()
-        };
-        let mut pieces: Vec<[f64; 2]> = Vec::new();
-        let mut from = first;
-        while from < last {
-            let to = ((from / JUDGED_LENGTH + 1e-9).floor() + 1.0) * JUDGED_LENGTH;
-            let to = to.min(last);
-            let is_enough = |from: f64, to: f64| measured(from, to) >= 0.5 * JUDGED_LENGTH;
-            match pieces.last_mut() {
-                Some(piece) if !is_enough(from, to) || !is_enough(piece[0], piece[1]) => {
-                    piece[1] = to;
-                }
-                _ => pieces.push([from, to]),
-            }
-            from = to;
-        }
+        let pieces = pieces(&self.stretches);
         // Those of a band do not overlap.
         let with_limit = self.bands.iter().filter(|band| band.limit.is_some());
         let bands: Vec<(WavelengthBand, Vec<&GrindSection>)> = with_limit
@@ -73,7 +62,7 @@ impl RailAnalysis {
             })
             .collect();
         let judged = pieces.iter().filter_map(|&[from, to]| {
-            let length = measured(from, to);
+            let length = measured(&self.stretches, from, to);
             let of_band = bands.iter().map(|(band, over)| {
                 let first = over.partition_point(|one| one.to <= from);
                 let over = over[first..].iter().take_while(|one| one.from < to);
@@ -97,12 +86,39 @@ impl RailAnalysis {
         judged.sort_by(by_share);
         judged
     }
+}
 
-    /// First and last place \[m\].
-    fn ends(&self) -> Option<(f64, f64)> {
-        let all = self.stretches.iter().copied();
-        all.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)))
+/// Length of the stretches between two places \[m\].
+fn measured(stretches: &[(f64, f64)], from: f64, to: f64) -> f64 {
+    let own = |&(low, high): &(f64, f64)| (high.min(to) - low.max(from)).max(0.0);
+    stretches.iter().map(own).sum()
+}
+
+/// Where sections begin and end \[m\].
+///
+/// They begin at whole hundreds of metres, as the posts beside a line do. One of which less than half was measured is judged with the
+/// one before it, the first with the one behind.
+pub(super) fn pieces(stretches: &[(f64, f64)]) -> Vec<[f64; 2]> {
+    let ends = stretches.iter().copied();
+    let ends = ends.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)));
+    let Some((first, last)) = ends else {
+        return Vec::new();
+    };
+    let mut pieces: Vec<[f64; 2]> = Vec::new();
+    let mut from = first;
+    while from < last {
+        let to = ((from / JUDGED_LENGTH + 1e-9).floor() + 1.0) * JUDGED_LENGTH;
+        let to = to.min(last);
+        let is_enough = |from: f64, to: f64| measured(stretches, from, to) >= 0.5 * JUDGED_LENGTH;
+        match pieces.last_mut() {
+            Some(piece) if !is_enough(from, to) || !is_enough(piece[0], piece[1]) => {
+                piece[1] = to;
+            }
+            _ => pieces.push([from, to]),
+        }
+        from = to;
     }
+    pieces
 }
 
 /// The largest share first, and of equal ones the roughest.
