@@ -362,15 +362,15 @@ pub(crate) struct Point {
     pub(crate) case: CaseArguments,
 
     /// Wavelength, in metres or with its unit.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) wavelength: Asked<Length>,
 
     /// Speed, in m/s or with its unit.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Asked<Speed>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// What the growth rate answers to: its derivative by every quantity of the case, by wavelength and speed.
@@ -384,7 +384,7 @@ pub(crate) struct Point {
 
     /// On discrete supports: growth along a stretch whose supports stand at drawn distances, normal about that of the case with
     /// this standard deviation, at most a quarter of it, and cut at three; 1 to 5 cm are usual.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) spacing_deviation: Option<Quantity<Length>>,
 
     /// Supports of that stretch, 8 to 200 [default: 60].
@@ -416,7 +416,7 @@ pub(crate) struct Map {
     pub(crate) traffic: Option<PathBuf>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// Growth over the bay between two supports as well: maps over a support, in mid-span and of the
@@ -430,23 +430,11 @@ pub(crate) struct Map {
     pub(crate) wheels: bool,
 
     /// Wavelength of the curve over the bay [default: where the mean grows fastest].
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        allow_hyphen_values = true,
-        requires = "bay",
-        requires = "speed"
-    )]
+    #[arg(long, value_name = "LENGTH", requires = "bay", requires = "speed")]
     pub(crate) wavelength: Option<Asked<Length>>,
 
     /// Speed of the curve over the bay.
-    #[arg(
-        long,
-        value_name = "SPEED",
-        allow_hyphen_values = true,
-        requires = "bay",
-        requires = "wavelength"
-    )]
+    #[arg(long, value_name = "SPEED", requires = "bay", requires = "wavelength")]
     pub(crate) speed: Option<Asked<Speed>>,
 
     #[command(flatten)]
@@ -472,11 +460,11 @@ pub(crate) struct Receptance {
     pub(crate) points: u32,
 
     /// Speed of the load, in m/s or with its unit [default: the highest of the map].
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) position: Option<Quantity<Length>>,
 
     /// Direction of force and displacement; wheel and contact are vertical only.
@@ -544,12 +532,7 @@ pub(crate) struct Contact {
     pub(crate) stress: bool,
 
     /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
-    #[arg(
-        long,
-        value_name = "X,Y,Z",
-        requires = "stress",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "X,Y,Z", requires = "stress")]
     pub(crate) stress_at: Vec<PointInRail>,
 
     #[command(flatten)]
@@ -604,12 +587,7 @@ pub(crate) struct Profile {
     pub(crate) inclination: Option<String>,
 
     /// Depth below the nominal crown at which wear of the gauge face is measured [default: 14 mm].
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        requires = "against",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", requires = "against")]
     pub(crate) gauge_height: Option<Quantity<Length>>,
 
     /// How coordinates of files stand [default: as-written in columns, found in other formats].
@@ -617,12 +595,7 @@ pub(crate) struct Profile {
     pub(crate) orientation: Option<Orientation>,
 
     /// Smooth the points of files, which scatter with this standard deviation across the profile.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        conflicts_with = "wheelset",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", conflicts_with = "wheelset")]
     pub(crate) scatter: Option<Quantity<Length>>,
 
     /// Where the wheelset of a case touches its track, and its equivalent conicity.
@@ -630,12 +603,7 @@ pub(crate) struct Profile {
     pub(crate) wheelset: bool,
 
     /// Yaw of the wheelset, in rad or with its unit.
-    #[arg(
-        long,
-        value_name = "ANGLE",
-        requires = "wheelset",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "ANGLE", requires = "wheelset")]
     pub(crate) yaw: Option<Quantity<Angle>>,
 
     /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm every 0.1 mm].
@@ -643,19 +611,13 @@ pub(crate) struct Profile {
         long,
         value_name = "LIST",
         value_delimiter = ',',
-        requires = "wheelset",
-        allow_hyphen_values = true
+        requires = "wheelset"
     )]
     pub(crate) lateral_shift: Vec<Quantity<Length>>,
 
     /// Normal force on each wheel, in N or with its unit: patch, pressure and stiffness of both contacts, at the shift 0 or those
     /// of --lateral-shift.
-    #[arg(
-        long,
-        value_name = "FORCE",
-        requires = "wheelset",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "FORCE", requires = "wheelset")]
     pub(crate) load: Option<Quantity<Force>>,
 
     /// Override a value of the case, as in --set "profiles.gauge=1432 mm"; may be repeated.
@@ -676,12 +638,7 @@ pub(crate) struct Curve {
 
     /// Radii of the picture and its table, separated by commas, above zero to the right, each at the lateral acceleration of
     /// the case [default: from a fifth to twenty times that of the case].
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) radius: Vec<ListedLength>,
 
     #[command(flatten)]

@@ -14,6 +14,7 @@ mod results;
 mod staging;
 mod threads;
 
+use std::any::TypeId;
 use std::ffi::OsString;
 use std::path::PathBuf;
 
@@ -54,8 +55,33 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
 type Parsed = Result<(Arguments, Vec<PathBuf>), clap::Error>;
 
 fn parse(words: &[OsString]) -> Parsed {
-    let matches = Arguments::command().try_get_matches_from(words)?;
+    let matches = with_numbers_below_zero(Arguments::command()).try_get_matches_from(words)?;
     Arguments::from_arg_matches(&matches).map(|arguments| (arguments, inputs(&matches)))
+}
+
+/// The command with every option of a number taking one below zero, which its range then refuses in a sentence.
+fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
+    let names: Vec<String> = command
+        .get_subcommands()
+        .map(|command| command.get_name().to_owned())
+        .collect();
+    let command = command.mut_args(|argument| {
+        let parser = argument.get_value_parser();
+        let is_text = [TypeId::of::<String>(), TypeId::of::<PathBuf>()]
+            .iter()
+            .any(|text| parser.type_id() == *text);
+        let is_number = argument.get_action().takes_values() && !is_text;
+        // What may stand alone takes no option behind it for its value.
+        let is_alone = (argument.get_num_args()).is_some_and(|range| range.min_values() == 0);
+        let is_free = !argument.is_positional() && parser.possible_values().is_none();
+        match is_number && is_free && !is_alone {
+            true => argument.allow_hyphen_values(true),
+            false => argument,
+        }
+    });
+    names.iter().fold(command, |command, name| {
+        command.mut_subcommand(name, with_numbers_below_zero)
+    })
 }
 
 /// The command line of the question on standard input.

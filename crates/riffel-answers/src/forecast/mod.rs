@@ -513,7 +513,7 @@ impl ForecastAnswer {
 }
 
 impl ForecastHorizon {
-    /// `Ok` for a number above zero and below what no rail lives to see: a century, and the traffic of a thousand.
+    /// `Ok` for a number above zero and no more than a thousand years and their traffic.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for any other.
@@ -521,7 +521,7 @@ impl ForecastHorizon {
         let (argument, value, most) = match self {
             Self::Passages(passages) => ("--passages", passages, 1e12),
             Self::MillionGrossTonnes(mgt) => ("--mgt", mgt, 1e6),
-            Self::Months(months) => ("--months", months, 1200.0),
+            Self::Months(months) => ("--months", months, 12_000.0),
         };
         if value > 0.0 && value <= most {
             return Ok(());

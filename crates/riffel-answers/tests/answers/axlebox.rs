@@ -344,6 +344,13 @@ fn settings_beyond_any_run_are_refused() {
         ),
         (
             RunSettings {
+                shortest: 1e-300,
+                ..usual
+            },
+            "shortest wavelength",
+        ),
+        (
+            RunSettings {
                 longest: 0.015,
                 ..usual
             },

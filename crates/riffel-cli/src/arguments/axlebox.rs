@@ -34,11 +34,11 @@ pub(crate) struct AxleBox {
     overrides: Vec<String>,
 
     /// Samples per second, in place of a column of times.
-    #[arg(long, value_name = "FREQUENCY", allow_hyphen_values = true)]
+    #[arg(long, value_name = "FREQUENCY")]
     rate: Option<Quantity<Frequency>>,
 
     /// Speed of the train, in place of a column of speeds or of an odometer.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     speed: Option<Asked<Speed>>,
 
     /// Channels of a WAV file in their order, each called as a column is, with its value at full scale.
@@ -46,30 +46,15 @@ pub(crate) struct AxleBox {
     channels: Vec<String>,
 
     /// Shortest wavelength; the sampling rate may not reach it.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        default_value = "10 mm",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", default_value = "10 mm")]
     shortest: Quantity<Length>,
 
     /// Longest wavelength; longer ones need a sensor that is quiet at low frequencies.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        default_value = "400 mm",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", default_value = "400 mm")]
     longest: Quantity<Length>,
 
     /// Lowest speed at which the train is listened to.
-    #[arg(
-        long,
-        value_name = "SPEED",
-        default_value = "20 km/h",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "SPEED", default_value = "20 km/h")]
     slowest: Quantity<Speed>,
 
     /// Give back what the contact patch does not let through, for the roughness of the rail itself.
@@ -86,12 +71,7 @@ pub(crate) struct AxleBox {
     pub(crate) limit: Vec<String>,
 
     /// Length of the blocks whose RMS is tabled.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        default_value = "10 m",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", default_value = "10 m")]
     block: Quantity<Length>,
 
     #[command(flatten)]

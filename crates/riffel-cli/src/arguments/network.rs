@@ -60,7 +60,7 @@ pub(crate) struct Ingest {
     pub(crate) date: String,
 
     /// Length of a cell of a new store [default: that of most blocks].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) resolution: Option<Quantity<Length>>,
 
     /// Put it in the place of another survey of the line on that day.
@@ -104,12 +104,7 @@ pub(crate) struct Judged {
     pub(crate) limit: String,
 
     /// Length of a section.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        default_value = "100 m",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", default_value = "100 m")]
     pub(crate) section: Quantity<Length>,
 
     /// Print one JSON document.
@@ -184,7 +179,7 @@ pub(crate) struct Plan {
     pub(crate) months: f64,
 
     /// Length of track that can be ground.
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true, required_unless_present = "money", conflicts_with_all = ["money", "cost_per_metre", "cost_per_site"])]
+    #[arg(long, value_name = "LENGTH", required_unless_present = "money", conflicts_with_all = ["money", "cost_per_metre", "cost_per_site"])]
     pub(crate) length: Option<Quantity<Length>>,
 
     /// Money that can be spent.

@@ -35,7 +35,7 @@ pub(crate) struct Noise {
     pub(crate) choose: Vec<String>,
 
     /// Speed of the train, in m/s or with its unit.
-    #[arg(long, value_name = "SPEED", allow_hyphen_values = true)]
+    #[arg(long, value_name = "SPEED")]
     pub(crate) speed: Asked<Speed>,
 
     /// Wheels of the train on one rail.

@@ -14,39 +14,19 @@ pub(crate) struct Shakedown {
     pub(crate) case: CaseArguments,
 
     /// Values of the utilised friction |Q|/P at which limits are told, separated by commas [default: 31, from 0 to 0.6].
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) utilised_friction: Vec<Quantity<Ratio>>,
 
     /// Wavelength of a wave along which the contact is followed.
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        requires = "speed",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", requires = "speed")]
     pub(crate) wavelength: Option<Asked<Length>>,
 
     /// Speed over it.
-    #[arg(
-        long,
-        value_name = "SPEED",
-        requires = "wavelength",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "SPEED", requires = "wavelength")]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Amplitude of the wave [default: that of the case].
-    #[arg(
-        long,
-        value_name = "LENGTH",
-        requires = "wavelength",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LENGTH", requires = "wavelength")]
     pub(crate) amplitude: Option<Asked<Length>>,
 
     #[command(flatten)]

@@ -26,12 +26,7 @@ pub(crate) struct Simulate {
     pub(crate) case: CaseArguments,
 
     /// Speed, in m/s or with its unit.
-    #[arg(
-        long,
-        value_name = "SPEED",
-        allow_hyphen_values = true,
-        required_unless_present = "traffic"
-    )]
+    #[arg(long, value_name = "SPEED", required_unless_present = "traffic")]
     speed: Option<Asked<Speed>>,
 
     /// Traffic file, in place of a speed: passages of every vehicle at the speeds of its distribution, each as often as its
@@ -45,12 +40,7 @@ pub(crate) struct Simulate {
     pub(crate) traffic: Option<PathBuf>,
 
     /// Roll over a sinusoid of this amplitude and wavelength until every wave is like the one before.
-    #[arg(
-        long,
-        value_name = "AMPLITUDE,WAVELENGTH",
-        group = "surface",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "AMPLITUDE,WAVELENGTH", group = "surface")]
     pub(crate) sinusoid: Option<LengthPair>,
 
     /// Roll along the profile of a file, such as a trolley's.
@@ -67,12 +57,7 @@ pub(crate) struct Simulate {
     pub(crate) seed: Option<u64>,
 
     /// Roll over a dipped weld, -DEPTH/2 (1 - cos 2πx/LENGTH), in the middle of a smooth rail.
-    #[arg(
-        long,
-        value_name = "DEPTH,LENGTH",
-        group = "surface",
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "DEPTH,LENGTH", group = "surface")]
     pub(crate) weld: Option<LengthPair>,
 
     /// Roll on a smooth rail after a small push, with a wheelset or with creepage on two axes: rest, or the limit cycle of a loop
@@ -85,7 +70,7 @@ pub(crate) struct Simulate {
     pub(crate) smooth: bool,
 
     /// Take this much of the profile [default: all], or make the rail so long [default: 20 m].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) length: Option<Quantity<Length>>,
 
     /// Wear the rail by so many wheels, one after another: levels and profile over passages, beside the linear loop. A run that
@@ -109,7 +94,7 @@ pub(crate) struct Simulate {
     pub(crate) layout: Layout,
 
     /// Largest distance between two steps [default: 1/256 of a sinusoid's wavelength, 0.5 mm along a profile].
-    #[arg(long, value_name = "LENGTH", allow_hyphen_values = true)]
+    #[arg(long, value_name = "LENGTH")]
     pub(crate) step: Option<Quantity<Length>>,
 
     #[command(flatten)]

@@ -15,12 +15,7 @@ pub(crate) struct Stability {
     pub(crate) case: CaseArguments,
 
     /// Friction coefficients, separated by commas [default: 23, from 0.05 to 0.6].
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        allow_hyphen_values = true
-    )]
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
     pub(crate) friction: Vec<Quantity<Ratio>>,
 
     #[command(flatten)]

@@ -34,6 +34,35 @@ fn shells_complete_every_command() {
     assert_eq!(sandbox.riffel("completions tcsh").status, Some(2));
 }
 
+/// A number below zero is no option: the sentence names the option and the number.
+#[test]
+fn numbers_below_zero_are_refused_by_name() {
+    let sandbox = Sandbox::new();
+    sandbox.riffel("init --metro metro.toml");
+    sandbox.riffel("roughness --synthesise -o rail.csv");
+    let levels = "wavelength_mm,level_db\n80,2\n63,1\n50,0\n40,-1\n31.5,-2\n";
+    fs::write(sandbox.path("levels.csv"), levels).unwrap();
+    for arguments in [
+        "noise metro.toml --roughness levels.csv --speed 20 --distance -1",
+        "noise metro.toml --roughness levels.csv --speed 20 --wheels -1",
+        "diagnose metro.toml --roughness rail.csv --bending -5",
+        "roughness rail.csv --longest -2",
+        "simulate metro.toml --smooth --speed -3",
+        "simulate metro.toml --spectrum iso-3095-2013 --speed 20 --seed -1",
+    ] {
+        let words: Vec<&str> = arguments.split(' ').collect();
+        let (option, value) = (words[words.len() - 2], words[words.len() - 1]);
+        let outcome = sandbox.riffel(arguments);
+        assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);
+        let said = &outcome.text;
+        assert!(said.contains(option) && said.contains(value), "{said}");
+        assert!(!said.contains("unexpected argument"), "{said}");
+    }
+    // What may stand alone takes no option behind it for its value.
+    let outcome = sandbox.riffel("compare metro.toml --models --speed 20 --json");
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+}
+
 #[test]
 fn every_command_has_a_manual_page() {
     let sandbox = Sandbox::new();

@@ -58,8 +58,17 @@ impl RunSettings {
     fn check(&self) -> Result<(), Error> {
         /// Longest wavelength of any axle box \[m\], and seconds in which the ends of a stretch must go by.
         const MOST: (f64, f64) = (100.0, 3600.0);
+        /// Shortest wavelength: a hundredth of a patch \[m\].
+        const SHORTEST: f64 = 1e-4;
         Error::unless_positive("sampling rate", self.sampling_rate, "Hz")?;
-        Error::unless_positive("shortest wavelength", self.shortest, "m")?;
+        if !(self.shortest >= SHORTEST) {
+            return Err(Error::OutOfRange {
+                quantity: "shortest wavelength",
+                value: self.shortest,
+                unit: "m",
+                rule: "must be at least 0.0001 m",
+            });
+        }
         Error::unless_positive("lowest speed", self.slowest, "m/s")?;
         if !(self.longest <= MOST.0 && self.longest >= 2.0 * self.shortest) {
             return Err(Error::OutOfRange {
