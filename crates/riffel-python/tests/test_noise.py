@@ -55,7 +55,7 @@ def test_noise_of_the_program(program: Callable[..., Any], tmp_path: Any) -> Non
         ({"wheels": 0}, "wheels is 0, but must be a whole number"),
         ({"wheel_roughness": "round"}, "wheel_roughness is \"round\", but must be a spectrum or one of cnossos-"),
         ({"limit_dba": 80.0}, "limit_dba needs traffic"),
-        ({"traffic": "cases/traffic.toml", "months": -1.0}, "months is -1, but must be finite"),
+        ({"traffic": "cases/traffic.toml", "months": -1.0}, "months is -1, but must be above zero and at most 12000"),
         ({"speed": "0.5 km/h"}, "speed is 0.5 km/h, but must be one at which"),
     ],
 )

@@ -583,7 +583,7 @@ fn bad_input_is_answered_with_a_sentence() {
         ),
         (
             format!("{forecast} --spectrum one.csv --passages -1"),
-            "greater than zero",
+            "must be above zero and at most 1000000000000",
         ),
         (
             format!("{forecast} --spectrum one.csv --passages 2,5e6"),
