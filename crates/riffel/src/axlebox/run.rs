@@ -61,7 +61,7 @@ impl RunSettings {
         /// Shortest wavelength: a hundredth of a patch \[m\].
         const SHORTEST: f64 = 1e-4;
         Error::unless_positive("sampling rate", self.sampling_rate, "Hz")?;
-        if !(self.shortest >= SHORTEST) {
+        if self.shortest.is_nan() || self.shortest < SHORTEST {
             return Err(Error::OutOfRange {
                 quantity: "shortest wavelength",
                 value: self.shortest,
