@@ -175,7 +175,8 @@ impl<'a> ProfileTable<'a> {
             if let Some(foreign) = heading.foreign_unit_of(column) {
                 if foreign.eq_ignore_ascii_case("dB") {
                     return Err(format!(
-                        "column {}, \"{}\", holds levels, beside which there must be a column of wavelengths, as wavelength_mm",
+                        "the head of column {}, \"{}\", gives {foreign}: beside levels there must be a column of wavelengths, as \
+                         wavelength_mm; for heights give {option}",
                         column + 1,
                         heading.name(column).unwrap_or_default()
                     ));
