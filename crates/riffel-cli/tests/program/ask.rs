@@ -1,6 +1,6 @@
 //! `ask`: questions in JSON, as another program puts them.
 
-use std::io::Write;
+use std::io::{ErrorKind, Write};
 use std::process::{Output, Stdio};
 
 use serde_json::{Value, json};
@@ -16,8 +16,11 @@ fn ask(sandbox: &Sandbox, name: &str, question: &str) -> Output {
         .stderr(Stdio::piped());
     let mut child = command.spawn().unwrap();
     let mut input = child.stdin.take().unwrap();
-    input.write_all(question.as_bytes()).unwrap();
-    drop(input);
+    // A question by an unknown name is refused before it is read.
+    match input.write_all(question.as_bytes()) {
+        Err(error) if error.kind() != ErrorKind::BrokenPipe => panic!("{error}"),
+        _ => drop(input),
+    }
     child.wait_with_output().unwrap()
 }
 

@@ -109,9 +109,10 @@ impl ClippedPower {
         }
     }
 
-    /// Steps over half a wave that resolve the spread.
+    /// Steps over half a wave that resolve the spread: the n-th harmonic of what a normal spread has smoothed falls off as
+    /// exp(−(nσ/U)²/2), so that they are good to rounding.
     fn steps(&self, amplitude: f64) -> f64 {
-        (64.0 * (1.0 + amplitude / self.spread)).min(1e4).ceil()
+        (12.0 + 5.0 * amplitude / self.spread).min(1e4).ceil()
     }
 
     /// Rectangles over half a wave, which converge faster than any power for what is smooth.
@@ -168,17 +169,49 @@ fn power(x: f64, exponent: f64, spread: f64) -> f64 {
     if exponent == 2.0 {
         return x * spread * bell(ratio) + (x * x + spread * spread) * share;
     }
-    // t = z + x/σ = w², which takes the corner at t = 0.
-    let end = (ratio + TAIL).max(0.0).sqrt();
-    let sum: f64 = panels(&equal_panels([0.0, end], 0.1))
-        .map(|(w, weight)| 2.0 * w * weight * (w * w).powf(exponent) * bell(w * w - ratio))
-        .sum();
+    let sum: f64 = match ratio > TAIL {
+        true => panels(&equal_panels([-TAIL, TAIL], 0.5))
+            .map(|(z, weight)| weight * (z + ratio).powf(exponent) * bell(z))
+            .sum(),
+        // t = z + x/σ = w², which takes the corner at t = 0.
+        false => panels(&equal_panels([0.0, (ratio + TAIL).max(0.0).sqrt()], 0.1))
+            .map(|(w, weight)| 2.0 * w * weight * (w * w).powf(exponent) * bell(w * w - ratio))
+            .sum(),
+    };
     spread.powf(exponent) * sum
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Steps over a wave are good to rounding: against Gauss's rule on panels over the angle.
+    #[test]
+    fn steps_resolve_the_spread() {
+        for exponent in [1.0, 1.5, 2.0] {
+            for ratio in [0.1, 1.0, 7.0, 60.0] {
+                for place in [-1.2, -0.4, 0.0, 0.9] {
+                    let (spread, amplitude) = (0.1, 0.1 * ratio);
+                    let law = ClippedPower::new(exponent, spread);
+                    let excess = place * amplitude;
+                    let width = 0.5 / (1.0 + ratio);
+                    let sum: f64 = panels(&equal_panels([0.0, PI], width))
+                        .map(|(angle, weight)| {
+                            let slope = law.slope(excess + amplitude * angle.cos());
+                            weight * slope * angle.sin().powi(2)
+                        })
+                        .sum();
+                    let expected = 2.0 * amplitude * sum / PI;
+                    let scale = amplitude * law.slope(amplitude);
+                    let found = law.first(excess, amplitude);
+                    assert!(
+                        (found - expected).abs() < 1e-12 * scale,
+                        "m = {exponent}, U/σ = {ratio}, X₀/U = {place}: {found:e} {expected:e}"
+                    );
+                }
+            }
+        }
+    }
 
     /// A wave above the limit as a whole is answered by the slope; one about the limit by half of it; none below.
     #[test]
