@@ -70,23 +70,32 @@ struct Compared {
     under_traffic: UnderTraffic,
 }
 
-/// What grows fastest under the traffic of the line.
+/// What grows fastest under the traffic of the line. A variant that has no answer there leaves the maps of all.
 #[derive(Serialize)]
-struct UnderTraffic {
-    #[serde(flatten)]
-    growth: LineGrowth,
-    /// In what it doubles, "5 to 14 months"; none where nothing grows.
-    doubles_in: Option<Note>,
+#[serde(untagged)]
+enum UnderTraffic {
+    Answered {
+        #[serde(flatten)]
+        growth: LineGrowth,
+        /// In what it doubles, "5 to 14 months"; none where nothing grows.
+        doubles_in: Option<Note>,
+    },
+    Refused {
+        fault: Fault,
+    },
 }
 
 impl UnderTraffic {
-    fn of(case: &Case, traffic: Option<&riffel_case::traffic::Traffic>) -> Result<Self, Fault> {
-        let growth = LineGrowth::new(case, traffic)?;
-        let fastest = growth.fastest.as_ref();
-        Ok(Self {
-            doubles_in: fastest.map(|fastest| Note::from(&fastest.time())),
-            growth,
-        })
+    fn of(case: &Case, traffic: Option<&riffel_case::traffic::Traffic>) -> Self {
+        match LineGrowth::new(case, traffic) {
+            Ok(growth) => Self::Answered {
+                doubles_in: growth.fastest.as_ref().map(|it| Note::from(&it.time())),
+                growth,
+            },
+            Err(error) => Self::Refused {
+                fault: error.into(),
+            },
+        }
     }
 }
 
@@ -105,10 +114,9 @@ impl crate::Question for Question {
         for variant in &self.variants {
             let own = variant.covering(&case)?;
             let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted);
-            let under_traffic = UnderTraffic::of(&own, traffic.as_ref());
             variants.push(Compared {
                 head: map.head,
-                under_traffic: under_traffic.map_err(|fault| variant.fault(fault))?,
+                under_traffic: UnderTraffic::of(&own, traffic.as_ref()),
             });
             values.extend(map.values);
         }

@@ -3,6 +3,7 @@
 import { palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
+import { said } from './german.js';
 import { shownUnit, si } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed, json } from './server.js';
@@ -239,7 +240,8 @@ export function startCompare({ state, traffic, listen, complain, record, replace
     const heads = all.map(({ key }) => known.get(key).head);
     const of = (value, format) => (value === null || value === undefined ? '–' : format(value));
     const millimetres = (wavelength, digits) => `${number(1e3 * wavelength, digits)} mm`;
-    const onTheLine = ({ under_traffic: { fastest, doubles_in: time }, complete }) => {
+    const onTheLine = ({ under_traffic: { fault, fastest, doubles_in: time }, complete }) => {
+      if (fault) return [said(fault.message).text, '–', '–', '–'];
       if (!fastest) return [t('nothing_grows_here'), '–', '–', '–'];
       const count = fastest.doubling_passages;
       return [millimetres(fastest.wavelength_m, 2), time[currentLanguage()], passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];

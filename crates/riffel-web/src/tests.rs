@@ -456,6 +456,16 @@ async fn variants_are_compared_in_the_window_of_the_case() {
     let [one, other] = [&head["variants"][0], &head["variants"][1]];
     assert_eq!(one["window"], other["window"]);
     assert_eq!(one["complete"]["contact"]["friction"], json!(0.2));
+    assert!(one["under_traffic"]["fastest"]["wavelength_m"].is_number());
+    // A variant without an answer under the traffic leaves the maps, and says why.
+    let traffic = json!({
+        "slowest_m_per_s": 10, "fastest_m_per_s": 20, "passages_per_day": 1000, "all_wheels": true,
+    });
+    let question = json!({ "variants": variants, "case": case, "traffic": traffic });
+    let (head, values) = ask("/api/compare", &question).await.framed();
+    assert_eq!(values.len(), 2 * 241 * 221);
+    let why = &head["variants"][0]["under_traffic"]["fault"]["message"];
+    assert!(why.as_str().unwrap().contains("curve"), "{why}");
     let refused = nominal(&[("friction = 0.4", "friction = -1")])["case"].clone();
     let wrong = json!({ "variants": [{ "name": "dry", "case": refused }], "case": case });
     let fault = ask("/api/compare", &wrong).await.json();
