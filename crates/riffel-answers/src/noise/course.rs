@@ -9,6 +9,7 @@ use riffel_keys::{Message, fixed, number, say};
 use serde::Serialize;
 
 use super::Train;
+use super::sources::Radiation;
 use crate::AnswerError;
 
 /// Steps of the time looked ahead.
@@ -35,6 +36,7 @@ impl Course {
     pub(super) fn new(
         case: &Case,
         train: &Train<'_>,
+        radiation: &Radiation<'_>,
         traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<(Self, Vec<Message>), AnswerError> {
@@ -57,7 +59,7 @@ impl Course {
         let level = |month: f64| -> Result<f64, AnswerError> {
             let passages = (month * per_month).min(forecast.valid_to());
             let roughness = then(&question.roughness, &forecast.spectrum(passages)?)?;
-            let heard = train.levels(case, &roughness, question.speed)?;
+            let heard = train.levels(radiation, &roughness)?;
             Ok(heard.a_weighted(Part::Total).unwrap_or(f64::NEG_INFINITY))
         };
         let levels = month.iter().map(|&month| level(month));

@@ -7,6 +7,7 @@ use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
 use super::Train;
+use super::sources::Radiation;
 use crate::AnswerError;
 use crate::pads::with_pads_of;
 
@@ -35,6 +36,7 @@ const DAMPED: f64 = 0.01;
 pub(super) fn measures(
     case: &Case,
     train: &Train<'_>,
+    radiation: &Radiation<'_>,
     now: &Energies,
 ) -> Result<Vec<Measure>, AnswerError> {
     let (roughness, speed) = (&train.question.roughness, train.question.speed);
@@ -57,25 +59,27 @@ pub(super) fn measures(
     let ground = ground_to_limit(train)?;
     add(
         say!(rail_ground_to, edition = &table.edition),
-        train.levels(case, &ground, speed)?,
+        train.levels(radiation, &ground)?,
     );
     for factor in [0.8, 0.5] {
         let title = say!(at_speed, speed = fixed(3.6 * factor * speed, 0));
-        add(title, train.levels(case, roughness, factor * speed)?);
+        let slower = train.radiation(case, train.wheel_modes(), factor * speed)?;
+        add(title, train.levels(&slower, roughness)?);
     }
     add(say!(rail_dampers), now.with_track_at(0.5));
     if let Some(modes) = train.wheel_modes() {
         let damped = modes.damped(DAMPED);
-        let powers = train.powers_with(case, Some(&damped), roughness, speed)?;
+        let damped = train.radiation(case, Some(&damped), speed)?;
         let title = say!(wheel_dampers, percent = fixed(1e2 * DAMPED, 0));
-        add(title, train.heard(&powers));
+        add(title, train.levels(&damped, roughness)?);
     }
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
     // Measured decay rates are those of the pads that are there.
     if let (Some(stiffness), None) = (pad, &train.question.decay_rate) {
         for (factor, title) in [(0.5, say!(softer_pads)), (2.0, say!(stiffer_pads))] {
             let other = with_pads_of(case, factor * stiffness.si())?;
-            add(title, train.levels(&other, roughness, speed)?);
+            let other = train.radiation(&other, train.wheel_modes(), speed)?;
+            add(title, train.levels(&other, roughness)?);
         }
     }
     Ok(found)

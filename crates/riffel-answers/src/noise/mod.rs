@@ -178,7 +178,8 @@ impl NoiseQuestion {
         }
         self.check()?;
         let train = Train::new(self)?;
-        let powers = train.powers(case, &self.roughness, self.speed)?;
+        let radiation = train.radiation(case, train.wheel_modes(), self.speed)?;
+        let powers = train.powers(&radiation, &self.roughness)?;
         let levels = train.heard(&powers);
         if levels.bands.is_empty() {
             return Err(AnswerError::Argument {
@@ -193,7 +194,7 @@ impl NoiseQuestion {
             .filter(|band| levels.bands.iter().all(|level| level.band != *band))
             .collect();
         let course = match &self.traffic {
-            Some(traffic) => Some(Course::new(case, &train, traffic, progress)?),
+            Some(traffic) => Some(Course::new(case, &train, &radiation, traffic, progress)?),
             None => None,
         };
         let mut remarks = remarks::remarks(case, &train, &powers, &left_out);
@@ -215,7 +216,7 @@ impl NoiseQuestion {
             None => None,
         };
         let before = match &self.before {
-            Some(before) => Some(Levels::from(&train.levels(case, before, self.speed)?)),
+            Some(before) => Some(Levels::from(&train.levels(&radiation, before)?)),
             None => None,
         };
         let level = Levels::from(&levels);
@@ -246,7 +247,7 @@ impl NoiseQuestion {
             sound_power_level: Levels::from(&sources::powers_of_parts(&powers)),
             by_transfer_functions,
             sound_exposure_level_dba: total + 10.0 * duration.log10(),
-            measures: measure::measures(case, &train, &levels)?,
+            measures: measure::measures(case, &train, &radiation, &levels)?,
             level,
             before,
             course,

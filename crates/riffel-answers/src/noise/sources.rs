@@ -3,8 +3,9 @@
 use riffel::STEEL_DENSITY;
 use riffel::contact::ContactFilter;
 use riffel::noise::{
-    Air, BandEnergies, Energies, Energy, Excitation, FrequencyBand, OscillatingCylinder,
-    OscillatingSphere, Piston, RailDecay, RollingSource, Sleepers, SoundPower, WheelModes,
+    Air, BandEnergies, BandRadiation, Energies, Energy, Excitation, FrequencyBand,
+    OscillatingCylinder, OscillatingSphere, Piston, RailDecay, RollingSource, Sleepers, SoundPower,
+    WheelModes,
 };
 use riffel::roughness::Spectrum;
 use riffel_case::Case;
@@ -49,6 +50,13 @@ pub(super) fn powers_of_parts(powers: &[SoundPower]) -> Energies {
     }
 }
 
+/// What a train makes of any roughness of a case at a speed.
+pub(super) struct Radiation<'a> {
+    case: &'a Case,
+    speed: f64,
+    bands: Vec<BandRadiation>,
+}
+
 impl Train<'_> {
     /// Pressures beside the track of some sound powers of a wheel on one rail.
     pub(super) fn heard(&self, powers: &[SoundPower]) -> Energies {
@@ -65,35 +73,36 @@ impl Train<'_> {
         }
     }
 
-    /// Levels with some roughness of the rail at some speed.
+    /// Levels with some roughness of the rail.
     pub(super) fn levels(
         &self,
-        case: &Case,
+        radiation: &Radiation<'_>,
         roughness: &Spectrum,
-        speed: f64,
     ) -> Result<Energies, AnswerError> {
-        Ok(self.heard(&self.powers(case, roughness, speed)?))
+        Ok(self.heard(&self.powers(radiation, roughness)?))
     }
 
     /// Sound powers of a wheel on one rail, in the bands that are known.
     pub(super) fn powers(
         &self,
-        case: &Case,
+        radiation: &Radiation<'_>,
         roughness: &Spectrum,
-        speed: f64,
     ) -> Result<Vec<SoundPower>, AnswerError> {
-        self.powers_with(case, self.wheel_modes(), roughness, speed)
+        let excitation = self.excitation(radiation.case, roughness, radiation.speed)?;
+        let mut powers = Vec::new();
+        for band in &radiation.bands {
+            powers.extend(band.power(&excitation)?);
+        }
+        Ok(powers)
     }
 
-    /// The same with other modes of the wheel.
-    pub(super) fn powers_with(
+    /// What the train makes of any roughness at a speed, with some modes of its wheels.
+    pub(super) fn radiation<'a>(
         &self,
-        case: &Case,
+        case: &'a Case,
         modes: Option<&WheelModes>,
-        roughness: &Spectrum,
         speed: f64,
-    ) -> Result<Vec<SoundPower>, AnswerError> {
-        let excitation = self.excitation(case, roughness, speed)?;
+    ) -> Result<Radiation<'a>, AnswerError> {
         let file = &case.file;
         let area = match (file.rail.area, case.track.rail_mass) {
             (Some(area), _) => area.si(),
@@ -122,14 +131,17 @@ impl Train<'_> {
             air: Air::default(),
         };
         let (lowest, highest) = case.known_frequencies();
-        let mut powers = Vec::new();
-        for band in FrequencyBand::all() {
+        let known = FrequencyBand::all().filter(|band| {
             let (low, high) = band.range();
-            if low >= lowest && high <= highest {
-                powers.extend(source.power(&excitation, band)?);
-            }
-        }
-        Ok(powers)
+            low >= lowest && high <= highest
+        });
+        Ok(Radiation {
+            case,
+            speed,
+            bands: known
+                .filter_map(|band| source.radiation(band, speed))
+                .collect(),
+        })
     }
 
     /// Levels by transfer functions: those of the track are the rail's, those of the vehicle the wheel's.

@@ -39,7 +39,7 @@ pub use frequency_band::FrequencyBand;
 pub use level::{REFERENCE_POWER, REFERENCE_PRESSURE, power_level, pressure_level};
 pub use pass_by::{PassBy, Surroundings};
 pub use piston::Piston;
-pub use rolling_source::{RailDecay, RollingSource, Sleepers, SoundPower};
+pub use rolling_source::{BandRadiation, RailDecay, RollingSource, Sleepers, SoundPower};
 pub use sphere::OscillatingSphere;
 pub use transfer::{TransferFunction, TransferModel};
 pub use wheel_modes::{WheelMode, WheelModes};

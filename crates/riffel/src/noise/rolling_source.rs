@@ -76,6 +76,47 @@ impl SoundPower {
     pub fn total(&self) -> f64 {
         self.rail + self.sleepers + self.wheel
     }
+
+    fn none(band: FrequencyBand) -> Self {
+        Self {
+            band,
+            rail: 0.0,
+            sleepers: 0.0,
+            wheel: 0.0,
+            force: 0.0,
+            into_rail: 0.0,
+        }
+    }
+}
+
+/// What a wheel on a rail makes of any roughness in a band, at one speed.
+#[derive(Debug, Clone, PartialEq)]
+pub struct BandRadiation {
+    band: FrequencyBand,
+    /// Parts of the band by their ends \[Hz\], with all powers of a mean square roughness of 1 m².
+    lines: Vec<([f64; 2], SoundPower)>,
+}
+
+impl BandRadiation {
+    /// Sound power under a roughness at the same speed; none where the roughness is not known.
+    ///
+    /// # Errors
+    /// [`Error`] of the roughness.
+    pub fn power(&self, excitation: &Excitation) -> Result<Option<SoundPower>, Error> {
+        if !excitation.covers(self.band) {
+            return Ok(None);
+        }
+        let mut power = SoundPower::none(self.band);
+        for ([low, high], unit) in &self.lines {
+            let roughness = excitation.mean_square(*low, *high)?;
+            power.rail += roughness * unit.rail;
+            power.sleepers += roughness * unit.sleepers;
+            power.wheel += roughness * unit.wheel;
+            power.force += roughness * unit.force;
+            power.into_rail += roughness * unit.into_rail;
+        }
+        Ok(Some(power))
+    }
 }
 
 /// A wheel that rolls on a rough rail, radiating.
@@ -130,52 +171,47 @@ impl RollingSource<'_> {
         excitation: &Excitation,
         band: FrequencyBand,
     ) -> Result<Option<SoundPower>, Error> {
-        let rate = match &self.decay {
-            RailDecay::Track(_) => None,
-            RailDecay::Rates { rates, .. } => {
-                match rates.iter().find(|(other, _)| *other == band) {
-                    Some((_, rate)) => Some(*rate),
-                    None => return Ok(None),
-                }
-            }
-        };
         if !excitation.covers(band) {
             return Ok(None);
         }
-        let mut power = SoundPower {
-            band,
-            rail: 0.0,
-            sleepers: 0.0,
-            wheel: 0.0,
-            force: 0.0,
-            into_rail: 0.0,
+        match self.radiation(band, excitation.speed()) {
+            Some(radiation) => radiation.power(excitation),
+            None => Ok(None),
+        }
+    }
+
+    /// What any roughness of a band makes of it at a speed \[m/s\]; none where the decay of the rail is not known.
+    pub fn radiation(&self, band: FrequencyBand, speed: f64) -> Option<BandRadiation> {
+        let rate = match &self.decay {
+            RailDecay::Track(_) => None,
+            RailDecay::Rates { rates, .. } => {
+                let (_, rate) = rates.iter().find(|(other, _)| *other == band)?;
+                Some(*rate)
+            }
         };
         let (low, high) = band.range();
         let step = (high / low).powf(f64::from(LINES).recip());
-        for line in 0..LINES {
+        let lines = (0..LINES).map(|line| {
             let from = low * step.powf(f64::from(line));
-            let roughness = excitation.mean_square(from, from * step)?;
-            self.add(
-                &mut power,
-                [from, from * step],
-                roughness,
-                excitation.speed(),
-                rate,
-            );
-        }
-        Ok(Some(power))
+            let ends = [from, from * step];
+            (ends, self.line(band, ends, speed, rate))
+        });
+        Some(BandRadiation {
+            band,
+            lines: lines.collect(),
+        })
     }
 
-    /// Add what a roughness of some mean square \[m²\] does that is spread evenly between two frequencies \[Hz\], over which the
-    /// rail is taken to be the same.
-    fn add(
+    /// What roughness does of a mean square of 1 m² that is spread evenly between two frequencies \[Hz\], over which the rail is
+    /// taken to be the same.
+    fn line(
         &self,
-        power: &mut SoundPower,
+        band: FrequencyBand,
         ends: [f64; 2],
-        roughness: f64,
         speed: f64,
         rate: Option<f64>,
-    ) {
+    ) -> SoundPower {
+        let mut power = SoundPower::none(band);
         let middle = (ends[0] * ends[1]).sqrt();
         let [under_wheel, wheel] = self.feedback.normal_receptances(TAU * middle, speed);
         let places = self.places(TAU * middle, under_wheel, rate);
@@ -192,7 +228,7 @@ impl RollingSource<'_> {
                     Some(modes) => (modes.receptance(w), modes.power(w)),
                     None => (Complex64::ZERO, 0.0),
                 };
-                let force = part * share * roughness / (rest + given).norm_sqr();
+                let force = part * share / (rest + given).norm_sqr();
                 power.force += force;
                 power.into_rail -= force * w * rail.direct.im;
                 let moved = force * w * w * rail.integral;
@@ -207,6 +243,7 @@ impl RollingSource<'_> {
                 power.wheel += force * (rigid + radiated);
             }
         }
+        power
     }
 
     /// The rail with the wheel at each place of the mean.
