@@ -2,43 +2,83 @@
 
 use rayon::prelude::*;
 
-use super::{LineGroup, Loop};
+use super::{ClosedForm, Derivatives, LineGroup, Loop};
 
 /// The loops of a wheel at places along the track, at some wavelengths, with all that depends on these alone done beforehand; to
-/// the last bit those of [`Loop::at`].
-pub(crate) struct AtSpeeds<'a> {
-    places: &'a [(Loop, f64)],
-    wavelengths: &'a [f64],
-    /// Of as many wavelengths at once as a vector register holds; none where a loop has a closed form.
-    groups: Option<Vec<LineGroup>>,
+/// rounding those of [`Loop::at`].
+pub(crate) enum AtSpeeds {
+    /// Of as many wavelengths at once as a vector register holds.
+    Groups(Vec<LineGroup>),
+    /// Loops of which one has a closed form, by wavelength.
+    Single(Vec<(f64, Vec<AtPlace>)>),
 }
 
-impl<'a> AtSpeeds<'a> {
+/// A loop at one wavelength.
+pub(crate) struct AtPlace {
+    feedback: Loop,
+    /// The loop in closed form with the derivatives of its contact.
+    closed: Option<(ClosedForm, Derivatives)>,
+    weight: f64,
+}
+
+impl AtSpeeds {
     /// Loops with their weights at wavelengths \[m\].
-    pub(crate) fn new(places: &'a [(Loop, f64)], wavelengths: &'a [f64]) -> Self {
-        Self {
-            places,
-            wavelengths,
-            groups: LineGroup::all(places, wavelengths),
+    pub(crate) fn new(places: &[(Loop, f64)], wavelengths: &[f64]) -> Self {
+        if let Some(groups) = LineGroup::all(places, wavelengths) {
+            return Self::Groups(groups);
         }
+        let single = wavelengths.par_iter().map(|&wavelength| {
+            let places = places.iter().map(|(feedback, weight)| AtPlace {
+                closed: feedback.closed_form().map(|closed| {
+                    let derivatives = closed.contact.derivatives(wavelength);
+                    (closed, derivatives)
+                }),
+                feedback: feedback.clone(),
+                weight: *weight,
+            });
+            (wavelength, places.collect())
+        });
+        Self::Single(single.collect())
     }
 
     /// Growth rate per passage \[-\] and |P₁/Δ|² \[N²/m²\] of the first contact, by wavelength, at a speed \[m/s\]; means over
     /// the places.
     pub(crate) fn at(&mut self, speed: f64) -> Vec<[f64; 2]> {
-        if let Some(groups) = &mut self.groups {
-            let groups = groups.par_iter_mut();
-            return groups.flat_map_iter(|group| group.at(speed)).collect();
-        }
-        let mean = |wavelength: &f64| {
-            let mut mean = [0.0; 2];
-            for (feedback, weight) in self.places {
-                let state = feedback.at(*wavelength, speed);
-                mean[0] += weight * state.growth_rate;
-                mean[1] += weight * state.normal_force().norm_sqr() / feedback.amplitude().powi(2);
+        match self {
+            Self::Groups(groups) => {
+                let groups = groups.par_iter_mut();
+                groups.flat_map_iter(|group| group.at(speed)).collect()
             }
-            mean
+            Self::Single(single) => {
+                let mean = |(wavelength, places): &(f64, Vec<AtPlace>)| {
+                    places.iter().fold([0.0; 2], |mean, place| {
+                        let [growth, force] = place.at(*wavelength, speed);
+                        [
+                            mean[0] + place.weight * growth,
+                            mean[1] + place.weight * force,
+                        ]
+                    })
+                };
+                single.par_iter().map(mean).collect()
+            }
+        }
+    }
+}
+
+impl AtPlace {
+    fn at(&self, wavelength: f64, speed: f64) -> [f64; 2] {
+        let (growth, force) = match &self.closed {
+            Some((closed, derivatives)) => {
+                let (dissipation, force) =
+                    closed.dissipation_and_force(derivatives, wavelength, speed);
+                let per_dissipation = self.feedback.growth_rate_per_dissipation();
+                (per_dissipation * dissipation.re, force)
+            }
+            None => {
+                let state = self.feedback.at(wavelength, speed);
+                (state.growth_rate, state.normal_force())
+            }
         };
-        self.wavelengths.par_iter().map(mean).collect()
+        [growth, force.norm_sqr() / self.feedback.amplitude().powi(2)]
     }
 }

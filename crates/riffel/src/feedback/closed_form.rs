@@ -156,15 +156,28 @@ impl ClosedForm {
     /// Ŵ₁ of [`at`](Self::at) alone.
     pub(crate) fn normalized_dissipation(&self, wavelength: f64, speed: f64) -> Complex64 {
         let derivatives = self.contact.derivatives(wavelength);
-        let turn = self.turn(&derivatives, wavelength, speed);
+        self.dissipation_and_force(&derivatives, wavelength, speed)
+            .0
+    }
+
+    /// Ŵ₁ and P₁ \[N\] of [`at`](Self::at) alone, of the derivatives of the contact at the wavelength.
+    pub(crate) fn dissipation_and_force(
+        &self,
+        derivatives: &Derivatives,
+        wavelength: f64,
+        speed: f64,
+    ) -> (Complex64, Complex64) {
+        let turn = self.turn(derivatives, wavelength, speed);
         let Some(damage) = self.contact.clipped_damage() else {
-            return turn.creep.growth * speed / self.full_slip(speed);
+            let dissipation = turn.creep.growth * speed / self.full_slip(speed);
+            return (dissipation, turn.normal_force);
         };
         let receptance = turn.track_receptance;
         let at = self.oscillation(&turn.creep, turn.normal_force, receptance, wavelength);
         let clipped = damage.clipped(self.contact.mean_of_damage(), &at);
         let equivalent = turn.creep.growth + clipped / self.contact.wear.depth_per_energy();
-        equivalent / self.steady.full_slip_energy_per_metre()
+        let dissipation = equivalent / self.steady.full_slip_energy_per_metre();
+        (dissipation, turn.normal_force)
     }
 
     /// What laws of damage take.

@@ -48,7 +48,7 @@ impl MeanGrowth {
         speeds: &SpeedDistribution,
     ) -> Self {
         let prepared = states.iter();
-        let mut prepared: Vec<(f64, AtSpeeds<'_>)> = prepared
+        let mut prepared: Vec<(f64, AtSpeeds)> = prepared
             .map(|(at, places)| (*at, AtSpeeds::new(places, wavelengths)))
             .collect();
         let means = speeds.means(|speed| {

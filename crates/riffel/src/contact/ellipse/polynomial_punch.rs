@@ -91,12 +91,14 @@ fn harmonics(q: f64) -> Vec<f64> {
 
 /// j_n(z) of z > 0, n = 0 … [`TERMS`], by Miller's recurrence downwards, scaled by Σ (2n + 1) j_n² = 1 (Abramowitz & Stegun, 10.1.50).
 pub(in crate::contact) fn spherical_bessel_functions(z: f64) -> [f64; TERMS + 1] {
-    /// Orders above, from which nothing of a wrong beginning is left.
-    const ABOVE: usize = 40;
+    /// An order from which nothing of a wrong beginning is left.
+    const FARTHEST: usize = TERMS + 40;
     let mut functions = [0.0; TERMS + 1];
+    // Beyond z + 20 + 5z^⅓ they are below rounding.
+    let begin = FARTHEST.min((z + 20.0 + 5.0 * z.cbrt()) as usize);
     let (mut higher, mut current) = (0.0, f64::MIN_POSITIVE.sqrt());
     let mut sum = 0.0;
-    for n in (0..TERMS + ABOVE).rev() {
+    for n in (0..begin).rev() {
         let lower = (2 * n + 3) as f64 / z * current - higher;
         (higher, current) = (current, lower);
         if n <= TERMS {
