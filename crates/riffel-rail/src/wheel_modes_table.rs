@@ -1,6 +1,8 @@
 //! Tables of the modes of wheels: data files with name and source.
 
+use std::collections::BTreeMap;
 use std::path::Path;
+use std::sync::{Mutex, PoisonError};
 
 use include_dir::{Dir, include_dir};
 use riffel::noise::{Air, WheelMode, WheelModes};
@@ -18,6 +20,9 @@ static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/wheel-modes");
 const AUDIBLE: [f64; 2] = [20.0, 20_000.0];
 /// A wheel of which no part weighs less than a kilogram moves no more \[1/√kg\].
 const LARGEST: f64 = 1.0;
+
+/// The tables that come with Riffel, by file, as soon as they are asked for: what modes radiate takes seconds to compute.
+static COMPUTED: Mutex<BTreeMap<String, WheelModesTable>> = Mutex::new(BTreeMap::new());
 
 /// Modes of the web and the tyre of a wheel with where they come from.
 #[derive(Debug, Clone, PartialEq)]
@@ -74,7 +79,13 @@ impl WheelModesTable {
             .iter()
             .find(|(known, _)| known.eq_ignore_ascii_case(name))
         {
-            return Self::parse(file, text);
+            let mut computed = COMPUTED.lock().unwrap_or_else(PoisonError::into_inner);
+            if let Some(table) = computed.get(file) {
+                return Ok(table.clone());
+            }
+            let table = Self::parse(file, text)?;
+            computed.insert(file.clone(), table.clone());
+            return Ok(table);
         }
         if path
             .extension()
