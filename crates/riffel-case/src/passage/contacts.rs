@@ -5,7 +5,7 @@ use std::sync::Arc;
 use riffel::Rail;
 use riffel::contact::CreepLaw;
 use riffel::feedback::Contact;
-use riffel::passage::{ContactInTime, TransientContact, WaveInTime};
+use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime};
 use riffel_keys::CaseError;
 
 use crate::Case;
@@ -53,6 +53,7 @@ impl Case {
             wave: wave.or_else(|| WaveInTime::of(of_loop)),
             late,
             held: [even, contact.held[1]],
+            damage: DamageInTime::of(&self.feedback, of_loop),
             ..contact
         })
     }
@@ -70,8 +71,11 @@ impl Case {
                            followed along the rail alone";
             return Err(self.refuse("contact.creep_law", message));
         };
-        self.keys
-            .physics("contact", ContactInTime::new(contact, law))
+        let in_time = ContactInTime::new(contact, law);
+        Ok(ContactInTime {
+            damage: DamageInTime::of(&self.feedback, contact),
+            ..self.keys.physics("contact", in_time)?
+        })
     }
 
     /// `Ok` if the loop of the case can be followed through time.

@@ -5,7 +5,7 @@ mod structures;
 mod viscous_layers;
 
 use riffel::passage::{
-    ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
+    ContactInTime, DamageInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
 };
 use riffel_keys::CaseError;
 
@@ -137,10 +137,13 @@ impl CaseInTime<'_> {
     }
 
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        if self.case.has_other_damage() {
-            let message = "`damage.laws` names laws beside wear, which passages in time do not know yet: leave [damage] out, or ask \
-                 `riffel forecast`, which marches them";
-            return Err(self.case.refuse("damage.laws", message));
+        if self.contacts.iter().any(|contact| {
+            let damage = contact.damage.as_ref();
+            damage.is_some_and(DamageInTime::hardens)
+        }) {
+            let message = "`damage.flow.hardening_depth` is given, but passages in time do not keep what has flowed at each place: \
+                 leave it out, or ask `riffel point` where hardening ends the wave";
+            return Err(self.case.refuse("damage.flow.hardening_depth", message));
         }
         self.check_stable(speed)?;
         let model = self.at(speed)?;

@@ -49,6 +49,7 @@ impl Traffic {
             .map(|(index, vehicle)| {
                 let speeds = &self.speeds[index];
                 self.check_followed(index)?;
+                self.check_traction_share(index, case)?;
                 let wheel = match settings_of(vehicle).is_empty()
                     && case.file.contact.response != ContactDynamics::NonSteady
                 {

@@ -235,21 +235,27 @@ impl Traffic {
         let (growth, remarks, held) = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");
-        if traction_share < 1.0 && case.has_other_damage() {
-            let message = format!(
-                "`{at}.traction_share` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the \
-                 axles with traction and those without as two vehicles"
-            );
-            return Err(self
-                .source
-                .refuse(&format!("{at}.traction_share"), &message));
-        }
+        self.check_traction_share(index, case)?;
         let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
             growth: growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?,
             held,
             remarks,
         })
+    }
+
+    /// `Ok` unless a share of the axles of a vehicle is said to roll without damage, where laws beside wear damage under all.
+    pub(super) fn check_traction_share(&self, index: usize, case: &Case) -> Result<(), CaseError> {
+        let share = self.file.vehicle[index].traction_share;
+        if share.is_none_or(|share| share.si() >= 1.0) || !case.has_other_damage() {
+            return Ok(());
+        }
+        let key = format!("vehicle[{index}].traction_share");
+        let message = format!(
+            "`{key}` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the axles with \
+             traction and those without as two vehicles"
+        );
+        Err(self.source.refuse(&key, &message))
     }
 }
 

@@ -13,6 +13,10 @@ pub struct Demand {
     pub contact_pressure: f64,
     /// k \[Pa\].
     pub shear_yield: f64,
+    /// What the pressure is measured against.
+    pub limit: ShakedownLimit,
+    /// P \[N\].
+    pub load: f64,
     /// f \[-\].
     pub utilised_friction: f64,
     /// u \[-\].
@@ -54,12 +58,14 @@ impl Demand {
             true => forces.map(|part| part / force),
             false => [1.0, 0.0],
         };
-        let [limit, slope] = limit.at(friction);
-        let value = contact_pressure / (shear_yield * limit);
+        let [allowed, slope] = limit.at(friction);
+        let value = contact_pressure / (shear_yield * allowed);
         let index = shear_yield / contact_pressure;
         Ok(Self {
             contact_pressure,
             shear_yield,
+            limit,
+            load,
             utilised_friction: friction,
             value,
             by_load: value * (1.0 / 3.0 + slope * friction) / load,

@@ -11,6 +11,7 @@ mod flow;
 mod flow_along;
 mod hardening;
 mod load;
+mod momentary_demand;
 mod ramps;
 mod shakedown;
 pub mod stress;
@@ -25,6 +26,7 @@ pub use flow::Flow;
 pub use flow_along::FlowAlong;
 pub use hardening::Hardening;
 pub use load::Load;
+pub(crate) use momentary_demand::MomentaryDemand;
 pub use ramps::Ramps;
 pub use shakedown::{ShakedownLimit, orthogonal_shear};
 

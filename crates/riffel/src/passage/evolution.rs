@@ -6,9 +6,9 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
-use super::PassageModel;
 use super::along_profile::{Roll, faded};
 use super::felt::Felt;
+use super::{ContactInTime, ContactInstant, PassageModel};
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
 use crate::{EnergyWear, Error, PlaceOfWear};
@@ -58,8 +58,8 @@ impl EvolutionStep {
 /// A rail under one wheel after another.
 ///
 /// The profile is a ring: the wheel that leaves its end comes to its beginning. So it has no ends to be tapered, and its
-/// waves are those of a Fourier series. The energy e(x) = Qξ of a passage lowers it by k_w/(ρ 2b) times the part that
-/// oscillates; the mean is only counted, as [`mean_depth`](Self::mean_depth). Many passages are taken at once, by Heun's
+/// waves are those of a Fourier series. The energy e(x) = Qξ of a passage lowers it by k_w/(ρ 2b), and its forces by the
+/// [laws of damage](super::DamageInTime) of the contact, times the part that oscillates; the mean is only counted, as [`mean_depth`](Self::mean_depth). Many passages are taken at once, by Heun's
 /// method, as many as change no third-octave band by more than a share, or one at least. A band below a hundredth of
 /// the profile's rms counts as that. Of several wheels the mean by their shares is taken, which is what many passages in
 /// any order leave; N of them drawn one by one would scatter about it like 1/√N.
@@ -255,52 +255,39 @@ impl Evolution {
         );
         roll.begin_to_count();
         let worn = model.on_rail_under_study();
-        let mut energies = vec![vec![0.0; heights.len()]; worn.len()];
-        let mut index = 0;
+        let mut instants = vec![Vec::with_capacity(heights.len()); worn.len()];
         roll.along(felt, 0, count, |contacts| {
-            // The first wheel is now at the next height; the last is the first.
-            index = (index + 1) % heights.len();
-            for (energies, (contact, _)) in energies.iter_mut().zip(&worn) {
-                energies[index] = contacts[*contact].energy_at_rail;
+            for (instants, (contact, _)) in instants.iter_mut().zip(&worn) {
+                instants.push(contacts[*contact]);
             }
         });
-        let per_energy = wear.wear.depth_per_energy() / worn.len() as f64;
+        // The first of them is at the second height, the last at the first.
+        for instants in &mut instants {
+            instants.rotate_right(1);
+        }
         let length = heights.len() as f64 * self.spacing;
         let mut change = vec![Complex64::ZERO; heights.len() / 2 + 1];
         let mut depth = 0.0;
-        for (energies, (index, along)) in energies.iter().zip(&worn) {
+        for (instants, (index, along)) in instants.iter().zip(&worn) {
             let contact = &model.contacts[*index];
-            let waves = spectrum(energies);
-            // What of the energy is that of the wave's own geometry at constant load and slip speed.
-            let at_once = contact.wave.as_ref().filter(|_| contact.late.is_none());
-            let own: Option<Vec<Complex64>> = at_once.map(|wave| {
-                let bent: Vec<f64> = under[*index].iter().map(|felt| felt.curvature).collect();
-                let waves = spectrum(&bent).into_iter();
-                waves
-                    .map(|bent| wave.energy() * contact.profile * bent)
-                    .collect()
-            });
-            depth += per_energy * waves[0].re / heights.len() as f64;
+            let energy = energy_at_rail(contact, wear, instants, &under[*index], length);
+            let mut waves = match &contact.damage {
+                Some(damage) if !damage.wears() => vec![Complex64::ZERO; energy.len()],
+                _ => depth_of_wear(contact, wear, instants, &energy, length),
+            };
+            if let Some(damage) = &contact.damage {
+                let others = damage.waves(instants, &energy, [length, model.speed]);
+                for (wave, other) in waves.iter_mut().zip(others) {
+                    *wave += other;
+                }
+            }
+            let share = (worn.len() as f64).recip();
+            depth += share * waves[0].re / heights.len() as f64;
             for (n, (sum, wave)) in change.iter_mut().zip(waves).enumerate().skip(1) {
                 let wavelength = length / n as f64;
-                if wavelength < wear.shortest {
-                    continue;
+                if wavelength >= wear.shortest {
+                    *sum -= share * wave * Complex64::cis(-TAU * along / wavelength);
                 }
-                let lag = wear.place.lag(wavelength);
-                let left = match &contact.late {
-                    None => -lag,
-                    Some(late) => TAU * late.behind() / wavelength,
-                };
-                // That of the geometry stands at the phase of the profile there.
-                let by_place = Complex64::cis(TAU * along / wavelength);
-                let own = own
-                    .as_ref()
-                    .map_or(Complex64::ZERO, |own| own[n] * by_place);
-                let at_rail = match at_once.filter(|wave| wave.is_sliding()) {
-                    Some(sliding) => (wave - own) * sliding.pressed(wavelength) + own,
-                    None => (wave - own) * Complex64::cis(left) + own * later_of_wave(lag),
-                };
-                *sum -= per_energy * at_rail * by_place.conj();
             }
         }
         Ok(Change {
@@ -336,6 +323,74 @@ impl Evolution {
             .fold(f64::INFINITY, f64::min)
             .floor()
     }
+}
+
+/// Waves of the energy that a contact leaves at the points of a ring \[J/m\], in the time of the contact; the mean as the first.
+fn energy_at_rail(
+    contact: &ContactInTime,
+    wear: &WearOfPassages,
+    instants: &[ContactInstant],
+    under: &[Felt],
+    length: f64,
+) -> Vec<Complex64> {
+    let energies: Vec<f64> = instants.iter().map(|at| at.energy_at_rail).collect();
+    // What of the energy is that of the wave's own geometry at constant load and slip speed, at the phase of the profile there.
+    let at_once = contact.wave.as_ref().filter(|_| contact.late.is_none());
+    let own: Option<Vec<Complex64>> = at_once.map(|wave| {
+        let bent: Vec<f64> = under.iter().map(|felt| felt.curvature).collect();
+        let waves = spectrum(&bent).into_iter();
+        waves
+            .map(|bent| wave.energy() * contact.profile * bent)
+            .collect()
+    });
+    let waves = spectrum(&energies).into_iter().enumerate();
+    waves
+        .map(|(n, wave)| {
+            if n == 0 {
+                return wave;
+            }
+            let wavelength = length / n as f64;
+            let by_place = Complex64::cis(TAU * contact.along / wavelength);
+            let own = own
+                .as_ref()
+                .map_or(Complex64::ZERO, |own| own[n] * by_place);
+            let own_later = match at_once.is_some_and(|wave| wave.is_sliding()) {
+                true => Complex64::ONE,
+                false => later_of_wave(wear.place.lag(wavelength)),
+            };
+            (wave - own) * later(contact, wear, wavelength) + own * own_later
+        })
+        .collect()
+}
+
+/// How what oscillates at a contact comes to the points of the rail.
+fn later(contact: &ContactInTime, wear: &WearOfPassages, wavelength: f64) -> Complex64 {
+    match (&contact.late, &contact.wave) {
+        (Some(late), _) => Complex64::cis(TAU * late.behind() / wavelength),
+        (None, Some(wave)) if wave.is_sliding() => wave.pressed(wavelength).into(),
+        _ => Complex64::cis(-wear.place.lag(wavelength)),
+    }
+}
+
+/// Waves of the depth of wear \[m\] of those of the energy at the rail \[J/m\]; a law of regimes is linear about the mean state.
+fn depth_of_wear(
+    contact: &ContactInTime,
+    wear: &WearOfPassages,
+    instants: &[ContactInstant],
+    energy: &[Complex64],
+    length: f64,
+) -> Vec<Complex64> {
+    let mut waves = energy.to_vec();
+    if let Some((by_energy, by_load)) = wear.wear.regime() {
+        let loads: Vec<f64> = instants.iter().map(|at| at.normal_force).collect();
+        let loads = spectrum(&loads).into_iter().enumerate().skip(1);
+        for (wave, (n, load)) in waves[1..].iter_mut().zip(loads) {
+            let later = later(contact, wear, length / n as f64);
+            *wave = *wave * by_energy + load * by_load * later;
+        }
+    }
+    let per_energy = wear.wear.depth_per_energy();
+    waves.iter().map(|wave| wave * per_energy).collect()
 }
 
 /// What a passage changes.

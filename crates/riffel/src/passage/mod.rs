@@ -10,6 +10,7 @@
 //! [`SmoothRail`] is what becomes of a loop that is unstable without any profile.
 
 mod along_profile;
+mod damage_in_time;
 mod direction_in_time;
 mod eigenvalues;
 mod evolution;
@@ -38,6 +39,7 @@ mod vector_fitting;
 mod wave_in_time;
 
 pub use along_profile::Passage;
+pub use damage_in_time::DamageInTime;
 pub use evolution::{Evolution, EvolutionStep, PassageExtremes, PassingWheel, WearOfPassages};
 pub use hertz_spring::HertzSpring;
 pub use impulse_response::ImpulseResponse;

@@ -3,7 +3,7 @@
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
-use super::{HertzSpring, LateContact, March, StructuresInTime, WaveInTime};
+use super::{DamageInTime, HertzSpring, LateContact, March, StructuresInTime, WaveInTime};
 use crate::contact::{ContactFilter, CreepLaw, MeanRolling};
 use crate::feedback::Contact;
 use crate::wheelset::Motion;
@@ -30,6 +30,8 @@ pub struct ContactInTime {
     pub profile: f64,
     /// Along the rail and across it: true where the creepage is held.
     pub held: [bool; 2],
+    /// What damages the rail beside wear; none where wear is alone.
+    pub damage: Option<DamageInTime>,
 }
 
 /// The loop in time, at one speed: any number of contacts on all axes.
@@ -96,6 +98,7 @@ impl ContactInTime {
             along: 0.0,
             profile: 1.0,
             held: [false, true],
+            damage: None,
         })
     }
 }

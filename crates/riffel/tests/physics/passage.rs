@@ -7,10 +7,15 @@ use riffel::contact::{
     CreepLaw, HalfSpace, HalfSpaceCurve, JohnsonVermeulen, MeanState, NonSteady,
     OscillatingCreepages, QuasiStatic, ShenHedrickElkins,
 };
+use riffel::damage::{
+    Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load,
+    ShakedownLimit,
+};
 use riffel::feedback::OneWheel;
 use riffel::passage::{
-    ContactInTime, Evolution, EvolutionStep, ImpulseResponse, LateContact, PassageModel,
-    PassingWheel, Settled, Sinusoid, StructuresInTime, TransientContact, WearOfPassages,
+    ContactInTime, DamageInTime, Evolution, EvolutionStep, ImpulseResponse, LateContact,
+    PassageModel, PassingWheel, Settled, Sinusoid, StructuresInTime, TransientContact,
+    WearOfPassages,
 };
 use riffel::receptance::{
     Beam, ContinuousTrack, EulerBernoulliBeam, FreeBeam, Layer, ShearSection, Support,
@@ -19,7 +24,7 @@ use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact,
-    LoopState, PlaceOfWear, Receptance,
+    LoopState, PlaceOfWear, Receptance, WearCorners, WearRegimes,
 };
 
 const RADIUS: f64 = 0.46;
@@ -319,11 +324,26 @@ fn a_passage_over_a_sinusoid_settles() {
     ));
 }
 
-/// Growth of two waves over many passages is that of the linear loop, to 2·10⁻³: Heun's steps of 8 % leave half of it.
+/// Growth of two waves over many passages is that of the linear loop, to 2·10⁻³: Heun's steps of 8 % leave half of it; also by a law
+/// of wear with regimes, whose coefficient changes over the wave.
 #[test]
 fn growth_over_passages_is_linear_growth() {
-    for track in [two_layers(), free_beam()] {
+    for (track, regimes) in [
+        (two_layers(), false),
+        (free_beam(), false),
+        (two_layers(), true),
+    ] {
         let (mut feedback, model) = both(track, carter, 0.3, 30.0, 1e-6);
+        if regimes {
+            let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+            let corners = WearCorners::Rounded;
+            let law = WearRegimes::TgammaArea {
+                corners,
+                spread: 0.5,
+            };
+            let wear = law.wear(&hertz, &feedback.contact.steady(), 7850.0, 1.0);
+            feedback.wear = wear.unwrap();
+        }
         let semi_axis = 6e-3;
         feedback.place_of_wear = PlaceOfWear::new(DissipationPhase::Lag, semi_axis, 0.3);
         let wear = WearOfPassages {
@@ -367,6 +387,123 @@ fn growth_over_passages_is_linear_growth() {
             );
         }
         assert!(evolution.mean_depth() > 0.0);
+    }
+}
+
+/// The laws of damage beside wear, one by one: growth of a wave over passages is that of the loop, of all that is linear to 1 % of the
+/// law's own size, of what lies about its limit to 3 % by its first harmonic, as the wave's harmonics are left out there.
+#[test]
+fn laws_of_damage_over_passages_are_those_of_the_loop() {
+    let (speed, wavelength, amplitude) = (20.0, 0.3, 2e-6);
+    let hertz = HertzContact::new(steel(), RADIUS, 0.23, 50e3).unwrap();
+    let (feedback, model) = both(two_layers(), carter, 0.6, speed, amplitude);
+    let feedback = feedback.close().unwrap();
+    let steady = feedback.contacts()[0].rolling.steady();
+    let limit = ShakedownLimit::Line;
+    let pressure = hertz.peak_pressure();
+    let of_yield = |shear| Demand::new(&steady, pressure, shear, limit).unwrap();
+    let with = |demand: Demand, law: DamageLaw| {
+        let laws = vec![law];
+        let damage = Arc::new(Damage { demand, laws });
+        feedback.clone().with_damage(|_| Some(damage.clone()))
+    };
+    // Yield at which the mean state lies some share of its oscillation above the limit; without one well above.
+    let at_unit = of_yield(pressure);
+    let swing = |demand: Demand| {
+        let state = feedback.at(wavelength, speed).contacts[0].force;
+        demand.oscillation(state).norm()
+    };
+    let about = |share: f64| {
+        let mut shear = pressure * at_unit.value;
+        for _ in 0..20 {
+            let demand = of_yield(shear);
+            shear *= demand.value / (1.0 + share * swing(demand));
+        }
+        of_yield(shear)
+    };
+    let above = of_yield(0.8 * pressure * at_unit.value);
+    let law = |exponent| ClippedPower::new(exponent, 0.0);
+    let flow = |exponent| {
+        DamageLaw::Flow(Flow {
+            depth: 1e-9,
+            law: law(exponent),
+            hardening_depth: None,
+        })
+    };
+    let along = DamageLaw::FlowAlong(FlowAlong {
+        area: 1e-10,
+        law: law(1.0),
+    });
+    let load = DamageLaw::Load(Load {
+        depth_per_force: 1e-15,
+    });
+    let (stiffness, foundation) = (207e9 * 2.35e-5, 30e6);
+    let moment = Bending::moment_at_rest(50e3, stiffness, foundation);
+    let bending = |limit: f64| {
+        DamageLaw::Bending(Bending {
+            limit: limit * moment,
+            curvature: 1e-8,
+            law: law(1.0),
+            bending_stiffness: stiffness,
+            foundation,
+            mean_moment: moment,
+        })
+    };
+    let mean = steady.energy_per_metre();
+    let mut fatigue = Fatigue::new([0.2 * mean, 2.0 * mean, 3.0 * mean], 1e-5).unwrap();
+    fatigue.loss = 1e-3;
+    for (name, demand, law, tolerance) in [
+        ("load", above, load, 0.01),
+        ("flow", above, flow(1.0), 0.01),
+        ("flow squared", above, flow(2.0), 0.01),
+        ("flow along", above, along, 0.01),
+        ("bending", above, bending(0.9), 0.01),
+        ("fatigue", above, DamageLaw::Fatigue(fatigue), 0.01),
+        ("flow half above", about(0.0), flow(1.0), 0.03),
+        ("flow mostly below", about(-0.4), flow(1.0), 0.03),
+        ("flow along mostly above", about(0.3), along, 0.03),
+    ] {
+        let damaged = with(demand, law);
+        let contact = &damaged.contacts()[0];
+        let mut model = model.clone();
+        model.contacts[0].damage = DamageInTime::of(&damaged, contact);
+        let wheel = PassingWheel {
+            memory: model.memory().unwrap(),
+            model,
+            wear: WearOfPassages {
+                wear: contact.wear,
+                place: contact.place_of_wear,
+                shortest: 0.01,
+            },
+            share: 1.0,
+            traction_share: 1.0,
+        };
+        let (waves, count) = (6, 1500);
+        let height = |index| {
+            let x = f64::from(waves * index) / f64::from(count);
+            amplitude * (TAU * x).cos()
+        };
+        let spacing = f64::from(waves) * wavelength / f64::from(count);
+        let profile = Profile::new(0.0, spacing, (0..count).map(height).collect()).unwrap();
+        let mut evolution = Evolution::new(&profile);
+        let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1;
+        let before = amplitude(&evolution);
+        let step = EvolutionStep {
+            largest_change: 0.004,
+            largest_step: 1.5e-3,
+        };
+        evolution.advance(&[&wheel], &step, u64::MAX).unwrap();
+        // exp(gn) of G = g + drift.
+        let found = (amplitude(&evolution) / before).ln() / evolution.passages() as f64;
+        let state = damaged.at(wavelength, speed);
+        let damage = state.contacts[0].damage.unwrap();
+        let expected = damage.growth();
+        let error = (found - expected).norm() / expected.norm();
+        assert!(
+            error < tolerance,
+            "{name}: {found:e} for {expected:e}, {error:e}"
+        );
+        assert!((state.growth_rate - expected.re).abs() <= 1e-9 * expected.norm());
     }
 }
 

@@ -1,0 +1,141 @@
+//! What laws of damage beside wear take off a rail in a passage.
+
+use std::f64::consts::TAU;
+use std::fmt;
+use std::sync::Arc;
+
+use num_complex::Complex64;
+
+use super::ContactInstant;
+use super::evolution::{series, spectrum};
+use crate::damage::{Bending, Damage, DamageLaw, MomentaryDemand};
+use crate::feedback::{Contact, Loop};
+
+/// Laws of damage under the forces of every instant, each at the point of the rail under the wheel; fatigue takes the energy where
+/// that is left.
+///
+/// Flow is taken to go on: what has flowed is no part of the state of a rail in time, so that it does not harden.
+#[derive(Clone)]
+pub struct DamageInTime {
+    damage: Arc<Damage>,
+    demand: Arc<MomentaryDemand>,
+    /// The track under the wheel, for the moment of the rail.
+    feedback: Loop,
+}
+
+impl fmt::Debug for DamageInTime {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.damage.fmt(formatter)
+    }
+}
+
+impl DamageInTime {
+    /// That of a contact of a loop; none where wear is alone.
+    pub fn of(feedback: &Loop, contact: &Contact) -> Option<Self> {
+        let damage = contact.damage.clone()?;
+        (damage.laws != [DamageLaw::Wear]).then(|| Self {
+            demand: Arc::new(MomentaryDemand::new(&damage.demand)),
+            feedback: feedback.clone(),
+            damage,
+        })
+    }
+
+    /// Whether flow hardens, which is left out here.
+    pub fn hardens(&self) -> bool {
+        let mut laws = self.damage.laws.iter();
+        laws.any(|law| matches!(law, DamageLaw::Flow(flow) if flow.hardening_depth.is_some()))
+    }
+
+    /// Whether wear is among the laws.
+    pub(super) fn wears(&self) -> bool {
+        self.damage.wears()
+    }
+
+    /// Waves of the depth \[m\] that all laws but wear take off a ring of some length \[m\] at a speed \[m/s\]; of the mean, as the first,
+    /// what is taken away. `energy` is that of the waves at the rail \[J/m\].
+    pub(super) fn waves(
+        &self,
+        instants: &[ContactInstant],
+        energy: &[Complex64],
+        [length, speed]: [f64; 2],
+    ) -> Vec<Complex64> {
+        let over = |of: &dyn Fn(&ContactInstant) -> f64| -> Vec<Complex64> {
+            spectrum(&instants.iter().map(of).collect::<Vec<f64>>())
+        };
+        let excess = |at: &ContactInstant| {
+            self.demand
+                .excess(at.normal_force, [at.tangential_force, at.lateral_force])
+        };
+        let wavenumber = |n: usize| TAU * n as f64 / length;
+        let mut sum = vec![Complex64::ZERO; energy.len()];
+        for law in &self.damage.laws {
+            let waves = match law {
+                DamageLaw::Wear => continue,
+                DamageLaw::Load(load) => over(&|at| load.depth_per_force * at.normal_force),
+                DamageLaw::Flow(flow) => over(&|at| flow.depth * flow.law.value(excess(at))),
+                DamageLaw::FlowAlong(flow) => {
+                    let flows = over(&|at| {
+                        let force = at.tangential_force.hypot(at.lateral_force);
+                        let along = match force > 0.0 {
+                            true => at.tangential_force / force,
+                            false => 0.0,
+                        };
+                        flow.area * flow.law.value(excess(at)) * along
+                    });
+                    let flows = flows.into_iter().enumerate();
+                    flows
+                        .map(|(n, flow)| Complex64::I * wavenumber(n) * flow)
+                        .collect()
+                }
+                DamageLaw::Bending(bending) => self.bent(bending, instants, [length, speed]),
+                DamageLaw::Fatigue(fatigue) => {
+                    let energies = series(energy.to_vec(), instants.len());
+                    let lost = energies
+                        .iter()
+                        .map(|&energy| fatigue.loss * fatigue.growing().value(energy));
+                    spectrum(&lost.collect::<Vec<f64>>())
+                }
+            };
+            for (sum, wave) in sum.iter_mut().zip(waves) {
+                *sum += wave;
+            }
+        }
+        sum
+    }
+
+    /// Of the curvature that a rail keeps what it does not take back on its springs.
+    fn bent(
+        &self,
+        bending: &Bending,
+        instants: &[ContactInstant],
+        [length, speed]: [f64; 2],
+    ) -> Vec<Complex64> {
+        let loads: Vec<f64> = instants.iter().map(|at| at.normal_force).collect();
+        let at_rest = bending.mean_moment / self.damage.demand.load;
+        let moments = spectrum(&loads).into_iter().enumerate();
+        let moments = moments.map(|(n, load)| match n {
+            0 => load * at_rest,
+            _ => {
+                let frequency = TAU * n as f64 * speed / length;
+                let [track, _] = self.feedback.normal_receptances(frequency, speed);
+                load * bending.moment_per_force(track)
+            }
+        });
+        let moments = series(moments.collect(), loads.len());
+        let kept = moments
+            .iter()
+            .map(|moment| bending.curvature * bending.law.value(moment / bending.limit - 1.0));
+        let waves = spectrum(&kept.collect::<Vec<f64>>())
+            .into_iter()
+            .enumerate();
+        waves
+            .map(|(n, curvature)| match n {
+                0 => Complex64::ZERO,
+                _ => {
+                    let wavenumber = TAU * n as f64 / length;
+                    curvature * bending.freedom(wavenumber) / (wavenumber * wavenumber)
+                }
+            })
+            .collect()
+    }
+}
