@@ -163,3 +163,47 @@ fn traffic_passes_by_its_shares() {
         );
     }
 }
+
+/// Laws of damage beside wear change the rail in time as in the loop; what would harden, or damage under a part of the axles alone, is
+/// refused.
+#[test]
+fn damage_follows_passages() {
+    let sandbox = Sandbox::new();
+    let laws = "--set damage.laws='[\"wear\",\"flow\"]' --set damage.spread=0.1";
+    let of = |depth: &str| {
+        format!("{laws} --set damage.flow.depth={depth} --set damage.flow.exponent=1")
+    };
+    let wave = "--sinusoid 0.1um,75mm --passages 1e4 --json";
+    for depth in ["0.02nm", "1nm"] {
+        let flows = of(&format!("\"{depth}\""));
+        let run = sandbox.json(&format!("simulate {CASE} --speed 20 {flows} {wave}"));
+        let bands = run["bands"].as_array().unwrap();
+        let band = bands
+            .iter()
+            .find(|band| (number(&band["wavelength_m"]) / 0.075 - 1.0).abs() < 0.07);
+        let (own, linear) = (
+            number(&band.unwrap()["first_growth_per_passage"]),
+            number(&band.unwrap()["first_linear_growth_per_passage"]),
+        );
+        assert!((own / linear - 1.0).abs() < 2e-2, "{depth}: {own} {linear}");
+    }
+    let flows = of("\"1nm\"");
+    let hardens = format!("{flows} --set damage.flow.hardening_depth='\"1 mm\"'");
+    let traffic =
+        "[[vehicle]]\nname = \"train\"\nshare = 1\nspeed = { mean = 20 }\ntraction_share = 0.5\n";
+    fs::write(sandbox.path("traffic.toml"), traffic).unwrap();
+    for (arguments, words) in [
+        (
+            format!("--speed 20 {hardens}"),
+            "`damage.flow.hardening_depth` is given",
+        ),
+        (
+            format!("--traffic traffic.toml {flows}"),
+            "name the axles with traction",
+        ),
+    ] {
+        let refused = sandbox.riffel(&format!("simulate {CASE} {arguments} {wave}"));
+        assert_eq!(refused.status, Some(2), "{}", refused.text);
+        assert!(refused.text.contains(words), "{}", refused.text);
+    }
+}
