@@ -92,7 +92,7 @@ impl CheckedKeys {
             }
             laws.push(self.law(name, &keys, hertz, steady, track)?);
         }
-        Ok(Some(Arc::new(Damage { demand, laws })))
+        Ok(Some(Arc::new(Damage::new(demand, laws))))
     }
 
     fn law(

@@ -57,10 +57,8 @@ impl Bending {
         cube * self.bending_stiffness.powi(2) >= 64.0 * missing.powi(6)
     }
 
-    /// h₁ \[m\] of an oscillating moment \[N m\].
-    pub fn depth_1(&self, moment: Complex64, wavenumber: f64) -> Complex64 {
-        let oscillation = moment / self.limit;
-        let rate = self.law.rate(self.excess(), oscillation.norm());
+    /// h₁ \[m\] of M₁/M_lim, which is multiplied by a rate.
+    pub(super) fn depth_1(&self, oscillation: Complex64, wavenumber: f64, rate: f64) -> Complex64 {
         let curvature = oscillation * (self.curvature * rate);
         curvature * (self.freedom(wavenumber) / (wavenumber * wavenumber))
     }

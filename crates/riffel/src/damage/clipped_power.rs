@@ -25,6 +25,16 @@ impl ClippedPower {
         self.spread > 0.0
     }
 
+    /// σ \[-\].
+    pub(crate) fn spread(&self) -> f64 {
+        self.spread
+    }
+
+    /// m \[-\].
+    pub(crate) fn exponent(&self) -> f64 {
+        self.exponent
+    }
+
     /// E⟨X + σz⟩^m.
     pub fn value(&self, x: f64) -> f64 {
         power(x, self.exponent, self.spread)

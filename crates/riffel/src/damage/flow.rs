@@ -17,9 +17,9 @@ pub struct Flow {
 }
 
 impl Flow {
-    /// h₁ \[m\] of the demand u₁ of a wave.
-    pub fn depth_1(&self, demand: &Demand, oscillation: Complex64) -> Complex64 {
-        oscillation * (self.depth * self.law.rate(demand.excess(), oscillation.norm()))
+    /// h₁ \[m\] of the demand u₁ of a wave, which is multiplied by a rate.
+    pub(super) fn depth_1(&self, oscillation: Complex64, rate: f64) -> Complex64 {
+        oscillation * (self.depth * rate)
     }
 
     /// Mean depth \[m\] per passage.

@@ -13,8 +13,11 @@ mod hardening;
 mod load;
 mod momentary_demand;
 mod ramps;
+mod rate_table;
 mod shakedown;
 pub mod stress;
+
+use std::sync::OnceLock;
 
 use num_complex::Complex64;
 
@@ -28,6 +31,7 @@ pub use hardening::Hardening;
 pub use load::Load;
 pub(crate) use momentary_demand::MomentaryDemand;
 pub use ramps::Ramps;
+use rate_table::RateTable;
 pub use shakedown::{ShakedownLimit, orthogonal_shear};
 
 /// A law of damage.
@@ -77,6 +81,8 @@ pub struct Damage {
     pub demand: Demand,
     /// The laws, each once.
     pub laws: Vec<DamageLaw>,
+    /// Of their rates over the amplitude, by law, as soon as many are asked for; none where a rate is in closed form.
+    tables: OnceLock<Vec<Option<RateTable>>>,
 }
 
 /// What oscillates at a contact, of the profile as it is.
@@ -106,6 +112,15 @@ pub(crate) struct Mean {
 }
 
 impl Damage {
+    /// Laws under a contact, each once, with how near its mean state is to flow.
+    pub fn new(demand: Demand, laws: Vec<DamageLaw>) -> Self {
+        Self {
+            demand,
+            laws,
+            tables: OnceLock::new(),
+        }
+    }
+
     /// Whether any of its rates depends on the amplitude of the wave.
     pub fn depends_on_amplitude(&self) -> bool {
         self.laws.iter().any(DamageLaw::depends_on_amplitude)
@@ -178,28 +193,60 @@ impl Damage {
         !laws.any(|law| matches!(law, DamageLaw::FlowAlong(_) | DamageLaw::Bending(_)))
     }
 
-    /// h₁ \[m\] of a law.
-    fn depth_1(&self, law: &DamageLaw, mean: Mean, at: &Oscillation) -> Complex64 {
+    /// h₁ \[m\] of a law, with the table of its rates where there is one.
+    fn depth_1(
+        &self,
+        law: &DamageLaw,
+        mean: Mean,
+        at: &Oscillation,
+        table: Option<&RateTable>,
+    ) -> Complex64 {
+        let rate = |law: &ClippedPower, excess: f64, amplitude: f64| match table {
+            Some(table) => table.rate(amplitude),
+            None => law.rate(excess, amplitude),
+        };
         match law {
             DamageLaw::Wear => at.wear * mean.wear,
             DamageLaw::Load(load) => at.load * load.depth_per_force,
-            DamageLaw::Flow(flow) => flow.depth_1(&self.demand, at.demand),
-            DamageLaw::FlowAlong(flow) => flow.depth_1(&self.demand, at.demand, at.wavenumber),
+            DamageLaw::Flow(flow) => {
+                let rate = rate(&flow.law, self.demand.excess(), at.demand.norm());
+                flow.depth_1(at.demand, rate)
+            }
+            DamageLaw::FlowAlong(flow) => {
+                let rate = rate(&flow.law, self.demand.excess(), at.demand.norm());
+                flow.depth_1(&self.demand, at.demand, at.wavenumber, rate)
+            }
             DamageLaw::Bending(bending) if !bending.may_yield(at.load, at.receptance) => {
                 Complex64::ZERO
             }
             DamageLaw::Bending(bending) => {
-                let moment = at.load * bending.moment_per_force(at.receptance);
-                bending.depth_1(moment, at.wavenumber)
+                let swing = at.load * (bending.moment_per_force(at.receptance) / bending.limit);
+                let rate = rate(&bending.law, bending.excess(), swing.norm());
+                bending.depth_1(swing, at.wavenumber, rate)
             }
             DamageLaw::Fatigue(fatigue) => fatigue.depth_1(mean.energy, at.energy),
         }
     }
 
-    /// h₁ \[m\] of the laws whose rate depends on the amplitude.
+    /// h₁ \[m\] of the laws whose rate depends on the amplitude, by tables of their rates that are good to 1e-9.
     pub(crate) fn clipped(&self, mean: Mean, at: &Oscillation) -> Complex64 {
-        let laws = self.laws.iter().filter(|law| law.depends_on_amplitude());
-        laws.map(|law| self.depth_1(law, mean, at)).sum()
+        let laws = self.laws.iter().zip(self.tables());
+        let laws = laws.filter(|(law, _)| law.depends_on_amplitude());
+        laws.map(|(law, table)| self.depth_1(law, mean, at, table.as_ref()))
+            .sum()
+    }
+
+    fn tables(&self) -> &[Option<RateTable>] {
+        self.tables.get_or_init(|| {
+            let excess = self.demand.excess();
+            let table = |law: &DamageLaw| match law {
+                DamageLaw::Flow(flow) => RateTable::new(flow.law, excess),
+                DamageLaw::FlowAlong(flow) => RateTable::new(flow.law, excess),
+                DamageLaw::Bending(bending) => RateTable::new(bending.law, bending.excess()),
+                DamageLaw::Wear | DamageLaw::Load(_) | DamageLaw::Fatigue(_) => None,
+            };
+            self.laws.iter().map(table).collect()
+        })
     }
 
     /// All that the laws say of an oscillation. `profile` is the wave under the contact \[m\].
@@ -225,7 +272,7 @@ impl Damage {
             };
             *slot = Some(LawState {
                 name: law.name(),
-                growth: -self.depth_1(law, mean, at) / profile,
+                growth: -self.depth_1(law, mean, at, None) / profile,
                 mean_depth: depth,
             });
         }

@@ -403,8 +403,7 @@ fn laws_of_damage_over_passages_are_those_of_the_loop() {
     let pressure = hertz.peak_pressure();
     let of_yield = |shear| Demand::new(&steady, pressure, shear, limit).unwrap();
     let with = |demand: Demand, law: DamageLaw| {
-        let laws = vec![law];
-        let damage = Arc::new(Damage { demand, laws });
+        let damage = Arc::new(Damage::new(demand, vec![law]));
         feedback.clone().with_damage(|_| Some(damage.clone()))
     };
     // Yield at which the mean state lies some share of its oscillation above the limit; without one well above.
