@@ -307,13 +307,20 @@ pub(crate) fn positive<D: Dimension>(
     argument: &'static str,
     value: Quantity<D>,
 ) -> Result<f64, CliError> {
-    if value.si() > 0.0 {
-        return Ok(value.si());
+    /// Nothing about a railway is smaller or larger in SI.
+    const RANGE: [f64; 2] = [1e-12, 1e12];
+    let si = value.si();
+    if (RANGE[0]..=RANGE[1]).contains(&si) {
+        return Ok(si);
     }
+    let rule = match si > 0.0 {
+        true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
+        false => "greater than zero".to_owned(),
+    };
     Err(CliError::Argument {
         argument,
         value: value.to_string(),
-        rule: "greater than zero".to_owned(),
+        rule,
     })
 }
 

@@ -3,6 +3,8 @@
 mod evolution;
 mod surface;
 
+use std::ops::RangeInclusive;
+
 use riffel::forecast::SpeedDistribution;
 use riffel::passage::Outcome;
 use riffel_answers::simulate::{
@@ -19,12 +21,22 @@ use crate::output::{json, table};
 use crate::results::Results;
 use surface::surface;
 
+/// Steps of a march along a profile \[m\].
+const STEPS: RangeInclusive<f64> = 0.05e-3..=0.1;
+
 pub(crate) fn run(arguments: &Simulate) -> miette::Result<u8> {
     let case = arguments.case.read()?;
     let step = arguments
         .step
         .map(|step| positive("--step", step))
         .transpose()?;
+    if let Some(step) = step.filter(|step| arguments.sinusoid.is_none() && !STEPS.contains(step)) {
+        Err(CliError::Argument {
+            argument: "--step",
+            value: format!("{:e} m", step),
+            rule: "between 0.05 and 100 mm: the contact is some millimetres long".to_owned(),
+        })?;
+    }
     if arguments.sinusoid.is_some() {
         let length = arguments.length.map(|_| "--length");
         arguments.only_for_profiles(arguments.layout.given().or(length))?;

@@ -235,6 +235,15 @@ fn rails_are_made() {
         ("--weld 1mm,15m", "twice the length of the weld"),
         ("--weld 1mm,1m --seed 2", "it is for --spectrum"),
         ("--weld 1mm,1m --rail left", "it is for --profile"),
+        ("--weld 1mm,1m --step 1e-9", "between 0.05 and 100 mm"),
+        (
+            "--weld 1mm,1m --step 1e-300",
+            "between 1e-12 and 1e12 in SI",
+        ),
+        (
+            "--weld 1mm,1m --length 1e300",
+            "between 1e-12 and 1e12 in SI",
+        ),
     ] {
         let refused = sandbox.riffel(&format!("simulate {CASE} --speed 30 {arguments}"));
         assert_eq!(refused.status, Some(2), "{arguments}: {}", refused.text);
