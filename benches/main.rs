@@ -95,6 +95,15 @@ fn feedback(track: &str) -> Result<Loop, Failure> {
     let (text, overrides) = match track {
         "moving" => (NOMINAL_CASE, vec![MOVING]),
         "wave-geometry" => (NOMINAL_CASE, vec!["contact.wave_geometry=true"]),
+        "flow" => {
+            let law = [
+                "damage.laws=[\"wear\", \"flow\"]",
+                "damage.spread=0.1",
+                "damage.flow.depth=\"1 nm\"",
+                "damage.flow.exponent=1",
+            ];
+            (NOMINAL_CASE, law.to_vec())
+        }
         "two-layer" => (BHASKAR_TRACK_CASE, vec![]),
         "moving-two-layer" => (BHASKAR_TRACK_CASE, vec![MOVING]),
         "periodic" => {
@@ -407,6 +416,11 @@ fn report_tracks(text: &mut String, riffel: &mut Contestant) -> Result<(), Failu
         (
             "the same, with the geometry of the wave",
             "wave-geometry",
+            SIDE,
+        ),
+        (
+            "the same, with flow under a spread of loads beside wear",
+            "flow",
             SIDE,
         ),
         ("moving beam, closed form", "moving", SIDE),

@@ -346,9 +346,9 @@ defect-at = { $place } m ({ $height } µm)
 one-defect = Schiene { $rail } hat eine Schweißung, einen Stoß oder Squat: { $places }
 some-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places }
 many-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places } und { $more } weitere
-defects-left-out = { $found }; aus den Spektren weggelassen (--keep-defects behält sie)
-defects-out-of-levels = { $found }; aus den Pegeln weggelassen (--keep-defects behält sie), nicht aber aus gleitendem Effektivwert und Schleifplan
-defects-judged = { $found }; sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln
+defects-left-out = { $sentence }; aus den Spektren weggelassen (--keep-defects behält sie)
+defects-out-of-levels = { $sentence }; aus den Pegeln weggelassen (--keep-defects behält sie), nicht aber aus gleitendem Effektivwert und Schleifplan
+defects-judged = { $sentence }; sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln
 
 grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
 grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben

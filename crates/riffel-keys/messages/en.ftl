@@ -354,9 +354,9 @@ defect-at = { $place } m ({ $height } µm)
 one-defect = rail { $rail } has a weld, joint or squat: { $places }
 some-defects = rail { $rail } has { $count } welds, joints or squats: { $places }
 many-defects = rail { $rail } has { $count } welds, joints or squats: { $places } and { $more } more
-defects-left-out = { $found }; left out of the spectra (--keep-defects keeps them)
-defects-out-of-levels = { $found }; left out of the levels (--keep-defects keeps them), but not of the moving RMS and what to grind
-defects-judged = { $found }; they count in levels and limits, but are no corrugation
+defects-left-out = { $sentence }; left out of the spectra (--keep-defects keeps them)
+defects-out-of-levels = { $sentence }; left out of the levels (--keep-defects keeps them), but not of the moving RMS and what to grind
+defects-judged = { $sentence }; they count in levels and limits, but are no corrugation
 
 grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
 grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given

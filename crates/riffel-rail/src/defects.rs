@@ -46,9 +46,9 @@ pub fn defects_in_words(rail: &str, defects: &[RailDefect], are: DefectsAre) -> 
         ),
     };
     Some(match are {
-        DefectsAre::LeftOut => say!(defects_left_out, found = found),
-        DefectsAre::OutOfLevels => say!(defects_out_of_levels, found = found),
-        DefectsAre::Judged => say!(defects_judged, found = found),
+        DefectsAre::LeftOut => say!(defects_left_out, sentence = found),
+        DefectsAre::OutOfLevels => say!(defects_out_of_levels, sentence = found),
+        DefectsAre::Judged => say!(defects_judged, sentence = found),
     })
 }
 

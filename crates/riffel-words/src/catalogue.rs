@@ -236,6 +236,12 @@ mod tests {
         assert_eq!(german("Growth ridge"), "Wachstumsgrat");
         assert_eq!(
             german(
+                "rail left has 2 welds, joints or squats: 10.0 m (-302 µm), 30.3 m (-299 µm); they count in levels and limits, but are no corrugation"
+            ),
+            "Schiene links hat 2 Schweißungen, Stöße oder Squats: 10,0 m (-302 µm), 30,3 m (-299 µm); sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln"
+        );
+        assert_eq!(
+            german(
                 "rail left: EN ISO 3095:2013: over the limit, 3 of 12 bands, at worst by 4.2 dB at 40 mm"
             ),
             "Schiene links: EN ISO 3095:2013: über der Grenze, 3 von 12 Bändern, am meisten um 4,2 dB bei 40 mm"
