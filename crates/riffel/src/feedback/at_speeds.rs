@@ -5,7 +5,7 @@ use rayon::prelude::*;
 use super::{ClosedForm, Derivatives, LineGroup, Loop};
 
 /// The loops of a wheel at places along the track, at some wavelengths, with all that depends on these alone done beforehand; to
-/// rounding those of [`Loop::at`].
+/// the last bit those of [`Loop::at`] where wear is alone.
 pub(crate) enum AtSpeeds {
     /// Of as many wavelengths at once as a vector register holds.
     Groups(Vec<LineGroup>),
@@ -71,8 +71,7 @@ impl AtPlace {
             Some((closed, derivatives)) => {
                 let (dissipation, force) =
                     closed.dissipation_and_force(derivatives, wavelength, speed);
-                let per_dissipation = self.feedback.growth_rate_per_dissipation();
-                (per_dissipation * dissipation.re, force)
+                (closed.growth_rate(dissipation), force)
             }
             None => {
                 let state = self.feedback.at(wavelength, speed);

@@ -112,12 +112,9 @@ impl ClosedForm {
         let damage = self
             .contact
             .damage_state(&oscillation, force, self.amplitude.into());
-        // The profile loses the depth k_w e₁/(ρ·2b) per passage, and |Δ| grows like exp(g · passages).
-        let worn = self.contact.wear.depth_per_energy()
-            * (self.steady.full_slip_energy_per_metre() * normalized.re);
         let growth_rate = match &damage {
             Some(damage) => damage.growth().re,
-            None => -worn / self.amplitude,
+            None => self.growth_rate(normalized),
         };
         let diagonal = |along, normal| {
             let mut matrix = [[Complex64::ZERO; 3]; 3];
@@ -151,6 +148,13 @@ impl ClosedForm {
                 damage,
             }],
         }
+    }
+
+    /// Growth rate per passage of Ŵ₁: the profile loses the depth k_w e₁/(ρ·2b), and |Δ| grows like exp(g · passages).
+    pub(crate) fn growth_rate(&self, dissipation: Complex64) -> f64 {
+        let worn = self.contact.wear.depth_per_energy()
+            * (self.steady.full_slip_energy_per_metre() * dissipation.re);
+        -worn / self.amplitude
     }
 
     /// Ŵ₁ of [`at`](Self::at) alone.
