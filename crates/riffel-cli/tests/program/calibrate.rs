@@ -106,7 +106,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         ),
         (
             format!("{set}/case.toml --posterior out --months 0"),
-            "greater than zero",
+            "must be above zero and at most 12000",
         ),
         (
             format!("{set}/case.toml --posterior out --traffic {set}/traffic.toml"),
