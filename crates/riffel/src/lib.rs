@@ -89,6 +89,7 @@
 //! [`creep_coefficient`]: contact::creep_coefficient
 
 pub mod axlebox;
+mod chebyshev;
 mod constants;
 pub mod contact;
 pub mod curving;

@@ -137,10 +137,8 @@ impl CaseInTime<'_> {
     }
 
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        if self.contacts.iter().any(|contact| {
-            let damage = contact.damage.as_ref();
-            damage.is_some_and(DamageInTime::hardens)
-        }) {
+        let mut damage = self.contacts.iter().flat_map(|contact| &contact.damage);
+        if damage.any(DamageInTime::hardens) {
             let message = "`damage.flow.hardening_depth` is given, but passages in time do not keep what has flowed at each place: \
                  leave it out, or ask `riffel point` where hardening ends the wave";
             return Err(self.case.refuse("damage.flow.hardening_depth", message));

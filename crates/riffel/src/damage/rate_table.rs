@@ -1,11 +1,8 @@
 //! The rate of a clipped power about one mean state, read from a table over the amplitude.
 
-use std::f64::consts::PI;
-
 use super::ClippedPower;
+use crate::chebyshev::{NODES, polynomial_at, through_nodes};
 
-/// Coefficients of the polynomial of a cell.
-const NODES: usize = 8;
 /// Equal cells to begin with.
 const FIRST_CELLS: usize = 16;
 /// Equal parts of the range, each of which knows the cell that it begins in.
@@ -97,10 +94,15 @@ impl RateTable {
     }
 
     fn divide(&mut self, begin: f64, end: f64, halvings: u32) {
-        let cell = Cell::through(begin, end, |place| self.exact(place));
+        let at = |t: f64| 0.5 * (begin + end + t * (end - begin));
+        let cell = Cell {
+            begin,
+            end,
+            polynomial: through_nodes(|t| self.exact(at(t))),
+        };
         let size = self.law.slope(self.scale);
         let holds = [-0.95, -0.5, 0.1, 0.6, 0.97].iter().all(|t| {
-            let place = 0.5 * (begin + end + t * (end - begin));
+            let place = at(*t);
             (cell.at(place) - self.exact(place)).abs() <= TOLERANCE * size
         });
         if holds || halvings == 0 {
@@ -114,44 +116,9 @@ impl RateTable {
 }
 
 impl Cell {
-    /// The polynomial through Chebyshev's nodes.
-    fn through(begin: f64, end: f64, of: impl Fn(f64) -> f64) -> Self {
-        let count = NODES as f64;
-        let node = |k: usize| (PI * (k as f64 + 0.5) / count).cos();
-        let values: [f64; NODES] =
-            std::array::from_fn(|k| of(0.5 * (begin + end + node(k) * (end - begin))));
-        // In Chebyshev's polynomials, then in powers by T_n = 2t T_{n−1} − T_{n−2}.
-        let mut polynomial = [0.0; NODES];
-        let [mut before, mut power] = [[0.0; NODES]; 2];
-        power[0] = 1.0;
-        for n in 0..NODES {
-            let sum: f64 = values
-                .iter()
-                .enumerate()
-                .map(|(k, value)| value * (PI * n as f64 * (k as f64 + 0.5) / count).cos())
-                .sum();
-            let coefficient = sum * if n == 0 { 1.0 } else { 2.0 } / count;
-            for (sum, power) in polynomial.iter_mut().zip(&power) {
-                *sum += coefficient * power;
-            }
-            let twice = if n == 0 { 1.0 } else { 2.0 };
-            let next = std::array::from_fn(|k| {
-                let shifted = if k == 0 { 0.0 } else { power[k - 1] };
-                twice * shifted - before[k]
-            });
-            (before, power) = (power, next);
-        }
-        Self {
-            begin,
-            end,
-            polynomial,
-        }
-    }
-
     fn at(&self, place: f64) -> f64 {
         let t = (2.0 * place - self.begin - self.end) / (self.end - self.begin);
-        let powers = self.polynomial.iter().rev();
-        powers.fold(0.0, |sum, coefficient| sum * t + coefficient)
+        polynomial_at(&self.polynomial, t)
     }
 }
 

@@ -13,12 +13,16 @@ pub(crate) enum AtSpeeds {
     Single(Vec<(f64, Vec<AtPlace>)>),
 }
 
-/// A loop at one wavelength.
+/// A loop at one wavelength, with its weight.
 pub(crate) struct AtPlace {
-    feedback: Loop,
-    /// The loop in closed form with the derivatives of its contact.
-    closed: Option<(ClosedForm, Derivatives)>,
+    feedback: AtWavelength,
     weight: f64,
+}
+
+enum AtWavelength {
+    /// In closed form with the derivatives of its contact.
+    Closed(Box<(ClosedForm, Derivatives)>),
+    General(Loop),
 }
 
 impl AtSpeeds {
@@ -29,11 +33,13 @@ impl AtSpeeds {
         }
         let single = wavelengths.par_iter().map(|&wavelength| {
             let places = places.iter().map(|(feedback, weight)| AtPlace {
-                closed: feedback.closed_form().map(|closed| {
-                    let derivatives = closed.contact.derivatives(wavelength);
-                    (closed, derivatives)
-                }),
-                feedback: feedback.clone(),
+                feedback: match feedback.closed_form() {
+                    Some(closed) => {
+                        let derivatives = closed.contact.derivatives(wavelength);
+                        AtWavelength::Closed(Box::new((closed, derivatives)))
+                    }
+                    None => AtWavelength::General(feedback.clone()),
+                },
                 weight: *weight,
             });
             (wavelength, places.collect())
@@ -67,17 +73,19 @@ impl AtSpeeds {
 
 impl AtPlace {
     fn at(&self, wavelength: f64, speed: f64) -> [f64; 2] {
-        let (growth, force) = match &self.closed {
-            Some((closed, derivatives)) => {
+        let (growth, force, amplitude) = match &self.feedback {
+            AtWavelength::Closed(at) => {
+                let (closed, derivatives) = &**at;
                 let (dissipation, force) =
                     closed.dissipation_and_force(derivatives, wavelength, speed);
-                (closed.growth_rate(dissipation), force)
+                (closed.growth_rate(dissipation), force, closed.amplitude)
             }
-            None => {
-                let state = self.feedback.at(wavelength, speed);
-                (state.growth_rate, state.normal_force())
+            AtWavelength::General(feedback) => {
+                let state = feedback.at(wavelength, speed);
+                let force = state.normal_force();
+                (state.growth_rate, force, feedback.amplitude())
             }
         };
-        [growth, force.norm_sqr() / self.feedback.amplitude().powi(2)]
+        [growth, force.norm_sqr() / amplitude.powi(2)]
     }
 }

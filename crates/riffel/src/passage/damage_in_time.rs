@@ -1,7 +1,6 @@
 //! What laws of damage beside wear take off a rail in a passage.
 
 use std::f64::consts::TAU;
-use std::fmt;
 use std::sync::Arc;
 
 use num_complex::Complex64;
@@ -21,12 +20,6 @@ pub struct DamageInTime {
     demand: Arc<MomentaryDemand>,
     /// The track under the wheel, for the moment of the rail.
     feedback: Loop,
-}
-
-impl fmt::Debug for DamageInTime {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.damage.fmt(formatter)
-    }
 }
 
 impl DamageInTime {

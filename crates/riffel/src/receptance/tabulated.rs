@@ -6,10 +6,9 @@ use num_complex::Complex64;
 use pulp::Arch;
 
 use super::{Frequencies, Receptance};
+use crate::chebyshev::{NODES, polynomial_at, through_nodes};
 use crate::tile::{SplitComplex, TILE, Tile};
 
-/// Coefficients of the interpolating polynomial of a cell.
-const NODES: usize = 8;
 /// Equal cells to begin with.
 const FIRST_CELLS: usize = 64;
 /// How often a cell may be halved: what is too sharp for the smallest is a resonance without loss,
@@ -178,13 +177,10 @@ fn divide(
         let root = middle + half * t;
         source.receptance(root * root, 0.0)
     };
-    let polynomial = chebyshev(at);
+    let polynomial = through_nodes(at);
     let holds = CHECKS.iter().all(|&t| {
         let exact = at(t);
-        let value = polynomial
-            .iter()
-            .rev()
-            .fold(Complex64::ZERO, |sum, c| sum * t + c);
+        let value = polynomial_at(&polynomial, t);
         // False where either is not a number.
         (value - exact).norm() <= tolerance * exact.norm()
     });
@@ -200,34 +196,6 @@ fn divide(
     });
 }
 
-/// Power coefficients in t of the polynomial that meets a function at Chebyshev's nodes in [−1, 1].
-fn chebyshev(f: impl Fn(f64) -> Complex64) -> [Complex64; NODES] {
-    let angle = |j: usize| std::f64::consts::PI * (j as f64 + 0.5) / NODES as f64;
-    let values: [Complex64; NODES] = std::array::from_fn(|j| f(angle(j).cos()));
-    // Sum of c_k T_k(t), the T_k by T_{k+1} = 2t T_k − T_{k−1}.
-    let mut powers = [Complex64::ZERO; NODES];
-    let (mut before, mut current) = ([0.0; NODES], [0.0; NODES]);
-    current[0] = 1.0;
-    for k in 0..NODES {
-        let scale = if k == 0 { 1.0 } else { 2.0 } / NODES as f64;
-        let coefficient: Complex64 = values
-            .iter()
-            .enumerate()
-            .map(|(j, value)| value * (scale * (k as f64 * angle(j)).cos()))
-            .sum();
-        for (power, factor) in powers.iter_mut().zip(current) {
-            *power += coefficient * factor;
-        }
-        let factor = if k == 0 { 1.0 } else { 2.0 };
-        let next = std::array::from_fn(|j| {
-            let raised = if j == 0 { 0.0 } else { factor * current[j - 1] };
-            raised - before[j]
-        });
-        (before, current) = (current, next);
-    }
-    powers
-}
-
 impl Receptance for Tabulated {
     /// Outside its range the table continues the polynomial of its first or last cell; a map asks
     /// only within.
@@ -238,10 +206,7 @@ impl Receptance for Tabulated {
             return self.source.receptance(angular_frequency, 0.0);
         };
         let t = (root - cell.middle()) * cell.per_half();
-        polynomial
-            .iter()
-            .rev()
-            .fold(Complex64::ZERO, |sum, c| sum * t + c)
+        polynomial_at(polynomial, t)
     }
 
     fn receptances(&self, frequencies: &Frequencies, _speed: f64, receptances: &mut SplitComplex) {
@@ -316,25 +281,6 @@ mod tests {
                 let track = PeriodicTrack::new(rail, support, 0.6).unwrap().at(position);
                 check(track, 1e-9, most_cells);
             }
-        }
-    }
-
-    /// To rounding times the largest coefficient of T₇, 112.
-    #[test]
-    fn a_polynomial_of_degree_seven_is_exact() {
-        let powers = chebyshev(|t| Complex64::new(3.0 * t.powi(7) - t, 2.0 + t.powi(4)));
-        let expected = [
-            Complex64::new(0.0, 2.0),
-            Complex64::new(-1.0, 0.0),
-            Complex64::ZERO,
-            Complex64::ZERO,
-            Complex64::i(),
-            Complex64::ZERO,
-            Complex64::ZERO,
-            Complex64::new(3.0, 0.0),
-        ];
-        for (power, expected) in powers.iter().zip(expected) {
-            assert!((power - expected).norm() < 1e-12, "{power} {expected}");
         }
     }
 }
