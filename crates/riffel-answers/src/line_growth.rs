@@ -64,7 +64,7 @@ impl LineGrowth {
             Some(traffic) => (None, traffic),
             None => (Some(usual.line), &usual.traffic()?),
         };
-        let case = &case.sharing_tables();
+        let case = &case.sharing_parts();
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
         let speeds = traffic.speeds().iter().map(span);
         let speeds = speeds.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);

@@ -14,6 +14,7 @@ use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
 use crate::contact_tables::ContactTables;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
+use crate::kept_wheelsets::KeptWheelsets;
 use crate::measurement;
 use crate::setting::Setting;
 use crate::substitutes::{GivenReceptance, Substitutes};
@@ -238,11 +239,12 @@ impl Case {
         Self::of_keys(keys, self.unfilled.clone())
     }
 
-    /// The case, keeping the tables of its exact contact for all cases that are built from it.
+    /// The case, keeping the tables of its exact contact and its wheelset for all cases that are built from it.
     #[must_use]
-    pub fn sharing_tables(&self) -> Self {
+    pub fn sharing_parts(&self) -> Self {
         let mut case = self.clone();
         case.keys.given.tables = ContactTables::shared();
+        case.keys.given.wheelsets = KeptWheelsets::shared();
         case
     }
 

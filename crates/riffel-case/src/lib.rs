@@ -34,6 +34,7 @@ mod growth_window;
 mod hold;
 mod idle_key;
 mod kept_state;
+mod kept_wheelsets;
 mod key;
 mod measurement;
 mod mechanisms;

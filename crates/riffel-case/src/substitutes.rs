@@ -8,6 +8,7 @@ use riffel_keys::{CaseError, Message};
 
 use crate::contact_tables::ContactTables;
 use crate::from_curve::Equilibrium;
+use crate::kept_wheelsets::KeptWheelsets;
 use crate::measurement::{self, UniversalFunction};
 use crate::track::Origin;
 
@@ -78,4 +79,6 @@ pub(crate) struct Substitutes {
     pub(crate) equilibrium: Option<Arc<Equilibrium>>,
     /// Tables of the contact that other cases have, too.
     pub(crate) tables: ContactTables,
+    /// Wheelsets that other cases have, too.
+    pub(crate) wheelsets: KeptWheelsets,
 }

@@ -109,7 +109,7 @@ impl Site {
         Ok(Self {
             name: name.to_owned(),
             file,
-            case: Case::parse(&named("case.toml"), case, &[])?.sharing_tables(),
+            case: Case::parse(&named("case.toml"), case, &[])?.sharing_parts(),
             traffic: KeyFile::parse(&named("traffic.toml"), traffic)?
                 .table()
                 .clone(),

@@ -24,7 +24,7 @@ impl Wheels {
             case: case.clone(),
         };
         // A vehicle without an equilibrium has no case either.
-        let Ok(Some(WheelsOfCurve { wheels, .. })) = case.sharing_tables().wheels_of_curve() else {
+        let Ok(Some(WheelsOfCurve { wheels, .. })) = case.sharing_parts().wheels_of_curve() else {
             return Self(vec![alone()]);
         };
         let wheels = wheels.into_iter().filter_map(|wheel| {

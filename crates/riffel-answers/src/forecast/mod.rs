@@ -123,7 +123,7 @@ impl ForecastAnswer {
         } = request;
         horizon.check()?;
         let wear_spread = wear_spread(case);
-        let (case, bands) = (&case.sharing_tables(), bands_of(case));
+        let (case, bands) = (&case.sharing_parts(), bands_of(case));
         let (on, spreads) = traffic.on_with_effects(case, &bands, progress)?;
         let (survey, measured_on) = match survey.map(Survey::latest) {
             Some((survey, date)) => (Some(survey), date),

@@ -96,7 +96,7 @@ impl ModelsAnswer {
             .speed
             .unwrap_or(0.5 * (case.speed.min() + case.speed.max()));
         case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
-        let case = case.sharing_tables();
+        let case = case.sharing_parts();
         let growth = |model: &'static FieldModel| {
             let growth = Growth::of(&case, model, speed);
             progress(1);

@@ -90,7 +90,7 @@ impl WheelsAnswer {
     /// [`AnswerError::NoCurve`] for a case without `contact.from`, [`AnswerError::Case`] for a vehicle without equilibrium and
     /// for frequencies at which the case is not known.
     pub fn new(case: &Case, progress: impl Fn(usize) + Sync) -> Result<Self, AnswerError> {
-        let found = case.sharing_tables().wheels_of_curve()?;
+        let found = case.sharing_parts().wheels_of_curve()?;
         let WheelsOfCurve { curve, wheels } = found.ok_or(AnswerError::NoCurve)?;
         let ends = [case.wavelength.min(), case.wavelength.max()];
         case.check_points(ends, [curve.speed; 2])?;

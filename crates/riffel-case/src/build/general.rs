@@ -99,10 +99,10 @@ impl CheckedKeys {
             let radius = hertz.rolling_radius();
             self.wheelset(wheelset, radius, keys.rail, &mut remarks)
         });
-        let wheelset = wheelset.transpose()?.map(Arc::new);
-        let wheels: Arc<dyn Structure> = match &wheelset {
-            Some(wheelset) => wheelset.clone(),
-            None => self.lone_wheels(hertz, &mut remarks)?,
+        let (wheelset, wheels): (_, Arc<dyn Structure>) = match wheelset.transpose()? {
+            Some((wheelset, Some(kept))) => (Some(wheelset), kept),
+            Some((wheelset, None)) => (Some(wheelset.clone()), wheelset),
+            None => (None, self.lone_wheels(hertz, &mut remarks)?),
         };
         let amplitude = self.file.corrugation.amplitude.si();
         let feedback = Loop::new(track, wheels, contacts, amplitude);

@@ -1,5 +1,7 @@
 //! From the keys of a wheelset to its model.
 
+use std::sync::Arc;
+
 use riffel::wheelset::{
     Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RigidBody, RigidWheelset,
     Segment, Suspension,
@@ -10,12 +12,32 @@ use riffel_keys::{CaseError, Message};
 use crate::checked_keys::CheckedKeys;
 use crate::file;
 use crate::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
+use crate::kept_wheelsets::KeptWheelset;
 use crate::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
 use crate::wheelset::CaseWheelset;
 
 impl CheckedKeys {
-    /// The wheelset, whose wheels have the rolling radius \[m\] and of which that on `rail` is under study.
+    /// The wheelset, whose wheels have the rolling radius \[m\] and of which that on `rail` is under study; beside it, where the
+    /// case shares its parts, the same with its memory.
     pub(super) fn wheelset(
+        &self,
+        keys: &WheelsetKeys,
+        rolling_radius: f64,
+        rail: Rail,
+        remarks: &mut Vec<Message>,
+    ) -> Result<(Arc<CaseWheelset>, Option<Arc<KeptWheelset>>), CaseError> {
+        let mut new = || self.new_wheelset(keys, rolling_radius, rail, remarks);
+        match &keys.model {
+            // A table has nothing to remember, and its remarks belong to each case.
+            WheelsetModelKeys::Measured { .. } => Ok((Arc::new(new()?), None)),
+            _ => {
+                let wheelsets = &self.given.wheelsets;
+                wheelsets.get(|| format!("{keys:?} {rolling_radius:?}"), new)
+            }
+        }
+    }
+
+    fn new_wheelset(
         &self,
         keys: &WheelsetKeys,
         rolling_radius: f64,

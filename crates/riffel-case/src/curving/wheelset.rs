@@ -19,6 +19,9 @@ use crate::file::{CurvingTheory, LEFT_WHEEL, ProfileKind, Profiles, RailProfiles
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.
 const FARTHEST: f64 = 0.012;
 const STEP: f64 = 1e-4;
+/// How far beyond the shift at which a wheel comes to its flange contact is tabulated at least \[m\]: on a wide gauge that is
+/// beyond [`FARTHEST`].
+const BEYOND_FLANGE: f64 = 5e-3;
 
 impl CurvingCase {
     /// The steel of wheels and rails.
@@ -238,7 +241,13 @@ impl CurvingCase {
             return Err(self.text.keys.invalid(key, rule, ""));
         }
         let wheelset = self.wheelset_on_track()?;
-        let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), FARTHEST, STEP)
+        let farthest = Rail::BOTH
+            .into_iter()
+            .filter_map(|rail| wheelset.flange_shift(rail, 0.0))
+            .fold(FARTHEST, |farthest, flange| {
+                farthest.max(flange + BEYOND_FLANGE)
+            });
+        let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
             .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))?;
         Ok(Kinematics::Nonlinear {
             surfaces: Arc::new(surfaces),

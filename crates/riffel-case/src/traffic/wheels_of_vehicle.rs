@@ -1,7 +1,7 @@
 //! The wheels of a vehicle on a case, as loops: one, or all of a curve, for every part of its spreads.
 
 use std::collections::HashMap;
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 use riffel::Loop;
@@ -38,6 +38,8 @@ pub(super) struct WheelOfVehicle {
     speeds: SpeedDistribution,
     /// Where it runs, if that counts.
     across: Option<AcrossRail>,
+    /// Growth under it in the bands of the traffic, once it was asked for.
+    growth: OnceLock<VehicleGrowth>,
 }
 
 /// Where the contact of a wheel runs across the rail.
@@ -71,6 +73,14 @@ pub(super) struct Asked<'a> {
     pub(super) variant: &'a Variant,
     /// In place of its speeds and of those of the variant.
     pub(super) speeds: Option<&'a SpeedDistribution>,
+}
+
+impl WheelOfVehicle {
+    /// Its loops at each of some speeds \[m/s\].
+    fn states(&self) -> Vec<(f64, &[(Loop, f64)])> {
+        let states = self.states.iter();
+        states.map(|(at, places)| (*at, &places[..])).collect()
+    }
 }
 
 impl Asked<'_> {
@@ -117,6 +127,7 @@ impl Asked<'_> {
                 states: vec![(speeds.mean(), wheel.places())],
                 across: self.across(&wheel)?,
                 speeds,
+                growth: OnceLock::new(),
             }],
             held: held.map(|held: KeptState| held.hold),
             remarks,
@@ -204,6 +215,7 @@ impl Asked<'_> {
                             // A speed of a distribution is one.
                             speeds: SpeedDistribution::single(speed).unwrap_or(speeds.clone()),
                             across: self.across(wheel)?,
+                            growth: OnceLock::new(),
                         });
                     }
                 }
@@ -212,6 +224,7 @@ impl Asked<'_> {
                     states: at.map(|(speed, wheel)| (speed, wheel.places())).collect(),
                     speeds: speeds.clone(),
                     across: self.across(&first[wheelset])?,
+                    growth: OnceLock::new(),
                 }),
             }
         }
@@ -222,8 +235,8 @@ impl Asked<'_> {
         })
     }
 
-    /// The vehicle balanced at each speed, and a word on those in the tails of a normal distribution at which it finds no equilibrium:
-    /// the nearest speed stands in for them.
+    /// The vehicle balanced at each speed, and a word on those of a normal distribution at which it finds no equilibrium: for one in
+    /// the tails the nearest speed stands in, for one between two others both.
     fn equilibria(
         &self,
         through: &ThroughCurve,
@@ -235,20 +248,29 @@ impl Asked<'_> {
             .par_iter()
             .map(|speed| (*speed, through.at(*speed)))
             .collect();
+        // A speed between two that have one is bridged; 95 % of the passages are nearer to the mean than the tails.
+        let has = |index: Option<usize>| {
+            let at: Option<&(f64, Result<Equilibrium, CaseError>)> =
+                index.and_then(|index| at.get(index));
+            at.is_some_and(|(_, equilibrium)| equilibrium.is_ok())
+        };
+        let stood_in_for = |index: usize| {
+            let far = (at[index].0 - speeds.mean()).abs() > 1.9 * speeds.deviation();
+            far || has(index.checked_sub(1)) && has(Some(index + 1))
+        };
+        let stands: Vec<bool> = (0..at.len()).map(stood_in_for).collect();
         let (mut found, mut without) = (Vec::new(), Vec::new());
-        for (speed, equilibrium) in at {
-            // 95 % of the passages are nearer to the mean.
-            let far = (speed - speeds.mean()).abs() > 1.9 * speeds.deviation();
+        for ((speed, equilibrium), stands) in at.into_iter().zip(stands) {
             match equilibrium {
                 Ok(equilibrium) => found.push((speed, Arc::new(equilibrium))),
-                Err(_) if far && speeds.listed().is_none() => without.push(speed),
+                Err(_) if stands && speeds.listed().is_none() => without.push(speed),
                 Err(error) => return Err(self.at_speed(speed, values, &error)),
             }
         }
         let words = (!without.is_empty()).then(|| {
             let speeds = without.iter().map(|speed| format!("{:.0}", 3.6 * speed));
             say!(
-                no_equilibrium_in_tail,
+                no_equilibrium_at_speeds,
                 vehicle = self.name(),
                 speeds = speeds.collect::<Vec<_>>().join(", ")
             )
@@ -310,11 +332,16 @@ impl Asked<'_> {
         let mut growths = Vec::new();
         for (part, it) in parts {
             for wheel in &it.wheels {
-                let states = wheel.states.iter();
-                let states: Vec<_> = states.map(|(at, places)| (*at, &places[..])).collect();
-                let growth =
-                    VehicleGrowth::between(name, share, &states, bands, wheel.speeds.clone());
-                let mut growth = growth.map_err(refused)?;
+                let mut growth = match wheel.growth.get() {
+                    Some(known) => known.clone(),
+                    None => {
+                        let speeds = wheel.speeds.clone();
+                        let states = wheel.states();
+                        let growth = VehicleGrowth::between(name, share, &states, bands, speeds);
+                        let growth = growth.map_err(refused)?;
+                        wheel.growth.get_or_init(|| growth).clone()
+                    }
+                };
                 if let ([_], [_], [(_, places)]) = (parts, &it.wheels[..], &wheel.states[..])
                     && let Some(window) = self.case.growth_window()
                 {
@@ -467,9 +494,7 @@ impl Asked<'_> {
         let sum: f64 = parts.iter().map(|part| part.0).sum();
         for (part, it) in parts {
             for wheel in &it.wheels {
-                let states = wheel.states.iter();
-                let states: Vec<_> = states.map(|(at, places)| (*at, &places[..])).collect();
-                let growth = MeanGrowth::between(&states, &fine, &wheel.speeds);
+                let growth = MeanGrowth::between(&wheel.states(), &fine, &wheel.speeds);
                 let share =
                     part / sum * wheel.share * wheel.across.map_or(1.0, |across| across.covering);
                 rates

@@ -66,6 +66,57 @@ fn all_wheels_are_the_mean_of_separate_runs() -> Result<(), CaseError> {
     Ok(())
 }
 
+/// Wheels of a case that shares its parts ask one wheelset that remembers: to the last bit what they answer alone.
+#[test]
+fn wheels_that_share_a_wheelset_grow_as_they_do_alone() -> Result<(), CaseError> {
+    let vehicle = "curve = true\nspeed = { mean = 12.5, standard_deviation = 1 }";
+    let alone = on(&curve(&[]), vehicle)?;
+    let shared = on(&curve(&[]).sharing_parts(), vehicle)?;
+    assert_eq!(alone.growth.rates(), shared.growth.rates());
+    Ok(())
+}
+
+/// However wide the gauge and tight the curve: contact is tabulated as far as the flange and beyond.
+#[test]
+fn a_bogie_finds_its_equilibrium_on_any_gauge() {
+    for gauge in [1430, 1435, 1440, 1445, 1450, 1455, 1465] {
+        for radius in [120, 180, 300, 600] {
+            let keys = [
+                format!("profiles.gauge={gauge} mm"),
+                format!("curve.radius={radius} m"),
+            ];
+            let keys = keys.each_ref().map(String::as_str);
+            assert!(
+                on(
+                    &curve(&keys),
+                    "curve = true\nspeeds = [{ speed = 10, share = 1 }]"
+                )
+                .is_ok()
+            );
+        }
+    }
+}
+
+/// At 28 km/h and a friction of 0.6 this bogie finds no equilibrium, 2 km/h beside it one: both neighbours stand in, and a note
+/// says so. A listed speed without one is refused.
+#[test]
+fn a_speed_between_two_with_an_equilibrium_is_bridged() {
+    let text = include_str!("../../../../validation/field/stockholm-alvik/case.toml");
+    let friction = ["contact.friction=0.6".to_owned()];
+    let case = Case::parse("case.toml", text, &friction).unwrap();
+    let vehicle = "curve = true\nspeed = { mean = \"28 km/h\", standard_deviation = \"2 km/h\" }";
+    let found = on(&case, vehicle).unwrap();
+    let notes: Vec<String> = found.remarks.iter().map(ToString::to_string).collect();
+    assert!(
+        notes
+            .iter()
+            .any(|note| note.contains("no equilibrium in its curve at 28 km/h:")),
+        "{notes:#?}"
+    );
+    let listed = "curve = true\nspeeds = [{ speed = \"28 km/h\", share = 1 }]";
+    assert!(refusal(&case, listed).contains("no equilibrium was found"));
+}
+
 /// Between the speeds at which the bogie is balanced rates are interpolated: to 2 % of the largest beside balancing it at every
 /// twentieth of a standard deviation. Cause: second order in two standard deviations of the tails.
 #[test]
