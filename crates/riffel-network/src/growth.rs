@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::Serialize;
 
 use crate::alignment::Alignment;
-use crate::judgement::DefectKind;
+use crate::judgement::{DefectKind, ExpectedGrowth};
 use crate::record::{RailRecord, SurveyRecord};
 use crate::trend::{Trend, scatter};
 use crate::{Judgement, NetworkError, Section, Sections, Store};
@@ -34,10 +34,12 @@ pub struct SectionGrowth {
     pub band_m: [f64; 2],
     /// RMS at the two dates \[m\].
     pub rms_m: [f64; 2],
-    /// Change of the level \[dB a year\], by a line through all surveys since the rail was last ground.
-    pub growth_db_per_year: f64,
+    /// Change of the level \[dB a year\], by a line through all surveys since the rail was last ground; none of one survey.
+    pub growth_db_per_year: Option<f64>,
     /// Half of its interval of 95 % \[dB a year\], by the scatter of the surveys of the line.
     pub growth_error_db_per_year: Option<f64>,
+    /// What the traffic of the line is expected to make of it, if that is known.
+    pub expected_growth_db_per_year: Option<ExpectedGrowth>,
     /// RMS over limit at the last date.
     pub rms_over_limit: f64,
     /// The same without single places, which grinding does not take off.
@@ -54,20 +56,32 @@ pub struct SectionGrowth {
 impl SectionGrowth {
     /// The growth \[dB a year\] where it is more than the surveys scatter.
     pub(crate) fn certain(&self) -> Option<f64> {
-        let error = self.growth_error_db_per_year?;
-        (!self.ground && self.growth_db_per_year > error).then_some(self.growth_db_per_year)
+        let (growth, error) = (self.growth_db_per_year?, self.growth_error_db_per_year?);
+        (!self.ground && growth > error).then_some(growth)
     }
 
-    /// What lasts over its limit, so many months behind the last date, if it grows on; a rail that was ground has no growth that
-    /// is known.
+    /// The growth \[dB a year\] that is reckoned with: that of the surveys, or where they tell none, of one survey or of a rail that was
+    /// ground, the median of what is expected, if it grows.
+    fn reckoned(&self) -> Option<f64> {
+        match self.growth_error_db_per_year.is_some() && !self.ground {
+            true => self.certain(),
+            false => {
+                let expected = self.expected_growth_db_per_year?.median;
+                (expected > 0.0).then_some(expected)
+            }
+        }
+    }
+
+    /// What lasts over its limit, so many months behind the last date, if it grows on.
     pub(crate) fn lasting_after(&self, months: f64) -> f64 {
-        let growth = self.certain().unwrap_or(0.0);
+        let growth = self.reckoned().unwrap_or(0.0);
         self.lasting_over_limit * 10f64.powf(growth * months / 12.0 / 20.0)
     }
 }
 
 /// Sections of some length \[m\] over all surveys of each line, or over those from the latest up to one day to the latest up to
-/// another; those that reach their limit first come first. Lines with one survey are left out. On all cores.
+/// another; those that reach their limit first come first. Lines with one survey are left out unless their growth is expected. On
+/// all cores.
 ///
 /// Surveys are laid on one another first, window by window by the correlation of their levels, for odometers are off by metres. A level
 /// that grows by a dB in a year is taken to go on so: RMS grows as an exponential of time. Growth within the scatter of the surveys
@@ -109,7 +123,8 @@ pub(crate) fn growth_by_band(
     length: f64,
     between: Option<[Date; 2]>,
 ) -> Result<Vec<SectionGrowth>, NetworkError> {
-    let lines = chosen(store, between)?;
+    let mut lines = chosen(store, between)?;
+    lines.retain(|line| line.len() > 1 || judgement.expects(&line[0].line));
     if lines.is_empty() {
         return Err(NetworkError::Nothing(
             "no line has surveys of two dates, between which it could have grown".to_owned(),
@@ -190,17 +205,21 @@ fn of_line(
                     .iter()
                     .map(|(number, rms)| (years[*number], 20.0 * rms.log10()));
                 let points: Vec<(f64, f64)> = points.collect();
-                let Some(trend) = Trend::new(&points).filter(|_| points.len() > 1) else {
+                let trend = Trend::new(&points).filter(|_| points.len() > 1);
+                let expected = judgement.expected(&last.line, band.band);
+                if trend.is_none() && expected.is_none() || known.is_empty() {
                     continue;
-                };
+                }
                 // Of a rail that was ground to the last survey, the two of which that is known.
-                let only_ground = trend.only_ground();
-                let first = trend.before - usize::from(only_ground);
+                let only_ground = trend.as_ref().is_some_and(Trend::only_ground);
+                let before = trend.as_ref().map_or(0, |trend| trend.before);
+                let first = before - usize::from(only_ground);
                 let (from, to) = (known[first], known[known.len() - 1]);
                 let [one, other] = [points[first], points[points.len() - 1]];
                 let change = (other.1 - one.1) / (other.0 - one.0);
+                let growth = trend.as_ref().map(|trend| trend.growth().unwrap_or(change));
                 grown.push((
-                    trend.clone(),
+                    trend,
                     SectionGrowth {
                         line: last.line.clone(),
                         rail: rail.name.clone(),
@@ -210,8 +229,9 @@ fn of_line(
                         surveys: known.len() - first,
                         band_m: judgement.ends(band.band),
                         rms_m: [from.1, to.1],
-                        growth_db_per_year: trend.growth().unwrap_or(change),
+                        growth_db_per_year: growth,
                         growth_error_db_per_year: None,
+                        expected_growth_db_per_year: expected,
                         rms_over_limit: band.ratio,
                         lasting_over_limit: band.lasting,
                         kind: band.kind(),
@@ -222,14 +242,16 @@ fn of_line(
             }
         }
     }
-    let trends: Vec<Trend> = grown.iter().map(|(trend, _)| trend.clone()).collect();
+    let trends = grown.iter().filter_map(|(trend, _)| trend.clone());
+    let trends: Vec<Trend> = trends.collect();
     let scatter = scatter(&trends);
     let sections = grown.into_iter().map(|(trend, mut section)| {
-        section.growth_error_db_per_year = trend.growth().map(|_| trend.growth_error(scatter));
+        section.growth_error_db_per_year =
+            trend.and_then(|trend| trend.growth().map(|_| trend.growth_error(scatter)));
         let left = -20.0 * section.rms_over_limit.log10();
         section.months_to_limit = match left <= 0.0 {
             true => Some(0.0),
-            false => section.certain().map(|growth| 12.0 * left / growth),
+            false => section.reckoned().map(|growth| 12.0 * left / growth),
         };
         section
     });
@@ -272,6 +294,9 @@ pub fn rails_without_growth(
     };
     let sentence = |surveys: &Vec<SurveyRecord>| {
         let (last, earlier) = surveys.split_last()?;
+        if earlier.is_empty() {
+            return None;
+        }
         let mut known: Vec<String> = earlier.iter().flat_map(names).collect();
         known.sort_unstable();
         known.dedup();
@@ -309,14 +334,15 @@ fn order(a: &SectionGrowth, b: &SectionGrowth) -> std::cmp::Ordering {
     };
     let months = |one: &SectionGrowth| one.months_to_limit.unwrap_or(f64::INFINITY);
     let over = |one: &SectionGrowth| one.rms_over_limit.max(1.0);
+    let growth = |one: &SectionGrowth| one.growth_db_per_year.unwrap_or(f64::NEG_INFINITY);
     class(a)
         .cmp(&class(b))
         .then(months(a).total_cmp(&months(b)))
         .then(over(b).total_cmp(&over(a)))
-        .then(b.growth_db_per_year.total_cmp(&a.growth_db_per_year))
+        .then(growth(b).total_cmp(&growth(a)))
 }
 
-/// The surveys of each line that has two or more, by date; from the first where none is up to the first day.
+/// The surveys of each line by date; from the first where none is up to the first day.
 fn chosen(
     store: &Store,
     between: Option<[Date; 2]>,
@@ -327,12 +353,12 @@ fn chosen(
         match between {
             None => line.to_vec(),
             Some([from, to]) => match (until(from), until(to)) {
-                (first, Some(last)) if first.unwrap_or(0) < last => {
+                (first, Some(last)) if first.unwrap_or(0) <= last => {
                     line[first.unwrap_or(0)..=last].to_vec()
                 }
                 _ => Vec::new(),
             },
         }
     });
-    Ok(lines.filter(|line| line.len() > 1).collect())
+    Ok(lines.filter(|line| !line.is_empty()).collect())
 }

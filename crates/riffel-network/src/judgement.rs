@@ -1,5 +1,7 @@
 //! The bands of a store against a limit of RMS.
 
+use std::collections::BTreeSet;
+
 use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
@@ -21,6 +23,20 @@ pub struct Judgement {
     pub(crate) share: f64,
     /// Length of a cell \[m\].
     resolution: f64,
+    /// How fast lines are expected to grow, by band; of a line without a name every line.
+    expected: Vec<(Option<String>, Vec<Option<ExpectedGrowth>>)>,
+}
+
+/// How fast the level of a band is expected to grow under the traffic of a line \[dB a year\], with the bands that hold 50 and
+/// 80 % of what it may be.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct ExpectedGrowth {
+    /// Half lies below.
+    pub median: f64,
+    /// From the quantile of 25 to that of 75 %.
+    pub band_50: [f64; 2],
+    /// From the quantile of 10 to that of 90 %.
+    pub band_80: [f64; 2],
 }
 
 /// What makes a section rough.
@@ -99,7 +115,48 @@ impl Judgement {
             limits,
             share: limit.share(),
             resolution: store.resolution()?,
+            expected: Vec::new(),
         })
+    }
+
+    /// The same with the growth that is expected in each band of a line, or of every line: it stands beside what surveys show, and
+    /// in its place where they show nothing.
+    ///
+    /// # Errors
+    /// [`NetworkError::Value`] for a line that the store does not have.
+    pub fn expecting(
+        mut self,
+        store: &Store,
+        line: Option<&str>,
+        growth: Vec<Option<ExpectedGrowth>>,
+    ) -> Result<Self, NetworkError> {
+        let lines: BTreeSet<String> = store.surveys()?.into_iter().map(|it| it.line).collect();
+        if let Some(line) = line
+            && !lines.contains(line)
+        {
+            return Err(NetworkError::Value {
+                what: "the line",
+                value: format!("\"{line}\""),
+                rule: format!(
+                    "one of those in the store: {}",
+                    Vec::from_iter(lines).join(", ")
+                ),
+            });
+        }
+        self.expected.push((line.map(str::to_owned), growth));
+        Ok(self)
+    }
+
+    /// What is expected of a band of a line.
+    pub(crate) fn expected(&self, line: &str, band: usize) -> Option<ExpectedGrowth> {
+        let of_line = |(of, _): &&(Option<String>, _)| of.as_ref().is_none_or(|of| of == line);
+        let (_, growth) = self.expected.iter().find(of_line)?;
+        growth.get(band).copied().flatten()
+    }
+
+    /// Whether anything is expected of a line.
+    pub(crate) fn expects(&self, line: &str) -> bool {
+        (0..self.bands.len()).any(|band| self.expected(line, band).is_some())
     }
 
     fn tells_places(&self) -> bool {
@@ -115,6 +172,11 @@ impl Judgement {
                 self.resolution
             )
         })
+    }
+
+    /// Shortest and longest wavelength of each band \[m\].
+    pub fn ends_of_bands(&self) -> Vec<[f64; 2]> {
+        (0..self.bands.len()).map(|band| self.ends(band)).collect()
     }
 
     /// Shortest and longest wavelength of a band \[m\].

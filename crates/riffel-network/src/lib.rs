@@ -41,7 +41,7 @@ mod worst;
 pub use error::NetworkError;
 pub use growth::{SectionGrowth, growth, rails_without_growth};
 pub use ingest::Ingested;
-pub use judgement::{DefectKind, Judgement};
+pub use judgement::{DefectKind, ExpectedGrowth, Judgement};
 pub use plan::{Aim, Budget, GrindingPlan, PlannedSection, plan};
 pub use record::{RailRecord, SurveyRecord};
 pub use sections::{Section, Sections};

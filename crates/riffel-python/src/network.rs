@@ -5,19 +5,28 @@ use std::path::PathBuf;
 
 use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
 use pyo3::prelude::*;
+use riffel_answers::expected_growth;
 use riffel_network::{
-    Aim, Budget, Judgement, NetworkError, Store, StoreSettings, StripChart, SurveyFile, growth,
-    plan, status, worst,
+    Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Store, StoreSettings, StripChart,
+    SurveyFile, growth, plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
 
+use crate::case::Case;
 use crate::document::document;
-use crate::errors::{of_case, wrong};
+use crate::errors::{of_answer, of_case, wrong};
+use crate::forecast::GivenTraffic;
 use crate::interrupt::interruptible;
 
 /// Folder of the store, name of the limit and length of a section \[m\].
 type Judged = (PathBuf, String, f64);
+
+/// A line or all, and the case and the traffic of which it is expected to grow.
+type Expected<'py> = (Option<String>, PyRef<'py, Case>, Option<GivenTraffic<'py>>);
+
+/// A line or all, and how fast it is expected to grow in each band.
+type ExpectedOf = (Option<String>, Vec<Option<ExpectedGrowth>>);
 
 /// Take in a survey; what `riffel network ingest --json` prints.
 #[pyfunction]
@@ -60,17 +69,19 @@ pub(crate) fn network_worst(
 
 /// What `riffel network growth --json` prints.
 #[pyfunction]
-pub(crate) fn network_growth(
-    py: Python<'_>,
+pub(crate) fn network_growth<'py>(
+    py: Python<'py>,
     judged: Judged,
     between: Option<(String, String)>,
     most: usize,
-) -> PyResult<Bound<'_, PyAny>> {
+    expected: Option<Expected<'py>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let expected = expected_of(py, &judged, expected)?;
     let between = between
         .map(|(from, to)| Ok::<_, PyErr>([day(&from)?, day(&to)?]))
         .transpose()?;
     answer(py, move || {
-        let (store, judgement, section) = opened(&judged)?;
+        let (store, judgement, section) = expecting(&judged, expected)?;
         let mut found = growth(&store, &judgement, section, between)?;
         found.truncate(most);
         Ok(found)
@@ -80,13 +91,15 @@ pub(crate) fn network_growth(
 /// What `riffel network plan --json` prints; `budget` is money, cost of a metre and of a site, or a length \[m\] as money with a
 /// metre at 1.
 #[pyfunction]
-pub(crate) fn network_plan(
-    py: Python<'_>,
+pub(crate) fn network_plan<'py>(
+    py: Python<'py>,
     judged: Judged,
     months: f64,
     budget: (f64, f64, f64),
     most_track: bool,
-) -> PyResult<Bound<'_, PyAny>> {
+    expected: Option<Expected<'py>>,
+) -> PyResult<Bound<'py, PyAny>> {
+    let expected = expected_of(py, &judged, expected)?;
     let (money, per_metre, per_site) = budget;
     let budget = Budget {
         money,
@@ -94,7 +107,7 @@ pub(crate) fn network_plan(
         per_site,
     };
     answer(py, move || {
-        let (store, judgement, section) = opened(&judged)?;
+        let (store, judgement, section) = expecting(&judged, expected)?;
         let aim = match most_track {
             true => Aim::MostTrack,
             false => Aim::WorstFirst,
@@ -127,6 +140,43 @@ fn opened((store, limit, section): &Judged) -> Result<(Store, Judgement, f64), N
     let store = Store::open(store)?.whole()?;
     let judgement = Judgement::new(&store, &LimitTable::find(limit)?)?;
     Ok((store, judgement, *section))
+}
+
+/// The same with what is expected.
+fn expecting(
+    judged: &Judged,
+    expected: Option<ExpectedOf>,
+) -> Result<(Store, Judgement, f64), NetworkError> {
+    let (store, judgement, section) = opened(judged)?;
+    let judgement = match expected {
+        Some((line, growth)) => judgement.expecting(&store, line.as_deref(), growth)?,
+        None => judgement,
+    };
+    Ok((store, judgement, section))
+}
+
+fn expected_of(
+    py: Python<'_>,
+    judged: &Judged,
+    expected: Option<Expected<'_>>,
+) -> PyResult<Option<ExpectedOf>> {
+    let Some((line, case, traffic)) = expected else {
+        return Ok(None);
+    };
+    let (_, judgement, _) = opened(judged).map_err(of_network)?;
+    let traffic = traffic.map(|given| given.traffic()).transpose()?;
+    let bands = judgement.ends_of_bands();
+    let growth = case.compute(py, move |case| {
+        expected_growth(case, traffic.as_ref(), &bands)
+    })?;
+    let growth = growth.map_err(of_answer)?.into_iter().map(|growth| {
+        growth.map(|growth| ExpectedGrowth {
+            median: growth.median,
+            band_50: growth.band_50,
+            band_80: growth.band_80,
+        })
+    });
+    Ok(Some((line, growth.collect())))
 }
 
 fn day(text: &str) -> PyResult<jiff::civil::Date> {

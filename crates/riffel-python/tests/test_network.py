@@ -80,3 +80,25 @@ def test_what_cannot_be_is_refused(network: riffel.Network, tmp_path: Path) -> N
         network.worst(until="yesterday")
     with pytest.raises(ValueError, match="most is 0"):
         network.worst(most=0)
+
+
+def test_what_traffic_is_expected_to_make_is_that_of_the_program(
+    network: riffel.Network, nominal: riffel.Case, tmp_path: Path
+) -> None:
+    network.ingest(tmp_path / "before.csv", "Branch", "2026-01-01")
+    growth = network.growth(case=nominal, line="Branch", most=100)
+    branch = growth.sel(place=growth["line"] == "Branch")
+    traffic = nominal.line_growth()
+    per_year = traffic["fastest"]["growth_rate_per_passage"] * traffic["passages_per_day"] * 365.2425
+    # The fastest wave between 30 and 100 mm, of those in the middle of sixteenths of a band.
+    assert branch["expected_growth"].values == pytest.approx(20 / np.log(10) * per_year, rel=0.02)
+    low, high = branch["expected_growth_band_80"].values[0]
+    assert low < branch["expected_growth"][0] < high
+    assert (growth["expected_growth"].isnull() == (growth["line"] == "Main line")).all()
+    # Half of its limit is 6 dB below it.
+    months = 12 * 20 * np.log10(2) / branch["expected_growth"].max()
+    assert branch["months_to_limit"].min() == pytest.approx(float(months), rel=1e-3)
+    with pytest.raises(ValueError, match="case"):
+        network.growth(line="Branch")
+    with pytest.raises(ValueError, match="one of those in the store"):
+        network.plan(length="1 km", case=nominal, line="Siding")

@@ -112,6 +112,23 @@ pub(crate) struct Judged {
     pub(crate) json: bool,
 }
 
+/// What the traffic of a line is expected to make of it.
+#[derive(Args)]
+pub(crate) struct Expected {
+    /// Case file of the track: growth that its traffic is expected to make stands beside that of the surveys, and in its place
+    /// where a line has one survey or was ground.
+    #[arg(long, value_name = "CASE")]
+    pub(crate) case: Option<PathBuf>,
+
+    /// Traffic file [default: the usual traffic of a line of this kind].
+    #[arg(long, value_name = "TOML", requires = "case")]
+    pub(crate) traffic: Option<PathBuf>,
+
+    /// The line that the case is of [default: all].
+    #[arg(long, value_name = "NAME", requires = "case")]
+    pub(crate) line: Option<String>,
+}
+
 #[derive(Args)]
 #[command(after_help = "Example: riffel network worst railway --section \"200 m\" --most 10")]
 pub(crate) struct Worst {
@@ -147,10 +164,16 @@ pub(crate) struct Chart {
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel network growth railway --from 2025-01-31 --to 2026-01-31")]
+#[command(
+    after_help = "Examples:\n  riffel network growth railway --from 2025-01-31 --to 2026-01-31\n  \
+        riffel network growth railway --line \"Main line\" --case case.toml --traffic traffic.toml"
+)]
 pub(crate) struct Growth {
     #[command(flatten)]
     pub(crate) judged: Judged,
+
+    #[command(flatten)]
+    pub(crate) expected: Expected,
 
     /// The earlier day: the latest survey up to it [default: the last survey but one].
     #[arg(long, value_name = "DATE", requires = "to")]
@@ -173,6 +196,9 @@ pub(crate) struct Growth {
 pub(crate) struct Plan {
     #[command(flatten)]
     pub(crate) judged: Judged,
+
+    #[command(flatten)]
+    pub(crate) expected: Expected,
 
     /// Plan for the state in so many months.
     #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = plain_number, default_value = "12")]

@@ -1,9 +1,12 @@
 //! `riffel network`
 
+use riffel_answers::expected_growth;
+use riffel_case::Case;
+use riffel_case::traffic::Traffic;
 use riffel_network::{
-    Aim, Budget, DefectKind, GrindingPlan, Judgement, NetworkError, SectionGrowth, Status, Store,
-    StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan, rails_without_growth, status,
-    worst,
+    Aim, Budget, DefectKind, ExpectedGrowth, GrindingPlan, Judgement, NetworkError, SectionGrowth,
+    Status, Store, StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan,
+    rails_without_growth, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -37,6 +40,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
         }
         NetworkCommand::Growth(arguments) => {
             let (store, judgement, section) = judged(&arguments.judged)?;
+            let judgement = expecting(&store, judgement, &arguments.expected)?;
             let between = match (&arguments.from, &arguments.to) {
                 (Some(from), Some(to)) => Some([day("--from", from)?, day("--to", to)?]),
                 _ => None,
@@ -51,6 +55,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
         NetworkCommand::Chart(arguments) => chart(arguments),
         NetworkCommand::Plan(arguments) => {
             let (store, judgement, section) = judged(&arguments.judged)?;
+            let judgement = expecting(&store, judgement, &arguments.expected)?;
             let budget = match (arguments.length, arguments.money, arguments.cost_per_metre) {
                 (Some(length), ..) => Budget::of_length(positive("--length", length)?),
                 (None, money, per_metre) => Budget {
@@ -225,6 +230,29 @@ fn judged(arguments: &Judged) -> miette::Result<(Store, Judgement, f64)> {
     Ok((store, judgement, positive("--section", arguments.section)?))
 }
 
+/// The same with the growth that the traffic of a line is expected to make.
+fn expecting(
+    store: &Store,
+    judgement: Judgement,
+    expected: &network::Expected,
+) -> miette::Result<Judgement> {
+    let Some(case) = &expected.case else {
+        return Ok(judgement);
+    };
+    let case = Case::read(case, &[])?;
+    let traffic = expected.traffic.as_deref().map(Traffic::read).transpose()?;
+    let bands = judgement.ends_of_bands();
+    let growth = expected_growth(&case, traffic.as_ref(), &bands).map_err(CliError::from)?;
+    let growth = growth.into_iter().map(|growth| {
+        growth.map(|growth| ExpectedGrowth {
+            median: growth.median,
+            band_50: growth.band_50,
+            band_80: growth.band_80,
+        })
+    });
+    Ok(judgement.expecting(store, expected.line.as_deref(), growth.collect())?)
+}
+
 fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError> {
     read_date(text).map_err(|sentence| CliError::Range {
         argument,
@@ -311,7 +339,10 @@ fn worst_in_words(places: &[WorstPlace]) -> String {
 }
 
 fn growth_in_words(sections: &[SectionGrowth]) -> String {
-    let mut rows = table(&[
+    let expected = sections
+        .iter()
+        .any(|section| section.expected_growth_db_per_year.is_some());
+    let mut header = vec![
         "line",
         "rail",
         "from km",
@@ -324,10 +355,12 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
         "over limit",
         "kind",
         "months to limit",
-    ]);
+    ];
+    header.extend(expected.then_some("expected dB a year (80 %)"));
+    let mut rows = table(&header);
     for section in sections {
         let [before, after] = section.rms_m.map(|rms| 1e6 * rms);
-        rows.add_row([
+        let mut row = vec![
             section.line.clone(),
             section.rail.clone(),
             kilometres(section.from_m),
@@ -335,12 +368,11 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
             millimetres(section.band_m),
             section.dates.join(" "),
             format!("{before:.2} → {after:.2}"),
-            match (section.ground, section.growth_error_db_per_year) {
-                (true, _) => "ground".to_owned(),
-                (false, Some(error)) => {
-                    format!("{} ± {error:.1}", tenths(section.growth_db_per_year))
-                }
-                (false, None) => tenths(section.growth_db_per_year),
+            match (section.growth_db_per_year, section.growth_error_db_per_year) {
+                (None, _) => String::new(),
+                _ if section.ground => "ground".to_owned(),
+                (Some(growth), Some(error)) => format!("{} ± {error:.1}", tenths(growth)),
+                (Some(growth), None) => tenths(growth),
             },
             section.surveys.to_string(),
             format!("{:.2}", section.rms_over_limit),
@@ -355,7 +387,12 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
                     false => "over it".to_owned(),
                 },
             ),
-        ]);
+        ];
+        row.extend(section.expected_growth_db_per_year.map(|expected| {
+            let [low, high] = expected.band_80.map(tenths);
+            format!("{} ({low} to {high})", tenths(expected.median))
+        }));
+        rows.add_row(row);
     }
     format!("{rows}\n")
 }

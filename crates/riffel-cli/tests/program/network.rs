@@ -44,6 +44,30 @@ fn surveys_become_a_plan() {
     let growth = sandbox.json("network growth railway --json");
     let yearly = 20.0 * (6.9f64 / 3.5).log10() / 184.0 * 365.2425;
     assert!((number(&growth[0]["growth_db_per_year"]) - yearly).abs() < 1e-9);
+    // Beside them, what the traffic of a case is expected to make: that of its fastest wave, which `map` tells, too.
+    let expected = sandbox.json("network growth railway --case cases/nominal.toml --json");
+    let of_map = &sandbox.json("map cases/nominal.toml --json")["under_traffic"];
+    let fastest = &of_map["fastest"];
+    assert!((0.03..0.1).contains(&number(&fastest["wavelength_m"])));
+    let rate = number(&fastest["growth_rate_per_passage"]) * number(&of_map["passages_per_day"]);
+    let median = 20.0 / std::f64::consts::LN_10 * rate * 365.2425;
+    let growth_db = &expected[0]["expected_growth_db_per_year"];
+    assert!((number(&growth_db["median"]) / median - 1.0).abs() < 0.02);
+    assert!(number(&growth_db["band_80"][0]) < median && median < number(&growth_db["band_80"][1]));
+    for (wrong, words) in [
+        (
+            "network growth railway --case cases/nominal.toml --line Branch",
+            "one of those in the store: Main line",
+        ),
+        (
+            "network plan railway --length \"1 km\" --traffic cases/traffic.toml",
+            "--case",
+        ),
+    ] {
+        let refused = sandbox.riffel(wrong);
+        assert_eq!(refused.status, Some(2), "{}", refused.text);
+        assert!(refused.sentence().contains(words), "{}", refused.text);
+    }
     let plan = sandbox.json("network plan railway --months 6 --length \"1 km\" --json");
     assert_eq!(number(&plan["over_limit_m"]), 100.0);
     assert_eq!(number(&plan["sites"][0]["from_m"]), 500.0);

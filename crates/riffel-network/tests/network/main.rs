@@ -8,8 +8,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use riffel_network::{
-    Aim, Budget, Judgement, NetworkError, Sections, Store, StoreSettings, SurveyFile, growth, plan,
-    status, worst,
+    Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Sections, Store, StoreSettings,
+    SurveyFile, growth, plan, status, worst,
 };
 use riffel_rail::LimitTable;
 use tempfile::TempDir;
@@ -98,6 +98,59 @@ fn the_worst_place_is_found() -> Result<(), NetworkError> {
     Ok(())
 }
 
+/// Of a line with one survey, and of a rail that was ground, the growth that is expected stands in; where surveys show how a rail
+/// grows it stands beside that alone. 5 dB below the limit and 10 dB a year are 6 months.
+#[test]
+fn growth_that_is_expected_stands_in_where_surveys_show_none() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let (_, file) = survey(folder.path(), "a.csv", [0, 100], |_, _| 1.0);
+    take(&store, "Probe", "2026-01-01", &file);
+    let judgement = grassie(&store);
+    let limit = 1e-6 / worst(&store, &judgement, 100.0, None, 1)?[0].rms_over_limit;
+    let rms = |decibels: f64| 1e6 * limit * 10f64.powf(decibels / 20.0);
+    let flat = |name: &str, decibels: f64| {
+        let (_, file) = survey(folder.path(), name, [0, 100], |_, _| rms(decibels));
+        file
+    };
+    take(&store, "One", "2026-01-01", &flat("one.csv", -5.0));
+    take(&store, "Ground", "2026-01-01", &flat("before.csv", 2.0));
+    take(&store, "Ground", "2026-03-15", &flat("after.csv", -10.0));
+    take(&store, "Measured", "2026-01-01", &flat("earlier.csv", -7.0));
+    take(&store, "Measured", "2026-03-15", &flat("later.csv", -5.0));
+    let expected = ExpectedGrowth {
+        median: 10.0,
+        band_50: [8.0, 12.0],
+        band_80: [5.0, 20.0],
+    };
+    let bands = judgement.ends_of_bands().len();
+    let judgement = judgement.expecting(&store, None, vec![Some(expected); bands])?;
+    let grown = growth(&store, &judgement, 100.0, None)?;
+    let of = |line: &str| grown.iter().find(|section| section.line == line).unwrap();
+    let [one, ground, measured] = ["One", "Ground", "Measured"].map(of);
+    assert!((one.months_to_limit.unwrap() - 6.0).abs() < 1e-9);
+    assert_eq!((one.growth_db_per_year, one.surveys), (None, 1));
+    assert!(ground.ground && (ground.months_to_limit.unwrap() - 12.0).abs() < 1e-9);
+    let yearly = 2.0 / 73.0 * 365.2425;
+    assert!((measured.months_to_limit.unwrap() - 12.0 * 5.0 / yearly).abs() < 1e-6);
+    assert_eq!(measured.expected_growth_db_per_year, Some(expected));
+
+    // After seven months the first and the last are over it, but not the ground one.
+    let budget = Budget::of_length(1000.0);
+    let planned = plan(&store, &judgement, 100.0, 7.0, &budget, Aim::WorstFirst)?;
+    let mut lines: Vec<&str> = planned.sites.iter().map(|site| &*site.line).collect();
+    lines.sort_unstable();
+    assert_eq!(lines, ["Measured", "One"]);
+
+    let refused = grassie(&store).expecting(&store, Some("Two"), Vec::new());
+    let sentence = refused.unwrap_err().to_string();
+    assert!(
+        sentence.contains("\"Two\"") && sentence.contains("Measured, One"),
+        "{sentence}"
+    );
+    Ok(())
+}
+
 /// A rail that grows by 2 dB in 73 days grows by 10.007 dB a year, of 365.2425 days; from 5 dB below its limit it reaches it in
 /// 6 months.
 #[test]
@@ -123,8 +176,8 @@ fn growth_between_dates_tells_when_a_limit_is_reached() -> Result<(), NetworkErr
     // Three sections of two rails; line A has one survey.
     assert_eq!(grown.len(), 6);
     let first = &grown[0];
-    assert!((first.growth_db_per_year - 2.0 / 73.0 * 365.2425).abs() < 1e-6);
-    let months = 12.0 * 5.0 / first.growth_db_per_year;
+    assert!((first.growth_db_per_year.unwrap() - 2.0 / 73.0 * 365.2425).abs() < 1e-6);
+    let months = 12.0 * 5.0 / first.growth_db_per_year.unwrap();
     assert!((first.months_to_limit.unwrap() - months).abs() < 1e-6);
     let ground: Vec<_> = grown.iter().filter(|section| section.ground).collect();
     assert_eq!(ground.len(), 2);

@@ -10,6 +10,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _riffel
+from riffel._case import Case, Traffic, _file_or_keys
 from riffel._quantities import Quantity, scalar
 
 _UNITS = {
@@ -19,6 +20,8 @@ _UNITS = {
     "rms_over_limit": ("rms_over_limit", "1", "RMS over limit"),
     "growth_db_per_year": ("growth", "dB/year", "growth of the level"),
     "growth_error_db_per_year": ("growth_error", "dB/year", "half of the interval of 95 % of the growth"),
+    "expected_growth": ("expected_growth", "dB/year", "growth of the level that the traffic is expected to make"),
+    "expected_growth_band_80": ("expected_growth_band_80", "dB/year", "80 % of what it may be"),
     "lasting_over_limit": ("lasting_over_limit", "1", "RMS over limit without single places"),
     "months_to_limit": ("months_to_limit", "month", "months until the limit is reached; NaN where it never is"),
     "cost": ("cost", "1", "cost"),
@@ -120,6 +123,9 @@ class Network:
         limit: str | os.PathLike[str] = "grassie-1999",
         between: tuple[str, str] | None = None,
         most: int = 20,
+        case: Case | None = None,
+        traffic: Traffic | None = None,
+        line: str | None = None,
     ) -> xr.Dataset:
         """How sections grew over their surveys, the soonest at their limit first.
 
@@ -129,14 +135,24 @@ class Network:
             As of `worst`.
         between : tuple of str, optional
             Two days: from the latest survey up to the one to the latest up to the other; by default all surveys.
+        case, traffic, line : optional
+            The track of a line, or of all, and its traffic, by default the usual one of such a line: the growth that it is expected
+            to make stands beside that of the surveys, and in its place where a line has one survey or was ground.
 
         Returns
         -------
         xarray.Dataset
             As of `worst`, with ``growth`` and ``growth_error`` (half of its interval of 95 %), ``surveys``, ``lasting_over_limit`` (without
-            single places), ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``.
+            single places), ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``; ``expected_growth`` and
+            ``expected_growth_band_80`` where a case was given.
         """
-        found = _riffel.network_growth(self._judged(section, limit), between, _count(most))
+        expected = _expected(case, traffic, line)
+        found = _riffel.network_growth(self._judged(section, limit), between, _count(most), expected)
+        for place in found:
+            growth = place.pop("expected_growth_db_per_year")
+            if case is not None:
+                place["expected_growth"] = None if growth is None else growth["median"]
+                place["expected_growth_band_80"] = [np.nan, np.nan] if growth is None else growth["band_80"]
         return _table(found, "place")
 
     def plan(
@@ -150,6 +166,9 @@ class Network:
         most_track: bool = False,
         section: Quantity = "100 m",
         limit: str | os.PathLike[str] = "grassie-1999",
+        case: Case | None = None,
+        traffic: Traffic | None = None,
+        line: str | None = None,
     ) -> xr.Dataset:
         """What to grind with a budget.
 
@@ -165,6 +184,8 @@ class Network:
             Choose the sites that bring the most track below its limit, not the worst sections first.
         section, limit
             As of `worst`.
+        case, traffic, line : optional
+            As of `growth`.
 
         Returns
         -------
@@ -181,7 +202,10 @@ class Network:
             if cost_per_metre is None:
                 raise ValueError("cost_per_metre is missing: money needs it")
             budget = (float(money or 0.0), float(cost_per_metre), float(cost_per_site))
-        found = _riffel.network_plan(self._judged(section, limit), float(months), budget, most_track)
+        expected = _expected(case, traffic, line)
+        found = _riffel.network_plan(
+            self._judged(section, limit), float(months), budget, most_track, expected
+        )
         sites = _table(found.pop("sites"), "site")
         return sites.assign_attrs(found)
 
@@ -238,6 +262,14 @@ class Network:
         return self._folder, os.fspath(limit), scalar(section, "section", "length")
 
 
+def _expected(case: Case | None, traffic: Traffic | None, line: str | None) -> tuple[Any, ...] | None:
+    if case is None:
+        if traffic is not None or line is not None:
+            raise ValueError("traffic and line belong to a case: give case, too")
+        return None
+    return line, case._case, None if traffic is None else _file_or_keys(traffic)
+
+
 def _count(most: int) -> int:
     if most < 1:
         raise ValueError(f"most is {most}, but must be 1 or more")
@@ -253,7 +285,7 @@ def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:
         column = [missing if row[key] is None else row[key] for row in rows]
         name, units, meaning = _UNITS.get(key, (key.removesuffix("_m"), "m" if key.endswith("_m") else "", ""))
         values = np.array(column)
-        inner = {"band_m": "end"}.get(key, "survey")
+        inner = "end" if key in ("band_m", "expected_growth_band_80") else "survey"
         dimensions = (dimension,) if values.ndim == 1 else (dimension, inner)
         described = {"units": units, "long_name": meaning}
         variables[name] = (dimensions, values, {name: text for name, text in described.items() if text})

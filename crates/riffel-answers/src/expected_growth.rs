@@ -1,0 +1,50 @@
+//! How fast the bands of a line are expected to grow under its traffic.
+
+use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, UsualTraffic, bands_of};
+use riffel_case::{Case, Variant};
+
+use crate::{AnswerError, Banded, wear_spread};
+
+/// Level \[dB\] of an e-fold of the amplitude.
+const DECIBELS: f64 = 20.0 / std::f64::consts::LN_10;
+
+/// Growth of the level \[dB a year\] in bands of wavelength \[m\] under a traffic, or else under the usual one of the line: in each
+/// band that of its fastest wave, which the band follows in the end. None where the case has no wave in a band.
+///
+/// Its band is that of the wear coefficient, none where growth does not go by it; a rate holds while it needs less than the mean
+/// wear (`amplitude_limit_m` of a forecast).
+///
+/// # Errors
+/// [`AnswerError::Case`] as of [`Traffic::on`]; [`AnswerError::NoPassagesPerDay`] for a traffic that does not say how much of it
+/// there is.
+pub fn expected_growth(
+    case: &Case,
+    traffic: Option<&Traffic>,
+    bands: &[[f64; 2]],
+) -> Result<Vec<Option<Banded>>, AnswerError> {
+    let traffic = match traffic {
+        Some(traffic) => traffic,
+        None => &UsualTraffic::of(case).traffic()?,
+    };
+    let case = &case.sharing_parts();
+    let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+    let passages = on
+        .passages_in(DAYS_PER_YEAR)
+        .ok_or(AnswerError::NoPassagesPerDay)?;
+    let spread = wear_spread(case);
+    let of_band = |[from, to]: &[f64; 2]| {
+        let lines = on.growth.wavelengths().into_iter().zip(on.growth.rates());
+        let inside = lines.filter(|(wavelength, _)| (*from..=*to).contains(wavelength));
+        let fastest = inside.map(|(_, rate)| *rate).reduce(f64::max)?;
+        let median = DECIBELS * passages * fastest;
+        Some(match spread {
+            Some(spread) => Banded::by_wear(median, spread),
+            None => Banded {
+                median,
+                band_50: [median; 2],
+                band_80: [median; 2],
+            },
+        })
+    };
+    Ok(bands.iter().map(of_band).collect())
+}
