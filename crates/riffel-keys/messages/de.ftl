@@ -395,6 +395,7 @@ stress-beyond-friction = über einem Reibbeiwert von 0,6 ist die Spannung unter 
 stress-under-contact = Spannung unter dem Kontakt: p₀ = { $pressure } MPa, a/b = { $ratio }, Reibung { $friction }, Kraftschlussausnutzung { $tractive }; Spannungen durch p₀, Tresca ist die größte Schubspannung
 in-full-slip = volles Gleiten
 in-partial-slip = teilweises Gleiten
+by-half-space = Halbraum
 traction-of-contact = Tangentialspannung
 measure-of-stress = Maß
 depth-of-stress = Ort

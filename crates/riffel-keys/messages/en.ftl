@@ -403,6 +403,7 @@ stress-beyond-friction = above a friction of 0.6 the stress under the contact ha
 stress-under-contact = stress under the contact: p₀ = { $pressure } MPa, a/b = { $ratio }, friction { $friction }, tractive ratio { $tractive }; stresses over p₀, Tresca is the largest shear stress
 in-full-slip = full slip
 in-partial-slip = partial slip
+by-half-space = half-space
 traction-of-contact = traction
 measure-of-stress = measure
 depth-of-stress = where

@@ -10,24 +10,39 @@ use super::contour::contour;
 const LEVELS: [f64; 7] = [0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7];
 
 pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
-    let [full, partial] = answer.tractions().map(|(_, traction)| traction);
+    let named = answer.tractions.iter().map(|(name, traction)| {
+        let name = match *name {
+            "half-space" => "half-space",
+            "full-slip" => "full slip",
+            _ => "partial slip",
+        };
+        (name, traction)
+    });
+    let named: Vec<(&str, &Traction)> = named.collect();
+    let sections = named
+        .iter()
+        .map(|(name, traction)| section(answer, name, traction));
+    let surfaces = named
+        .iter()
+        .map(|(name, traction)| surface(answer, name, traction));
+    let panels = sections
+        .chain(surfaces)
+        .chain([along(answer, &named), over_friction(answer)]);
     LineFigure {
         title: "Stress under the contact".to_owned(),
         caption: format!(
             "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
-             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.",
+             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}{}.",
             1e-6 * answer.peak_pressure_pa,
             answer.friction,
             answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,
             answer.tractive_ratio,
+            match named.len() > 2 {
+                true => ", half-space by the tractions of the elements",
+                false => "",
+            },
         ),
-        panels: vec![
-            section(answer, "section, full slip", &full),
-            section(answer, "section, partial slip", &partial),
-            surface(answer, "surface, full slip", &full),
-            along(answer, &[("full slip", full), ("partial slip", partial)]),
-            over_friction(answer),
-        ],
+        panels: panels.collect(),
         arrangement: Arrangement::SideBySide,
     }
 }
@@ -56,7 +71,7 @@ fn contours(x: &[f64], y: &[f64], values: &[f64]) -> Vec<Series> {
     lines.filter(|line| !line.x.is_empty()).collect()
 }
 
-fn section(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePanel {
+fn section(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel {
     let (x, depth) = (steps(-2.0, 2.0, 80), steps(0.0, 2.0, 40));
     let values: Vec<f64> = depth
         .iter()
@@ -65,7 +80,7 @@ fn section(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePa
         .collect();
     let down: Vec<f64> = depth.iter().map(|z| -z).collect();
     LinePanel {
-        subtitle: subtitle.to_owned(),
+        subtitle: format!("section, {name}"),
         x_label: "x/a".to_owned(),
         y_label: "−z/a".to_owned(),
         x_range: Some((-2.0, 2.0)),
@@ -75,7 +90,7 @@ fn section(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePa
     }
 }
 
-fn surface(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePanel {
+fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel {
     let (x, y) = (steps(-1.5, 1.5, 60), steps(-1.5, 1.5, 60));
     let values: Vec<f64> = y
         .iter()
@@ -92,7 +107,7 @@ fn surface(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePa
         color: Some(Rgb::BLACK),
     });
     LinePanel {
-        subtitle: subtitle.to_owned(),
+        subtitle: format!("surface, {name}"),
         x_label: "x/a".to_owned(),
         y_label: "y/b".to_owned(),
         x_range: Some((-1.5, 1.5)),
@@ -103,7 +118,7 @@ fn surface(answer: &StressAnswer, subtitle: &str, traction: &Traction) -> LinePa
 }
 
 /// Along the middle of the surface.
-fn along(answer: &StressAnswer, tractions: &[(&str, Traction)]) -> LinePanel {
+fn along(answer: &StressAnswer, tractions: &[(&str, &Traction)]) -> LinePanel {
     // Close to the edges, where the stress has a root.
     let x: Vec<f64> = steps(-1.4, 1.4, 560);
     let series = tractions

@@ -7,7 +7,7 @@ mod figure;
 mod tables;
 
 use riffel::damage::stress::{Depth, EllipseStress, StressMaximum, StressMeasure, Traction};
-use riffel_case::{CaseContact, SteadyContact};
+use riffel_case::CaseContact;
 use riffel_keys::{CaseError, Message, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
@@ -37,12 +37,15 @@ pub struct StressAnswer {
     pub remarks: Vec<Message>,
     #[serde(skip)]
     ellipse: EllipseStress,
+    /// By name.
+    #[serde(skip)]
+    tractions: Vec<(&'static str, Traction)>,
 }
 
 /// Largest stresses, and stress at points.
 #[derive(Debug, Serialize)]
 pub struct StressDocument {
-    /// Of each measure, in full and in partial slip, at the surface and below.
+    /// Of each measure, in full and in partial slip and by the exact theory where the case takes that, at the surface and below.
     pub maxima: Vec<StressMaximumDocument>,
     /// The largest von Mises stress in full slip over the coefficient of friction.
     pub over_friction: Vec<FrictionRow>,
@@ -54,7 +57,7 @@ pub struct StressDocument {
 /// A largest stress.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub struct StressMaximumDocument {
-    /// full-slip, partial-slip.
+    /// full-slip, partial-slip, half-space.
     pub traction: &'static str,
     /// von-mises, tresca.
     pub measure: &'static str,
@@ -106,13 +109,7 @@ impl StressAnswer {
     /// [`CaseError`] where the mean state is that of the exact theory, and that does not converge.
     pub fn new(contact: &CaseContact, points: &[[f64; 3]]) -> Result<Self, CaseError> {
         let hertz = contact.hertz;
-        let steady = match contact.steady_by_law()? {
-            Some(steady) => steady,
-            None => {
-                let half_space = contact.half_space()?;
-                SteadyContact::exact(&half_space, &contact.exact(&half_space)?)
-            }
-        };
+        let steady = contact.steady()?;
         let rolling = steady.rolling;
         let forces = [rolling.forces.longitudinal, rolling.forces.lateral];
         let size = forces[0].hypot(forces[1]);
@@ -123,6 +120,20 @@ impl StressAnswer {
         let ratio = hertz.semi_axis_longitudinal() / hertz.semi_axis_lateral();
         let ellipse = EllipseStress::of_ratio(ratio, hertz.material().poisson_ratio());
         let (friction, tractive_ratio) = (contact.friction(), rolling.tractive_ratio());
+        let mut tractions = vec![
+            ("full-slip", Traction::full_slip(friction, direction)),
+            (
+                "partial-slip",
+                Traction::partial_slip(friction, direction, tractive_ratio),
+            ),
+        ];
+        // The exact theory where the case takes it, or has creepages of more than one axis.
+        let has_law = contact.law.is_some() && !contact.is_non_steady();
+        if !has_law || contact.vector_creepage().is_some() {
+            let half_space = contact.half_space()?;
+            let state = contact.exact(&half_space)?;
+            tractions.push(("half-space", Traction::half_space(&half_space, &state)));
+        }
         let mut remarks = contact.remarks.clone();
         if !(0.3..=3.0).contains(&ratio) {
             remarks.push(say!(stress_beyond_ratio));
@@ -139,11 +150,7 @@ impl StressAnswer {
             tractive_ratio,
             direction,
             stress: StressDocument {
-                maxima: maxima(
-                    &ellipse,
-                    &tractions(friction, direction, tractive_ratio),
-                    hertz.peak_pressure(),
-                ),
+                maxima: maxima(&ellipse, &tractions, hertz.peak_pressure()),
                 over_friction: over_friction(&ellipse, direction),
                 points: points
                     .iter()
@@ -161,31 +168,14 @@ impl StressAnswer {
             },
             remarks,
             ellipse,
+            tractions,
         })
     }
-
-    fn tractions(&self) -> [(&'static str, Traction); 2] {
-        tractions(self.friction, self.direction, self.tractive_ratio)
-    }
-}
-
-fn tractions(
-    friction: f64,
-    direction: [f64; 2],
-    tractive_ratio: f64,
-) -> [(&'static str, Traction); 2] {
-    [
-        ("full-slip", Traction::full_slip(friction, direction)),
-        (
-            "partial-slip",
-            Traction::partial_slip(friction, direction, tractive_ratio),
-        ),
-    ]
 }
 
 fn maxima(
     ellipse: &EllipseStress,
-    tractions: &[(&'static str, Traction); 2],
+    tractions: &[(&'static str, Traction)],
     pressure: f64,
 ) -> Vec<StressMaximumDocument> {
     use rayon::prelude::*;

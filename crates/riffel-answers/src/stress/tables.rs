@@ -26,6 +26,7 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
         let words = maxima.iter().map(|row| match of(row) {
             "full-slip" => say!(in_full_slip),
             "partial-slip" => say!(in_partial_slip),
+            "half-space" => say!(by_half_space),
             "surface" => say!(limit_surface),
             "subsurface" => say!(limit_subsurface),
             name => Message::verbatim(name),

@@ -393,6 +393,21 @@ impl HalfSpace {
         }
     }
 
+    /// The ellipse.
+    pub fn hertz(&self) -> HertzContact {
+        self.hertz
+    }
+
+    /// Coefficient of friction μ \[-\].
+    pub fn friction(&self) -> f64 {
+        self.friction
+    }
+
+    /// Length and width \[m\] of an element of the fine grid.
+    pub fn element_size(&self) -> [f64; 2] {
+        [self.fine.patch.dx, self.fine.patch.dy]
+    }
+
     /// The elements of the fine grid.
     pub fn elements<'a>(
         &'a self,

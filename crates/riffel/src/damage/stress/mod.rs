@@ -1,10 +1,12 @@
 //! Stress under a rolling and sliding ellipse.
 
+mod elements;
 mod ellipse;
 mod maximum;
 mod measure;
 mod traction;
 
+pub use elements::ElementStress;
 pub use ellipse::{EllipseStress, UnitStress};
 pub use maximum::{Depth, StressMaximum};
 pub use measure::{StressMeasure, StressTensor};
