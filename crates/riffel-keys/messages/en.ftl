@@ -381,7 +381,16 @@ creepages-left-out = the exact theory does not converge at a creepage of { $cree
 
 damage-beyond-friction = the utilised friction of the mean state is { $friction }: above 0.6 stress and shakedown limits of the laws of damage have not been compared with anything
 moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of damage.bending.limit
-flow-hardens = flow with a hardening depth comes to rest: growth by flow is that of the first passages; what goes on is ratchetting at the hardened yield
+flow-hardens = flow hardens: growth by it is that of the first passages; below a runaway number of one it comes to rest, and what goes on is ratchetting at the hardened yield
+hardening-runs-away = flow that hardens does not stop the wave at { $wavelength } mm: its runaway number is { $runaway }, above one, so that it runs away
+hardening-ends-wave = flow that hardens multiplies the wave at { $wavelength } mm by { $ratio } and comes to rest: its runaway number is { $runaway }, below one. A law that hardens to rest makes no corrugation by itself; what goes on is ratchetting at the hardened yield
+cracks-are-worn-off = wear takes cracks off faster than they grow, at every phase of the waves forecast
+cracks-grow = cracks are longest { $at } at { $wavelength } mm: { $length } mm after { $passages } axle passages, beside { $other } mm { $opposite }
+cracks-grow-in-months = cracks are longest { $at } at { $wavelength } mm: { $length } mm after { $months } months, beside { $other } mm { $opposite }
+on-crests = on the crests
+in-troughs = in the troughs
+on-rising-flanks = on the flanks that the wheel runs up
+on-falling-flanks = on the flanks that the wheel runs down
 below-the-limit-of-flow = the mean demand is { $demand }, below one: by the law of { $law } a wave does not grow until its own forces exceed the limit
 fatigue-loses-nothing = damage.fatigue.loss is zero: fatigue is told, but takes no part in growth
 shear-yield-assumed = the shear yield of the rail is taken as { $shear } MPa; damage.shear_yield or damage.grade say it

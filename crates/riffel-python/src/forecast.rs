@@ -8,7 +8,7 @@ use pyo3::types::PyDict;
 use riffel::forecast::{Forecast, Reach, SpeedDistribution};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_answers::compare::{Comparison, Effect};
-use riffel_answers::forecast::WearReport;
+use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
 use riffel_case::traffic::{Line, Traffic, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
@@ -163,6 +163,17 @@ pub(crate) fn forecast<'py>(
         .iter()
         .map(|&passages| on.growth.mgt(passages))
         .collect();
+    let end = passages.iter().copied().fold(0.0, f64::max);
+    let end = end.min(forecast.valid_to());
+    let cracks = CrackedWave::all(&forecast, &on, end);
+    let findings = [
+        HardenedWave::in_words(&forecast),
+        CrackedWave::in_words(&cracks, &on, end),
+    ];
+    let findings: Vec<Message> = findings.into_iter().flatten().collect();
+    result.set_item("findings", in_words(&findings))?;
+    result.set_item("hardening", document(py, &HardenedWave::all(&forecast))?)?;
+    result.set_item("cracks", document(py, &cracks)?)?;
     result.set_item("passages", passages.into_pyarray(py))?;
     result.set_item("mgt", mgt.into_pyarray(py))?;
     result.set_item("level", grown)?;

@@ -138,6 +138,23 @@ def test_forecast_is_that_of_the_program(nominal: riffel.Case, tmp_path: Path, p
     assert nominal.forecast(now, traffic=keys, mgt=1.0)["mgt"].item() == pytest.approx(1.0)
 
 
+def test_hardening_and_cracks() -> None:
+    laws = {
+        "damage.laws": ["wear", "flow", "fatigue"], "damage.shear_yield": 200e6, "damage.flow.hardening_depth": "0.2 mm",
+        "damage.fatigue.crack_growth": "1 mm", "contact.tractive_ratio": 0.5,
+    }  # fmt: skip
+    case = riffel.Case.from_toml("cases/class-heavy-haul.toml").with_(laws)
+    traffic = {"line": {"mgt_per_year": 20}, "vehicle": [{"name": "laden", "share": 1, "speed": {"mean": "60 km/h"}}]}
+    found = case.forecast(from_limit=-6.0, traffic=traffic, months=12.0)
+    assert found["crack_length"].dims == ("wavelength", "phase")
+    assert list(found["phase"].values) == ["crest", "falling-flank", "trough", "rising-flank"]
+    assert (found["runaway_number"] < 1).all() and (found["hardened_wave_ratio"] > 0).all()
+    assert float(found["crack_length"].max()) > 1e-5
+    assert any("makes no corrugation by itself" in finding for finding in found.attrs["findings"])
+    plain = riffel.Case.from_toml("cases/class-heavy-haul.toml").forecast(from_limit=-6.0, traffic=traffic, months=12.0)
+    assert "crack_length" not in plain and "runaway_number" not in plain and "findings" not in plain.attrs
+
+
 @pytest.mark.parametrize(
     ("arguments", "sentence"),
     [

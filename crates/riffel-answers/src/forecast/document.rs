@@ -9,7 +9,10 @@ use riffel_case::file::CaseFile;
 use riffel_case::traffic::TrafficFile;
 use serde::Serialize;
 
-use super::{ForecastAnswer, RailForecast, ReachDocument, WearDocument, WearReport, per_million};
+use super::{
+    CrackedWave, ForecastAnswer, HardenedWave, RailForecast, ReachDocument, WearDocument,
+    WearReport, per_million,
+};
 use crate::column;
 use crate::roughness::Level;
 use crate::{Banded, WearLimitDocument};
@@ -53,6 +56,12 @@ pub struct ForecastDocument<'a> {
     wavelength_of_limit_m: Option<f64>,
     linear_range: LinearDocument<'a>,
     bands: Vec<Band<'a>>,
+    /// Where flow that hardens takes the bands of the leading rail.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    hardening: Vec<HardenedWave>,
+    /// Contact fatigue beside wear at the phases of its waves.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    cracks: Vec<CrackedWave>,
     /// Bands that were measured, outside the wavelengths of the case.
     bands_left_out: Vec<Level>,
     traffic: TrafficDocument<'a>,
@@ -293,6 +302,8 @@ pub(super) fn document<'a>(
             vehicle: &traffic.vehicles()[linear.vehicle].name,
         },
         bands: bands(answer, rail),
+        hardening: HardenedWave::all(forecast),
+        cracks: answer.cracks(),
         bands_left_out: rail
             .measured
             .spectrum
@@ -378,11 +389,15 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
 
 /// One row for each band of every rail, the rail that leads first.
 pub(super) fn band_table(answer: &ForecastAnswer, file: &mut impl Write) -> io::Result<()> {
+    let bands = answer.rails.iter().flat_map(|rail| bands(answer, rail));
+    rows(&bands.collect::<Vec<_>>(), file)
+}
+
+/// One row each.
+pub(super) fn rows(rows: &[impl Serialize], file: &mut impl Write) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    for rail in &answer.rails {
-        for band in bands(answer, rail) {
-            writer.serialize(band)?;
-        }
+    for row in rows {
+        writer.serialize(row)?;
     }
     writer.flush()
 }

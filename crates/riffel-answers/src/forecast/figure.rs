@@ -68,6 +68,14 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
         "" => String::new(),
         name => format!(" Levels are those of {name}, which leads."),
     };
+    let mut panels = vec![
+        level_panel(match until > 0.0 {
+            true => vec![now, then, limit],
+            false => vec![now, limit],
+        }),
+        rate_panel(rates),
+    ];
+    panels.extend(crack_panel(answer, until));
     let title = case.file.title.clone();
     LineFigure {
         title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
@@ -76,15 +84,54 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
              grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.{leads}",
             answer.amount(until)
         ),
-        panels: vec![
-            level_panel(match until > 0.0 {
-                true => vec![now, then, limit],
-                false => vec![now, limit],
-            }),
-            rate_panel(rates),
-        ],
+        panels,
         arrangement: Arrangement::Stacked,
     }
+}
+
+/// Length of cracks over the passages at the phases of the wave where they become longest; none without fatigue among the laws.
+fn crack_panel(answer: &ForecastAnswer, until: f64) -> Option<LinePanel> {
+    const STEPS: u32 = 24;
+    let longest = (answer.cracks().into_iter())
+        .max_by(|a, b| a.crack_length_m.total_cmp(&b.crack_length_m))?;
+    let forecast = &answer.leading().forecast;
+    let mut bands = forecast.bands().iter();
+    let band = bands.find(|band| band.now.band.wavelength() == longest.wavelength_m)?;
+    let passages: Vec<f64> = (0..=STEPS)
+        .map(|step| until * f64::from(step) / f64::from(STEPS))
+        .collect();
+    let courses = passages
+        .iter()
+        .map(|&passages| forecast.cracks(band, passages));
+    let courses: Vec<_> = courses.collect::<Option<Vec<_>>>()?;
+    let (x_label, x): (_, Vec<f64>) = match answer.on.passages_per_month() {
+        Some(per_month) => ("months", passages.iter().map(|p| p / per_month).collect()),
+        None => (
+            "10⁶ axle passages",
+            passages.iter().map(|p| 1e-6 * p).collect(),
+        ),
+    };
+    let names = ["crest", "falling flank", "trough", "rising flank"];
+    let series = names.iter().enumerate().map(|(phase, name)| Series {
+        label: (*name).to_owned(),
+        x: x.clone(),
+        y: courses
+            .iter()
+            .map(|course| 1e3 * course[phase].length)
+            .collect(),
+        style: match phase % 2 {
+            0 => LineStyle::Solid,
+            _ => LineStyle::Dashed,
+        },
+        color: Some(OKABE_ITO[1 + phase]),
+    });
+    Some(LinePanel {
+        subtitle: format!("cracks at {} mm", band.now.band.nominal_millimetres()),
+        x_label: x_label.to_owned(),
+        y_label: "length of a crack [mm]".to_owned(),
+        series: series.collect(),
+        ..LinePanel::default()
+    })
 }
 
 /// Growth over wavelength.

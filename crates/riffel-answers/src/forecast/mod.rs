@@ -1,5 +1,6 @@
 //! The future of a rail under traffic.
 
+mod damage;
 mod document;
 mod figure;
 mod over_posterior;
@@ -20,6 +21,7 @@ use riffel_keys::{fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
+pub use damage::{CrackedWave, HardenedWave};
 pub use document::ForecastDocument;
 pub(crate) use figure::{rate_panel, zero};
 pub use over_posterior::PosteriorForecast;
@@ -210,6 +212,29 @@ impl ForecastAnswer {
     /// Those of the file.
     pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
         document::line_table(self, file)
+    }
+
+    /// Cracks of every band of the leading rail at the phases of its waves, one row each.
+    ///
+    /// # Errors
+    /// Those of the file.
+    pub fn cracks_csv(&self, file: &mut impl Write) -> io::Result<()> {
+        document::rows(&self.cracks(), file)
+    }
+
+    /// Whether fatigue is among the laws of any vehicle.
+    pub fn has_cracks(&self) -> bool {
+        !self.cracks().is_empty()
+    }
+
+    /// Contact fatigue beside wear along the waves of the leading rail, at the end of the forecast; empty without fatigue among the laws.
+    fn cracks(&self) -> Vec<CrackedWave> {
+        CrackedWave::all(&self.leading().forecast, &self.on, self.until())
+    }
+
+    /// Passages at the end of the forecast, or where it ends before.
+    fn until(&self) -> f64 {
+        self.passages.min(self.leading().forecast.valid_to())
     }
 
     /// Months that some passages take, if the traffic says how much of it there is.
@@ -416,6 +441,15 @@ impl ForecastAnswer {
             findings.push(say!(decaying_bands_stay).to_string());
         }
         findings.extend(self.fastest_within());
+        let leading = &self.leading().forecast;
+        let hardened = HardenedWave::in_words(leading);
+        let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
+        findings.extend(
+            hardened
+                .into_iter()
+                .chain(cracked)
+                .map(|said| said.to_string()),
+        );
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();

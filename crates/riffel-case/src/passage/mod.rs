@@ -5,7 +5,7 @@ mod structures;
 mod viscous_layers;
 
 use riffel::passage::{
-    ContactInTime, DamageInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
+    ContactInTime, PassageModel, PassingWheel, StructuresInTime, WearOfPassages,
 };
 use riffel_keys::CaseError;
 
@@ -137,12 +137,6 @@ impl CaseInTime<'_> {
     }
 
     pub(crate) fn passing_wheel(&self, speed: f64) -> Result<PassingWheel, CaseError> {
-        let mut damage = self.contacts.iter().flat_map(|contact| &contact.damage);
-        if damage.any(DamageInTime::hardens) {
-            let message = "`damage.flow.hardening_depth` is given, but passages in time do not keep what has flowed at each place: \
-                 leave it out, or ask `riffel point` where hardening ends the wave";
-            return Err(self.case.refuse("damage.flow.hardening_depth", message));
-        }
         self.check_stable(speed)?;
         let model = self.at(speed)?;
         let first = &self.case.feedback.contacts()[0];

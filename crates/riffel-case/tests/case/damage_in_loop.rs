@@ -1,9 +1,12 @@
 //! Laws of damage in maps, ridges, on all axes, with the wave's own geometry; limits and bad inputs.
 
+use riffel::forecast::{Forecast, ForecastBand, LINES_PER_BAND, SpeedDistribution, band_lines};
 use riffel::growth::RowEvaluator;
+use riffel::roughness::Spectrum;
 use riffel::{Axis, GrowthMap};
 use riffel_case::file::RailGrade;
-use riffel_case::{Case, DamagePoint, Point};
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, DamagePoint, Point, Variant};
 
 const DAMAGE: &str = "\n[damage]\nshear_yield = \"230 MPa\"\nlimit = \"line\"\n\
     laws = [\"wear\", \"load\", \"flow\", \"flow-along\", \"bending\", \"fatigue\"]\nflow = { depth = \"1 nm\", exponent = 2 }\n\
@@ -17,6 +20,8 @@ fn case(text: &str, damage: &str, overrides: &[&str]) -> Case {
 }
 
 const METRO: &str = include_str!("../../cases/metro.toml");
+
+const HEAVY_HAUL: &str = include_str!("../../cases/class-heavy-haul.toml");
 
 fn damage_of(case: &Case, wavelength: f64, speed: f64) -> DamagePoint {
     let state = case.point(wavelength, speed).unwrap();
@@ -323,4 +328,131 @@ fn bad_inputs_are_refused() {
         remarks.iter().any(|remark| remark.contains("0.6")),
         "{remarks:?}"
     );
+}
+
+/// A rail of 1 µm in all bands under the wheel of a case at one speed.
+fn forecast(case: &Case, speed: f64) -> Forecast {
+    let bands = bands_of(case);
+    let traffic = Traffic::of_case(SpeedDistribution::single(speed).unwrap());
+    let on = traffic.on(case, &bands, &Variant::none(""), &|_| ());
+    let spectrum = Spectrum::new(bands.iter().map(|band| (*band, 20.0))).unwrap();
+    Forecast::new(&spectrum, on.unwrap().growth).unwrap()
+}
+
+/// Lines of a band of a forecast.
+fn lines(band: &ForecastBand) -> Vec<f64> {
+    band_lines(&[band.now.band])
+}
+
+/// A forecast of flow that hardens ends where closed forms say, line by line, and tells whether it runs away; the point says the same.
+#[test]
+fn a_forecast_hardens() {
+    let speed = 14.0;
+    for (depth, wears) in [("0.2 mm", false), ("20 mm", false), ("0.2 mm", true)] {
+        let laws = if wears {
+            "\"wear\", \"flow\""
+        } else {
+            "\"flow\""
+        };
+        let laws = format!("damage.laws=[{laws}]");
+        let hardens = format!("damage.flow.hardening_depth=\"{depth}\"");
+        let sharp = [
+            "damage.spread=0",
+            "damage.limit=subsurface",
+            "damage.shear_yield=200e6",
+        ];
+        let overrides = [&sharp[..], &[&laws, &hardens]].concat();
+        let case = case(HEAVY_HAUL, "", &overrides);
+        let demand = case.feedback.contacts()[0].damage.as_ref().unwrap().demand;
+        assert!(demand.excess() > 0.1);
+        let forecast = forecast(&case, speed);
+        let mut grown = 0;
+        for band in forecast.bands() {
+            let ends: Vec<(f64, f64)> = lines(band)
+                .into_iter()
+                .map(|line| {
+                    let state = case.feedback.at(line, speed).contacts[0].damage.unwrap();
+                    let (number, ratio) = state.hardened.unwrap();
+                    (number, ratio.norm_sqr())
+                })
+                .collect();
+            let most = ends
+                .iter()
+                .map(|end| end.0)
+                .fold(f64::NEG_INFINITY, f64::max);
+            let told = band.hardening().unwrap();
+            assert!((told.runaway_number - most).abs() < 1e-6 * most.abs().max(1e-3));
+            assert_eq!(told.wave_ratio.is_none(), most >= 1.0);
+            let change = band.level(1e7) - band.level(0.0);
+            let closed =
+                10.0 * (ends.iter().map(|end| end.1).sum::<f64>() / ends.len() as f64).log10();
+            match (wears, most >= 1.0) {
+                // Wear goes on, for better or worse.
+                (true, _) => {}
+                (false, true) => assert!(band.level(1e9) - band.level(1e7) > 10.0),
+                // 0.26 dB are 3 %; what decays keeps its level.
+                (false, false) => {
+                    assert!((change - closed.max(0.0)).abs() < 0.05, "{change} {closed}")
+                }
+            }
+            grown += usize::from(most >= 1.0 || closed > 0.01);
+        }
+        assert!(grown > 0, "{depth}");
+        let away = forecast
+            .bands()
+            .iter()
+            .any(|band| band.hardening().unwrap().wave_ratio.is_none());
+        assert_eq!(away, depth == "20 mm");
+    }
+}
+
+/// Cracks along a wave are those of Tγ at each of its phases, less the wear, with the amplitude of the band; where the wave stands still
+/// their length goes with the passages.
+#[test]
+fn cracks_along_a_wave() {
+    let speed = 14.0;
+    let damage = "\n[damage]\nlaws = [\"wear\", \"fatigue\"]\nshear_yield = \"300 MPa\"\n\
+        fatigue = { thresholds = [\"5 N\", \"20 N\", \"60 N\"], peak = 1e-5, crack_growth = \"1 mm\", crack_angle = \"25 deg\" }\n";
+    let case = case(METRO, damage, &["track.model=one-layer"]);
+    let contact = &case.feedback.contacts()[0];
+    let laws = contact.damage.as_ref().unwrap();
+    let fatigue = laws.fatigue().unwrap();
+    let mean = contact.rolling.steady().energy_per_metre();
+    let forecast = forecast(&case, speed);
+    // Where growth is slow, so that a thousand passages leave the amplitude as it is.
+    let amplitude = 2f64.sqrt() * 1e-5;
+    let mut differ = 0;
+    for band in forecast.bands() {
+        let line = lines(band)[LINES_PER_BAND / 2];
+        let state = case.feedback.at(line, speed).contacts[0];
+        let energy = state.energy_at_rail / case.feedback.amplitude() * amplitude;
+        let index = state.damage.unwrap().fatigue_index * amplitude;
+        let phases = forecast.cracks(band, 1000.0).unwrap();
+        let parts = |value: riffel::Complex64| [value.re, -value.im, -value.re, value.im];
+        for ((found, energy), index) in phases.iter().zip(parts(energy)).zip(parts(index)) {
+            let energy = (mean + energy).max(0.0);
+            let wear = contact.wear.depth_per_energy() * energy;
+            let growth = 1e-3 * fatigue.growing().value(energy) - wear / 25f64.to_radians().sin();
+            let near = |found: f64, expected: f64, size: f64| {
+                assert!(
+                    (found - expected).abs() < 1e-2 * size,
+                    "{line}: {found:e} {expected:e}"
+                );
+            };
+            near(
+                found.now.fatigue_index,
+                laws.demand.fatigue_index + index,
+                1e-2,
+            );
+            near(found.now.damage, fatigue.damage().value(energy), 1e-5);
+            near(found.now.wear, wear, wear);
+            near(found.now.crack_growth, growth, 1e-8);
+            near(found.length, (1000.0 * growth).max(0.0), 1e-5);
+        }
+        differ += usize::from((phases[0].now.damage - phases[2].now.damage).abs() > 1e-7);
+    }
+    assert!(differ > 3);
+    let plain = Case::parse("case.toml", METRO, &["track.model=one-layer".to_owned()]).unwrap();
+    let smooth = self::forecast(&plain, speed);
+    assert!(smooth.cracks(&smooth.bands()[0], 1e3).is_none());
 }

@@ -62,3 +62,131 @@ fn stress_under_the_contact() {
     assert_eq!(number(&points[0]["x_over_a"]), -0.8);
     assert!(number(&points[1]["normal_over_p0"][2]) < -0.5);
 }
+
+/// Class of heavy haul by flow alone, above a sharp limit, with a hardening depth.
+fn hardening(depth: &str) -> String {
+    format!(
+        "cases/class-heavy-haul.toml --set damage.laws='[\"flow\"]' --set damage.shear_yield=200e6 --set damage.spread=0 \
+         --set damage.limit=subsurface --set damage.flow.hardening_depth=\"{depth}\""
+    )
+}
+
+/// Two trains, of which one is laden.
+const TRAINS: &str = "[line]\nmgt_per_year = 20\n[[vehicle]]\nname = \"laden\"\nshare = 0.5\naxle_load = \"30 t\"\n\
+    speed = { mean = \"60 km/h\", standard_deviation = \"5 km/h\" }\n[[vehicle]]\nname = \"empty\"\nshare = 0.5\naxle_load = \"8 t\"\n\
+    speed = { mean = \"70 km/h\" }\n";
+
+fn findings(document: &Value) -> String {
+    let findings = document["findings"].as_array().unwrap().iter();
+    findings
+        .map(|finding| finding.as_str().unwrap().to_owned() + "\n")
+        .collect()
+}
+
+/// A forecast says whether flow that hardens ends a wave or lets it run away, and passages in time end it where a point says.
+#[test]
+fn hardening_ends_or_runs_away() {
+    let sandbox = Sandbox::new();
+    std::fs::write(sandbox.path("trains.toml"), TRAINS).unwrap();
+    let of = |depth: &str, more: &str| {
+        let command = format!(
+            "forecast {} {more} --traffic trains.toml --from-limit=-6dB --months 60 --json",
+            hardening(depth)
+        );
+        sandbox.json(&command)
+    };
+    let (ends, away) = (of("0.2mm", ""), of("50mm", ""));
+    assert!(
+        findings(&ends).contains("makes no corrugation by itself"),
+        "{}",
+        findings(&ends)
+    );
+    assert!(findings(&away).contains("runs away"), "{}", findings(&away));
+    let numbers = |document: &Value| -> Vec<f64> {
+        let waves = document["hardening"].as_array().unwrap().iter();
+        waves.map(|wave| number(&wave["runaway_number"])).collect()
+    };
+    for (one, other) in numbers(&ends).iter().zip(numbers(&away)) {
+        assert!((250.0 * one - other).abs() < 1e-6 * other.abs());
+    }
+    // The wave stays at what hardening leaves.
+    let level = |document: &Value| number(&document["bands"][0]["level_then_db"]);
+    let later = sandbox.json(&format!(
+        "forecast {} --traffic trains.toml --from-limit=-6dB --months 600 --json",
+        hardening("0.2mm")
+    ));
+    assert!((level(&later) - level(&ends)).abs() < 1.0);
+
+    let point = format!(
+        "point {} --wavelength 0.3 --speed 14 --json",
+        hardening("0.2mm")
+    );
+    let wave = &sandbox.json(&point)["damage"]["hardened_wave"];
+    let ratio = number(&wave[0]).hypot(number(&wave[1]));
+    let run = sandbox.json(&format!(
+        "simulate {} --speed 14 --sinusoid 20um,300mm --passages 4e6 --json",
+        hardening("0.2mm")
+    ));
+    let bands = run["bands"].as_array().unwrap();
+    let near = |band: &&Value| (number(&band["wavelength_m"]) / 0.3 - 1.0).abs() < 0.1;
+    let levels = bands.iter().find(near).unwrap()["level_db"]
+        .as_array()
+        .unwrap();
+    let change = number(levels.last().unwrap()) - number(&levels[0]);
+    let found = 10f64.powf(change / 20.0);
+    assert!((found / ratio - 1.0).abs() < 0.03, "{found} {ratio}");
+}
+
+/// A forecast tells cracks beside wear at four phases of each band, over the vehicles.
+#[test]
+fn cracks_over_a_traffic() {
+    let sandbox = Sandbox::new();
+    std::fs::write(sandbox.path("trains.toml"), TRAINS).unwrap();
+    let laws = "--set damage.laws='[\"wear\", \"fatigue\"]' --set contact.tractive_ratio=0.5 --set damage.fatigue.crack_growth=1mm";
+    let command = format!(
+        "forecast cases/class-heavy-haul.toml {laws} --traffic trains.toml --from-limit=-6dB --months 12"
+    );
+    let document = sandbox.json(&format!("{command} --json"));
+    let bands = document["bands"].as_array().unwrap().len();
+    let cracks = document["cracks"].as_array().unwrap();
+    assert_eq!(cracks.len(), 4 * bands);
+    let per_month = number(&cracks[0]["crack_growth_mm_per_month"]);
+    let per_passage = number(&cracks[0]["crack_growth_m_per_passage"]);
+    let passages = number(&document["traffic"]["passages_per_day"]) * 365.2425 / 12.0;
+    assert!((per_month / (1e3 * passages * per_passage) - 1.0).abs() < 1e-3);
+    assert!(
+        cracks
+            .iter()
+            .any(|row| number(&row["crack_length_m"]) > 1e-4)
+    );
+    assert!(findings(&document).contains("cracks are longest"));
+    let outcome = sandbox.riffel(&format!("{command} -o out"));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let table = std::fs::read_to_string(sandbox.path("out/cracks.csv")).unwrap();
+    assert_eq!(table.lines().count(), 1 + cracks.len());
+    let plain = sandbox.json(
+        "forecast cases/class-heavy-haul.toml --traffic trains.toml --from-limit=-6dB --months 12 --json",
+    );
+    assert!(plain.get("cracks").is_none() && plain.get("hardening").is_none());
+}
+
+/// Any creepage has a third traction, that of the elements.
+#[test]
+fn stress_of_the_elements() {
+    let sandbox = Sandbox::new();
+    for overrides in ["--set contact.creepage.longitudinal=0", ""] {
+        let command = format!("contact cases/wheelset-coach.toml --stress --json {overrides}");
+        let maxima = &sandbox.json(&command)["stress"]["maxima"];
+        let maxima = maxima.as_array().unwrap();
+        assert_eq!(maxima.len(), 12);
+        let of = |traction: &str| {
+            let mut rows = maxima.iter();
+            number(&rows.find(|row| row["traction"] == traction).unwrap()["value_over_p0"])
+        };
+        let (full, partial, exact) = (of("full-slip"), of("partial-slip"), of("half-space"));
+        assert!(
+            exact < full && (exact / partial - 1.0).abs() < 0.05,
+            "{full} {partial} {exact}"
+        );
+    }
+}

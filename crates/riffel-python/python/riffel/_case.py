@@ -609,7 +609,10 @@ class Case:
             Over ``passages`` and ``wavelength``: ``level``; over ``wavelength``: ``level_now``, ``growth_rate``, ``limit`` and
             ``passages_to_limit``, infinite where it is never reached. Attributes: ``grinding_interval_passages``,
             ``limit_reached`` ("after", "beyond-linear-range" or "never") and ``linear_range_passages``, where the wheel
-            leaves the rail and the forecast ends: what lies beyond is NaN.
+            leaves the rail and the forecast ends: what lies beyond is NaN. Where flow hardens, also ``runaway_number`` and
+            ``hardened_wave_ratio``; with fatigue among the laws, over ``phase`` too, ``fatigue_index``, ``damage_per_passage``,
+            ``wear_per_passage``, ``crack_growth_per_passage`` and ``crack_length`` after the most passages; ``findings`` says
+            what they mean.
 
         Raises
         ------

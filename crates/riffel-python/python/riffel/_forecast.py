@@ -26,7 +26,9 @@ def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Data
     attributes["limit"] = limit
     attributes["limit_reached"] = found["limit_reached"]
     attributes["remarks"] = found["remarks"]
-    return xr.Dataset(
+    if found["findings"]:
+        attributes["findings"] = found["findings"]
+    dataset = xr.Dataset(
         {
             "level": (("passages", "wavelength"), found["level"], decibels),
             "level_now": ("wavelength", found["now"], decibels),
@@ -46,6 +48,44 @@ def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Data
         },
         attributes,
     )
+    return dataset.assign(_hardening(found["hardening"]) | _cracks(found["cracks"]))
+
+
+def _hardening(rows: Sequence[Mapping[str, Any]]) -> dict[str, xr.DataArray]:
+    """Where flow that hardens takes the bands; nothing where no law hardens."""
+    if not rows:
+        return {}
+    wavelengths = [row["wavelength_m"] for row in rows]
+
+    def column(key: str, name: str) -> xr.DataArray:
+        values = [np.nan if row[key] is None else row[key] for row in rows]
+        return xr.DataArray(values, {"wavelength": wavelengths}, attrs={"units": "1", "long_name": name})
+
+    return {
+        "runaway_number": column("runaway_number", "above one the wave outgrows its hardening"),
+        "hardened_wave_ratio": column("hardened_wave_ratio", "what flow multiplies the wave by until it rests"),
+    }
+
+
+def _cracks(rows: Sequence[Mapping[str, Any]]) -> dict[str, xr.DataArray]:
+    """Contact fatigue beside wear over the phases of the waves; nothing where fatigue is not among the laws."""
+    if not rows:
+        return {}
+    phases = [row["phase"] for row in rows[:4]]
+    wavelengths = [row["wavelength_m"] for row in rows[::4]]
+    coordinates = {"wavelength": wavelengths, "phase": phases}
+
+    def table(key: str, units: str, name: str) -> xr.DataArray:
+        values = np.array([row[key] for row in rows]).reshape(-1, 4)
+        return xr.DataArray(values, coordinates, attrs={"units": units, "long_name": name})
+
+    return {
+        "fatigue_index": table("fatigue_index", "1", "fatigue index of the surface"),
+        "damage_per_passage": table("damage_per_passage", "1", "damage by Tγ per passage"),
+        "wear_per_passage": table("wear_m_per_passage", "m", "depth of wear per passage"),
+        "crack_growth_per_passage": table("crack_growth_m_per_passage", "m", "growth of a crack per passage, less wear"),
+        "crack_length": table("crack_length_m", "m", "length of a crack after the most passages"),
+    }
 
 
 def comparison(

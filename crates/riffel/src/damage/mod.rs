@@ -126,6 +126,29 @@ impl Damage {
         self.laws.iter().any(DamageLaw::depends_on_amplitude)
     }
 
+    /// Its law of flow, if that hardens.
+    pub fn flow_that_hardens(&self) -> Option<&Flow> {
+        self.laws.iter().find_map(|law| match law {
+            DamageLaw::Flow(flow) if flow.hardening_depth.is_some() => Some(flow),
+            _ => None,
+        })
+    }
+
+    /// The same without that.
+    pub(crate) fn without_flow_that_hardens(&self) -> Self {
+        let keeps = |law: &&DamageLaw| !matches!(law, DamageLaw::Flow(flow) if flow.hardening_depth.is_some());
+        let laws = self.laws.iter().filter(keeps).copied().collect();
+        Self::new(self.demand, laws)
+    }
+
+    /// Its law of fatigue.
+    pub fn fatigue(&self) -> Option<&Fatigue> {
+        self.laws.iter().find_map(|law| match law {
+            DamageLaw::Fatigue(fatigue) => Some(fatigue),
+            _ => None,
+        })
+    }
+
     /// Whether one of the laws that depend on the amplitude takes the demand.
     pub(crate) fn takes_demand(&self) -> bool {
         let mut laws = self.laws.iter();
@@ -201,6 +224,8 @@ impl Damage {
         at: &Oscillation,
         table: Option<&RateTable>,
     ) -> Complex64 {
+        // Far from where squares overflow: no hypotenuse.
+        let size = |wave: Complex64| wave.norm_sqr().sqrt();
         let rate = |law: &ClippedPower, excess: f64, amplitude: f64| match table {
             Some(table) => table.rate(amplitude),
             None => law.rate(excess, amplitude),
@@ -209,11 +234,11 @@ impl Damage {
             DamageLaw::Wear => at.wear * mean.wear,
             DamageLaw::Load(load) => at.load * load.depth_per_force,
             DamageLaw::Flow(flow) => {
-                let rate = rate(&flow.law, self.demand.excess(), at.demand.norm());
+                let rate = rate(&flow.law, self.demand.excess(), size(at.demand));
                 flow.depth_1(at.demand, rate)
             }
             DamageLaw::FlowAlong(flow) => {
-                let rate = rate(&flow.law, self.demand.excess(), at.demand.norm());
+                let rate = rate(&flow.law, self.demand.excess(), size(at.demand));
                 flow.depth_1(&self.demand, at.demand, at.wavenumber, rate)
             }
             DamageLaw::Bending(bending) if !bending.may_yield(at.load, at.receptance) => {
@@ -221,7 +246,7 @@ impl Damage {
             }
             DamageLaw::Bending(bending) => {
                 let swing = at.load * (bending.moment_per_force(at.receptance) / bending.limit);
-                let rate = rate(&bending.law, bending.excess(), swing.norm());
+                let rate = rate(&bending.law, bending.excess(), size(swing));
                 bending.depth_1(swing, at.wavenumber, rate)
             }
             DamageLaw::Fatigue(fatigue) => fatigue.depth_1(mean.energy, at.energy),
@@ -276,16 +301,8 @@ impl Damage {
                 mean_depth: depth,
             });
         }
-        let fatigue = self.laws.iter().find_map(|law| match law {
-            DamageLaw::Fatigue(fatigue) => Some(fatigue),
-            _ => None,
-        });
         let bending = self.laws.iter().find_map(|law| match law {
             DamageLaw::Bending(bending) => Some(bending),
-            _ => None,
-        });
-        let hardened = self.laws.iter().find_map(|law| match law {
-            DamageLaw::Flow(flow) => flow.hardened(at.demand / profile),
             _ => None,
         });
         DamageState {
@@ -296,7 +313,7 @@ impl Damage {
                 .map(|law| [law.mean_moment, law.limit])
                 .map(|[mean, limit]| (mean / limit, mean)),
             moment_1: bending.map(|law| at.load * law.moment_per_force(at.receptance) / profile),
-            crack: fatigue.map(|law| {
+            crack: self.fatigue().map(|law| {
                 let (growth, oscillation) = law.crack(mean.energy, at.energy, mean.wear);
                 let size = at.energy.norm();
                 CrackState {
@@ -306,7 +323,9 @@ impl Damage {
                     growth_1: oscillation / profile,
                 }
             }),
-            hardened,
+            hardened: self
+                .flow_that_hardens()
+                .and_then(|flow| flow.hardened(at.demand / profile)),
         }
     }
 }

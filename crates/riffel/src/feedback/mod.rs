@@ -239,6 +239,14 @@ impl Loop {
         self
     }
 
+    /// The loop without flow that hardens.
+    pub(crate) fn without_flow_that_hardens(self) -> Self {
+        self.with_damage(|contact| {
+            let damage = contact.damage.as_ref()?;
+            Some(Arc::new(damage.without_flow_that_hardens()))
+        })
+    }
+
     /// Whether the growth of a wave depends on its amplitude.
     pub fn depends_on_amplitude(&self) -> bool {
         let mut contacts = self.contacts.iter();

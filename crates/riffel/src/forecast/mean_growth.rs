@@ -71,7 +71,7 @@ impl MeanGrowth {
 }
 
 /// Which states stand on either side of a speed, each with its share; of one state alone, that state.
-fn near<T>(states: &[(f64, T)], speed: f64) -> Vec<(usize, f64)> {
+pub(super) fn near<T>(states: &[(f64, T)], speed: f64) -> Vec<(usize, f64)> {
     let above = states.partition_point(|state| state.0 < speed);
     match (above.checked_sub(1), states.get(above)) {
         (None, None) => Vec::new(),

@@ -14,8 +14,10 @@
 //! [`WearFit`] finds the wear coefficient of which two dated measurements speak, if they do.
 
 mod bend;
+mod cracks;
 mod distribution;
 mod growing_sum;
+mod hardening_wheel;
 mod jackknife;
 mod lines;
 mod marched;
@@ -27,8 +29,10 @@ mod traffic;
 mod wear_fit;
 mod wear_spread;
 
+pub use cracks::{CrackedPhase, WavePhase};
 pub use distribution::Distribution;
 pub use growing_sum::GrowingSum;
+pub use hardening_wheel::HardeningEnd;
 pub use lines::{LINES_PER_BAND, band_lines};
 pub use mean_growth::MeanGrowth;
 pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};

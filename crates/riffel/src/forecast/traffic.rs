@@ -1,5 +1,7 @@
 //! Growth under a mix of vehicles.
 
+use super::cracks::{Cracks, WavePhase};
+use super::hardening_wheel::HardeningWheel;
 use super::marched::RatesByAmplitude;
 use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
 use crate::feedback::Loop;
@@ -26,8 +28,12 @@ pub struct VehicleGrowth {
     pub course: Option<GrowthCourse>,
     /// Mean depth worn off the rail per passage \[m\].
     pub wear_depth: f64,
-    /// Rates by line at rising amplitudes of the wave \[m\]; none where they do not depend on it.
+    /// Rates by line at rising amplitudes of the wave \[m\], without flow that hardens; none where they do not depend on it.
     by_amplitude: Vec<(f64, Vec<f64>)>,
+    /// Its wheels under which the rail flows and hardens.
+    hardening: Vec<HardeningWheel>,
+    /// Cracks along the waves of the bands, where they are among its laws.
+    cracks: Option<Cracks>,
     /// Whether that depth bounds its rates.
     bounded_by_wear: bool,
 }
@@ -71,13 +77,37 @@ impl VehicleGrowth {
         let depths = places.iter();
         let depths = depths.map(|(feedback, weight)| weight * feedback.mean_wear().depth);
         let lines = band_lines(bands);
+        let hardening = HardeningWheel::of(states, &lines, &speeds);
+        let by_amplitude = match hardening {
+            None => rates_by_amplitude(states, &lines, &speeds)?,
+            Some(_) => {
+                let others = states.iter().map(|(speed, places)| {
+                    let places = places.iter().map(|(feedback, weight)| {
+                        (feedback.clone().without_flow_that_hardens(), *weight)
+                    });
+                    (*speed, places.collect::<Vec<_>>())
+                });
+                let others: Vec<_> = others.collect();
+                let others: Vec<_> = others
+                    .iter()
+                    .map(|(at, places)| (*at, &places[..]))
+                    .collect();
+                let rates = rates_by_amplitude(&others, &lines, &speeds)?;
+                match rates.is_empty() {
+                    true => vec![(1.0, MeanGrowth::between(&others, &lines, &speeds).rates)],
+                    false => rates,
+                }
+            }
+        };
         Ok(Self {
             name: name.to_owned(),
             share,
             wheel_load,
             growth: MeanGrowth::between(states, &lines, &speeds),
             wear_depth: depths.sum(),
-            by_amplitude: rates_by_amplitude(states, &lines, &speeds)?,
+            by_amplitude,
+            hardening: hardening.into_iter().collect(),
+            cracks: Cracks::of(states, bands, &speeds),
             bounded_by_wear: places
                 .iter()
                 .all(|(feedback, _)| feedback.mean_wear().bounds_growth),
@@ -184,6 +214,12 @@ impl VehicleGrowth {
             (*amplitude, rates.collect())
         });
         let by_amplitude = by_amplitude.collect();
+        let hardening = parts.iter().flat_map(|(part, it)| {
+            let wheels = it.hardening.iter();
+            wheels.map(move |wheel| wheel.part(0..lines, *part))
+        });
+        let hardening = hardening.collect();
+        let cracks = Cracks::mean(parts.iter().map(|(part, it)| (*part, it.cracks.as_ref())));
         if let [(_, alone)] = &mut parts[..] {
             return Ok(Self {
                 name: name.to_owned(),
@@ -201,13 +237,15 @@ impl VehicleGrowth {
             course: None,
             wear_depth,
             by_amplitude,
+            hardening,
+            cracks,
             bounded_by_wear,
         })
     }
 
     /// Rate of a line at one of the amplitudes at which rates are known.
     fn rate_at(&self, index: usize, line: usize) -> f64 {
-        let known = self.by_amplitude.get(index);
+        let known = self.by_amplitude.get(index).or(self.by_amplitude.last());
         known.map_or(self.growth.rates[line], |(_, rates)| rates[line])
     }
 
@@ -227,6 +265,10 @@ impl VehicleGrowth {
         for rate in rates.chain(by_amplitude) {
             *rate *= share;
         }
+        for wheel in &mut self.hardening {
+            wheel.share *= share;
+        }
+        self.cracks = self.cracks.map(|cracks| cracks.covering(share));
         self.growth.rate_error *= share;
         self.wear_depth *= share;
         self
@@ -422,6 +464,30 @@ impl TrafficGrowth {
         Some(RatesByAmplitude {
             rates: rates.collect(),
         })
+    }
+
+    /// Wheels under which a band of the loop, by its place, flows and hardens.
+    pub(super) fn hardening(&self, band: usize) -> Vec<HardeningWheel> {
+        if !self.is_of_loop(band) {
+            return Vec::new();
+        }
+        let wheels = self.vehicles.iter().flat_map(|vehicle| {
+            let wheels = vehicle.hardening.iter();
+            wheels.map(|wheel| wheel.part(lines_of(band), vehicle.share))
+        });
+        wheels.collect()
+    }
+
+    /// Cracks per passage at the phases of a wave of some amplitude \[m\] in the middle of a band, by its place; none where no
+    /// vehicle has fatigue among its laws.
+    pub(super) fn cracks(&self, band: usize, amplitude: f64) -> Option<[WavePhase; 4]> {
+        let vehicles = self.vehicles.iter();
+        let each = vehicles.filter_map(|vehicle| {
+            let phases = vehicle.cracks.as_ref()?.at(band, amplitude);
+            Some(phases.map(|own| vehicle.share * own))
+        });
+        let sum = each.reduce(|sum, other| std::array::from_fn(|i| sum[i] + other[i]))?;
+        Some(WavePhase::all(&sum))
     }
 
     /// Whether growth depends on the amplitude of the wave under any vehicle.

@@ -11,9 +11,7 @@ use crate::damage::{Bending, Damage, DamageLaw, MomentaryDemand};
 use crate::feedback::{Contact, Loop};
 
 /// Laws of damage under the forces of every instant, each at the point of the rail under the wheel; fatigue takes the energy where
-/// that is left.
-///
-/// Flow is taken to go on: what has flowed is no part of the state of a rail in time, so that it does not harden.
+/// that is left. Flow that hardens does so at every point by what has flowed out there.
 #[derive(Clone)]
 pub struct DamageInTime {
     damage: Arc<Damage>,
@@ -33,10 +31,11 @@ impl DamageInTime {
         })
     }
 
-    /// Whether flow hardens, which is left out here.
-    pub fn hardens(&self) -> bool {
-        let mut laws = self.damage.laws.iter();
-        laws.any(|law| matches!(law, DamageLaw::Flow(flow) if flow.hardening_depth.is_some()))
+    /// Share of its hardening that a point takes on in a passage where it is fastest \[-\]; none where nothing hardens.
+    pub(super) fn hardening_rate(&self) -> Option<f64> {
+        let flow = self.damage.flow_that_hardens()?;
+        let steepest = self.damage.demand.excess().abs() + flow.law.spread();
+        Some(flow.depth * flow.law.slope(steepest) / flow.hardening_depth?)
     }
 
     /// Whether wear is among the laws.
@@ -45,13 +44,15 @@ impl DamageInTime {
     }
 
     /// Waves of the depth \[m\] that all laws but wear take off a ring of some length \[m\] at a speed \[m/s\]; of the mean, as the first,
-    /// what is taken away. `energy` is that of the waves at the rail \[J/m\].
+    /// what is taken away. `energy` is that of the waves at the rail \[J/m\], `outflow` what has flowed and hardened at the places of
+    /// the instants \[m\], empty for nothing. The second waves are what flows and hardens in this passage.
     pub(super) fn waves(
         &self,
         instants: &[ContactInstant],
         energy: &[Complex64],
+        outflow: &[f64],
         [length, speed]: [f64; 2],
-    ) -> Vec<Complex64> {
+    ) -> [Vec<Complex64>; 2] {
         let over = |of: &dyn Fn(&ContactInstant) -> f64| -> Vec<Complex64> {
             spectrum(&instants.iter().map(of).collect::<Vec<f64>>())
         };
@@ -61,11 +62,23 @@ impl DamageInTime {
         };
         let wavenumber = |n: usize| TAU * n as f64 / length;
         let mut sum = vec![Complex64::ZERO; energy.len()];
+        let mut hardening = Vec::new();
         for law in &self.damage.laws {
             let waves = match law {
                 DamageLaw::Wear => continue,
                 DamageLaw::Load(load) => over(&|at| load.depth_per_force * at.normal_force),
-                DamageLaw::Flow(flow) => over(&|at| flow.depth * flow.law.value(excess(at))),
+                DamageLaw::Flow(flow) => {
+                    let softening = flow.hardening_depth.map_or(0.0, f64::recip);
+                    let flows = instants.iter().enumerate().map(|(place, at)| {
+                        let flowed = outflow.get(place).copied().unwrap_or(0.0);
+                        flow.depth * flow.law.value(excess(at) - softening * flowed)
+                    });
+                    let waves = spectrum(&flows.collect::<Vec<f64>>());
+                    if flow.hardening_depth.is_some() {
+                        hardening.clone_from(&waves);
+                    }
+                    waves
+                }
                 DamageLaw::FlowAlong(flow) => {
                     let flows = over(&|at| {
                         let force = at.tangential_force.hypot(at.lateral_force);
@@ -93,7 +106,7 @@ impl DamageInTime {
                 *sum += wave;
             }
         }
-        sum
+        [sum, hardening]
     }
 
     /// Of the curvature that a rail keeps what it does not take back on its springs.

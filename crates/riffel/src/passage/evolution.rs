@@ -64,13 +64,16 @@ impl EvolutionStep {
 /// the profile's rms counts as that. Of several wheels the mean by their shares is taken, which is what many passages in
 /// any order leave; N of them drawn one by one would scatter about it like 1/√N.
 ///
-/// The state is the profile and its number of passages alone: every march begins anew, with a run-in around the ring.
+/// The state is the profile, what has flowed and hardened at each of its points, and the number of passages alone: every march begins
+/// anew, with a run-in around the ring.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Evolution {
     heights: Vec<f64>,
     spacing: f64,
     passages: u64,
     mean_depth: f64,
+    /// What has flowed and hardened at each height \[m\]; empty for nothing.
+    outflow: Vec<f64>,
 }
 
 /// Loss of contact and forces of a passage, or of one of each wheel.
@@ -105,7 +108,19 @@ impl Evolution {
             spacing: profile.spacing(),
             passages,
             mean_depth,
+            outflow: Vec::new(),
         }
+    }
+
+    /// The same where so much has flowed and hardened at each height \[m\]; empty for nothing.
+    #[must_use]
+    pub fn with_outflow(self, outflow: Vec<f64>) -> Self {
+        Self { outflow, ..self }
+    }
+
+    /// What has flowed and hardened at each height \[m\]; empty for nothing.
+    pub fn outflow(&self) -> &[f64] {
+        &self.outflow
     }
 
     /// Heights \[m\].
@@ -157,25 +172,31 @@ impl Evolution {
                 self.check_bays(spacing)?;
             }
         }
-        let before = self.change(&self.heights, wheels, step.largest_step)?;
+        let begin = [&self.heights[..], &self.outflow];
+        let before = self.change(begin, wheels, step.largest_step)?;
+        let contacts = wheels.iter().flat_map(|wheel| &wheel.model.contacts);
+        let damages = contacts.filter_map(|contact| contact.damage.as_ref()?.hardening_rate());
+        let hardens = step.largest_change / damages.fold(0.0, f64::max);
         let passages = self
             .at_once(&before.profile, step.largest_change)
+            .min(hardens.floor())
             .clamp(1.0, most.max(1) as f64);
-        let moved = |by: &[f64]| -> Vec<f64> {
-            self.heights
-                .iter()
-                .zip(by)
-                .map(|(height, rate)| height + passages * rate)
-                .collect()
+        let moved = |from: &[f64], by: &[f64]| -> Vec<f64> {
+            let from = from.iter().chain(std::iter::repeat(&0.0));
+            let pairs = from.zip(by);
+            pairs.map(|(from, rate)| from + passages * rate).collect()
         };
-        let after = self.change(&moved(&before.profile), wheels, step.largest_step)?;
-        let mean: Vec<f64> = before
-            .profile
-            .iter()
-            .zip(&after.profile)
-            .map(|(one, other)| 0.5 * (one + other))
-            .collect();
-        self.heights = moved(&mean);
+        let then = [
+            moved(&self.heights, &before.profile),
+            moved(&self.outflow, &before.outflow),
+        ];
+        let after = self.change([&then[0], &then[1]], wheels, step.largest_step)?;
+        let mean = |one: &[f64], other: &[f64]| -> Vec<f64> {
+            let pairs = one.iter().zip(other);
+            pairs.map(|(one, other)| 0.5 * (one + other)).collect()
+        };
+        self.heights = moved(&self.heights, &mean(&before.profile, &after.profile));
+        self.outflow = moved(&self.outflow, &mean(&before.outflow, &after.outflow));
         self.mean_depth += 0.5 * passages * (before.depth + after.depth);
         self.passages += passages as u64;
         Ok(before.extremes)
@@ -198,15 +219,16 @@ impl Evolution {
     /// What a passage changes, in the mean of the wheels.
     fn change(
         &self,
-        heights: &[f64],
+        rail: [&[f64]; 2],
         wheels: &[&PassingWheel],
         largest_step: f64,
     ) -> Result<Change, Error> {
         let changes = wheels
             .par_iter()
-            .map(|wheel| self.change_by(heights, wheel, largest_step));
+            .map(|wheel| self.change_by(rail, wheel, largest_step));
         let mut mean = Change {
-            profile: vec![0.0; heights.len()],
+            profile: vec![0.0; rail[0].len()],
+            outflow: Vec::new(),
             depth: 0.0,
             extremes: PassageExtremes {
                 contact_loss: 0.0,
@@ -220,6 +242,11 @@ impl Evolution {
             for (sum, rate) in mean.profile.iter_mut().zip(&change.profile) {
                 *sum += worn * rate;
             }
+            let flowed = mean.outflow.len().max(change.outflow.len());
+            mean.outflow.resize(flowed, 0.0);
+            for (sum, rate) in mean.outflow.iter_mut().zip(&change.outflow) {
+                *sum += worn * rate;
+            }
             mean.depth += worn * change.depth;
             mean.extremes.contact_loss += wheel.share * change.extremes.contact_loss;
             let ([least, largest], [own_least, own_largest]) =
@@ -231,7 +258,7 @@ impl Evolution {
 
     fn change_by(
         &self,
-        heights: &[f64],
+        [heights, outflow]: [&[f64]; 2],
         wheel: &PassingWheel,
         largest_step: f64,
     ) -> Result<Change, Error> {
@@ -267,6 +294,7 @@ impl Evolution {
         }
         let length = heights.len() as f64 * self.spacing;
         let mut change = vec![Complex64::ZERO; heights.len() / 2 + 1];
+        let mut flowed = Vec::new();
         let mut depth = 0.0;
         for (instants, (index, along)) in instants.iter().zip(&worn) {
             let contact = &model.contacts[*index];
@@ -276,9 +304,18 @@ impl Evolution {
                 _ => depth_of_wear(contact, wear, instants, &energy, length),
             };
             if let Some(damage) = &contact.damage {
-                let others = damage.waves(instants, &energy, [length, model.speed]);
+                let under = moved_along(outflow, *along, length);
+                let [others, hardening] =
+                    damage.waves(instants, &energy, &under, [length, model.speed]);
                 for (wave, other) in waves.iter_mut().zip(others) {
                     *wave += other;
+                }
+                flowed.resize(hardening.len().max(flowed.len()), Complex64::ZERO);
+                for (n, (sum, wave)) in flowed.iter_mut().zip(hardening).enumerate() {
+                    let turn = Complex64::cis(-TAU * along * n as f64 / length);
+                    if n == 0 || length / n as f64 >= wear.shortest {
+                        *sum += wave * turn / worn.len() as f64;
+                    }
                 }
             }
             let share = (worn.len() as f64).recip();
@@ -292,6 +329,10 @@ impl Evolution {
         }
         Ok(Change {
             profile: series(change, heights.len()),
+            outflow: match flowed.is_empty() {
+                true => Vec::new(),
+                false => series(flowed, heights.len()),
+            },
             depth,
             extremes: PassageExtremes {
                 contact_loss: roll.contact_loss(),
@@ -323,6 +364,16 @@ impl Evolution {
             .fold(f64::INFINITY, f64::min)
             .floor()
     }
+}
+
+/// Values around a ring of some length \[m\] as they are further along by a distance \[m\].
+fn moved_along(values: &[f64], distance: f64, length: f64) -> Vec<f64> {
+    if distance == 0.0 || values.is_empty() {
+        return values.to_vec();
+    }
+    let waves = spectrum(values).into_iter().enumerate();
+    let moved = waves.map(|(n, wave)| wave * Complex64::cis(TAU * distance * n as f64 / length));
+    series(moved.collect(), values.len())
 }
 
 /// Waves of the energy that a contact leaves at the points of a ring \[J/m\], in the time of the contact; the mean as the first.
@@ -397,6 +448,8 @@ fn depth_of_wear(
 struct Change {
     /// Heights \[m\].
     profile: Vec<f64>,
+    /// What flows and hardens \[m\]; empty for nothing.
+    outflow: Vec<f64>,
     /// Depth worn off everywhere \[m\].
     depth: f64,
     extremes: PassageExtremes,

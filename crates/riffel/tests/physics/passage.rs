@@ -23,7 +23,7 @@ use riffel::receptance::{
 use riffel::roughness::Profile;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact,
+    Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, Error, HertzContact, Loop,
     LoopState, PlaceOfWear, Receptance, WearCorners, WearRegimes,
 };
 
@@ -390,6 +390,95 @@ fn growth_over_passages_is_linear_growth() {
     }
 }
 
+/// A wheel of a model with the laws of damage of a loop, a ring of waves under it, and how many of them there are.
+fn waves_under(
+    model: &PassageModel,
+    damaged: &Loop,
+    wavelength: f64,
+    amplitude: f64,
+) -> (PassingWheel, Profile, usize) {
+    let contact = &damaged.contacts()[0];
+    let mut model = model.clone();
+    model.contacts[0].damage = DamageInTime::of(damaged, contact);
+    let wheel = PassingWheel {
+        memory: model.memory().unwrap(),
+        model,
+        wear: WearOfPassages {
+            wear: contact.wear,
+            place: contact.place_of_wear,
+            shortest: 0.01,
+        },
+        share: 1.0,
+        traction_share: 1.0,
+    };
+    let (waves, count) = (6_u32, 1500_u32);
+    let height = |index| {
+        let x = f64::from(waves * index) / f64::from(count);
+        amplitude * (TAU * x).cos()
+    };
+    let spacing = f64::from(waves) * wavelength / f64::from(count);
+    let profile = Profile::new(0.0, spacing, (0..count).map(height).collect()).unwrap();
+    (wheel, profile, 6)
+}
+
+/// Flow that hardens in time goes as r₀ (1 − G (1 − e^{−nH(1/D_h + G)})/(1/D_h + G)), to rest at r₀/(1 + D_h G), G = u₁/Δ: what a forecast
+/// marches, to 0.5 %.
+#[test]
+fn flow_that_hardens_over_passages() {
+    let (speed, wavelength, amplitude) = (14.0, 0.3, 2e-6);
+    let pressure = HertzContact::new(steel(), RADIUS, 0.23, 50e3)
+        .unwrap()
+        .peak_pressure();
+    let (feedback, model) = both(two_layers(), carter, 0.6, speed, amplitude);
+    let feedback = feedback.close().unwrap();
+    let steady = feedback.contacts()[0].rolling.steady();
+    let limit = ShakedownLimit::Line;
+    let at_unit = Demand::new(&steady, pressure, pressure, limit).unwrap();
+    let demand = Demand::new(&steady, pressure, 0.75 * pressure * at_unit.value, limit).unwrap();
+    let of = |hardening_depth| {
+        let law = DamageLaw::Flow(Flow {
+            depth: 1e-9,
+            law: ClippedPower::new(1.0, 0.0),
+            hardening_depth: Some(hardening_depth),
+        });
+        let damage = Arc::new(Damage::new(demand, vec![law]));
+        feedback.clone().with_damage(|_| Some(damage.clone()))
+    };
+    let gain = of(1.0).at(wavelength, speed).contacts[0]
+        .damage
+        .unwrap()
+        .demand;
+    // Small, so that no other wave runs away.
+    let hardening_depth = 0.15 / gain.norm();
+    let (wheel, profile, waves) = waves_under(&model, &of(hardening_depth), wavelength, amplitude);
+    let mut evolution = Evolution::new(&profile);
+    let wave = |evolution: &Evolution| evolution.waves()[waves - 1].1;
+    let before = wave(&evolution);
+    let step = EvolutionStep {
+        largest_change: 0.1,
+        largest_step: 3e-3,
+    };
+    let along = hardening_depth.recip() + gain;
+    let all = (4.0 * hardening_depth / 1e-9) as u64;
+    while evolution.passages() < all {
+        let most = all - evolution.passages();
+        evolution.advance(&[&wheel], &step, most).unwrap();
+        let passages = evolution.passages() as f64;
+        let expected = 1.0 - gain / along * (1.0 - (-1e-9 * passages * along).exp());
+        let found = wave(&evolution) / before;
+        let error = (found - expected).norm() / expected.norm();
+        assert!(error < 0.005, "{passages}: {found} {expected}");
+    }
+    let end = (1.0 + hardening_depth * gain).inv();
+    let found = wave(&evolution) / before;
+    assert!((found - end).norm() < 0.02 * end.norm(), "{found} {end}");
+    assert!((end.norm() - 1.0).abs() > 0.1);
+    // What has flowed everywhere uses the demand up.
+    let mean = evolution.outflow().iter().sum::<f64>() / evolution.outflow().len() as f64;
+    let used = mean / (hardening_depth * demand.excess());
+    assert!((used - 1.0).abs() < 0.03, "{used}");
+}
+
 /// The laws of damage beside wear, one by one: growth of a wave over passages is that of the loop, of all that is linear to 1 % of the
 /// law's own size, of what lies about its limit to 3 % by its first harmonic, as the wave's harmonics are left out there.
 #[test]
@@ -463,29 +552,9 @@ fn laws_of_damage_over_passages_are_those_of_the_loop() {
         ("flow along mostly above", about(0.3), along, 0.03),
     ] {
         let damaged = with(demand, law);
-        let contact = &damaged.contacts()[0];
-        let mut model = model.clone();
-        model.contacts[0].damage = DamageInTime::of(&damaged, contact);
-        let wheel = PassingWheel {
-            memory: model.memory().unwrap(),
-            model,
-            wear: WearOfPassages {
-                wear: contact.wear,
-                place: contact.place_of_wear,
-                shortest: 0.01,
-            },
-            share: 1.0,
-            traction_share: 1.0,
-        };
-        let (waves, count) = (6, 1500);
-        let height = |index| {
-            let x = f64::from(waves * index) / f64::from(count);
-            amplitude * (TAU * x).cos()
-        };
-        let spacing = f64::from(waves) * wavelength / f64::from(count);
-        let profile = Profile::new(0.0, spacing, (0..count).map(height).collect()).unwrap();
+        let (wheel, profile, waves) = waves_under(&model, &damaged, wavelength, amplitude);
         let mut evolution = Evolution::new(&profile);
-        let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1;
+        let amplitude = |evolution: &Evolution| evolution.waves()[waves - 1].1;
         let before = amplitude(&evolution);
         let step = EvolutionStep {
             largest_change: 0.004,

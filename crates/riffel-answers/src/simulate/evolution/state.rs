@@ -34,6 +34,9 @@ pub struct WornProfile {
     pub passages: u64,
     /// Heights of the ring, without what is worn off everywhere.
     pub heights_m: Vec<f64>,
+    /// What has flowed and hardened at each height; empty where nothing does.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub outflow_m: Vec<f64>,
 }
 
 /// What a rail and a passage over it are like.
@@ -146,6 +149,7 @@ impl EvolutionState {
             profile: WornProfile {
                 passages: 0,
                 heights_m: evolution.heights().to_vec(),
+                outflow_m: evolution.outflow().to_vec(),
             },
         }
     }
@@ -162,6 +166,7 @@ impl EvolutionState {
         let is_right = all_stages().all(of_bands)
             && all_profiles()
                 .all(|profile| profile.heights_m.len() == self.profile.heights_m.len())
+            && [0, self.profile.heights_m.len()].contains(&self.profile.outflow_m.len())
             && all_stages().is_sorted_by_key(|stage| stage.passages)
             && all_profiles().is_sorted_by_key(|profile| profile.passages)
             && self.profile.passages == self.reached.passages
@@ -186,7 +191,8 @@ impl EvolutionState {
             mean_depth_m,
             ..
         } = self.reached;
-        Ok(Evolution::resumed(&profile, passages, mean_depth_m))
+        let evolution = Evolution::resumed(&profile, passages, mean_depth_m);
+        Ok(evolution.with_outflow(self.profile.outflow_m.clone()))
     }
 
     /// The next stage, after the rail has worn from one to the other.
@@ -210,6 +216,7 @@ impl EvolutionState {
         let profile = WornProfile {
             passages: after.passages(),
             heights_m: after.heights().to_vec(),
+            outflow_m: after.outflow().to_vec(),
         };
         (stage, profile)
     }

@@ -49,6 +49,9 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
             staging.write_figure("forecast", &answer.figure(&case))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
             staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+            if answer.has_cracks() {
+                staging.write_with("cracks.csv", |file| answer.cracks_csv(file))?;
+            }
             staging.write("summary.json", document())
         },
         || readable(&case, &answer),
