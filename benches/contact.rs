@@ -9,6 +9,7 @@ use riffel::contact::{
     CreepEllipse, CreepLaw, Creepages, Fastsim, HalfSpace, HalfSpaceRolling, KalkerCoefficients,
     NonSteady, Oscillating, OscillatingCreepages, RollingContact, TractionBound, TransientRolling,
 };
+use riffel::damage::stress::{EllipseStress, Traction};
 use riffel::{ElasticMaterial, HertzContact};
 
 use crate::contestant::{Contestant, Failure};
@@ -22,6 +23,8 @@ const RESPONSE_ACROSS: usize = HalfSpace::DEFAULT_ELEMENTS;
 const CELLS: usize = 50;
 const WAVELENGTHS: usize = 30;
 const TABLE: usize = 64;
+/// Points of the stress along and across; half as many depths.
+const STRESS_POINTS: usize = 64;
 /// Mean milliseconds a case of CONTACT on 40 × 40 elements, tolerance 1e-5, measured on another machine of
 /// two processors: `validation/reference/contact/timing.csv`.
 const CONTACT_STEADY: [f64; 2] = [45.41, 89.36];
@@ -47,8 +50,27 @@ pub(crate) fn task(name: &str, across: usize) -> Result<(f64, f64), Failure> {
         "case-on-waves" => table_of_case(across, OscillatingCreepages::Longitudinal.on_waves()),
         "followed" => followed(across),
         "fastsim" => fastsim(across),
+        "stress" => stress(Traction::full_slip(FRICTION, [1.0, 0.0]), across),
+        "stress-partial" => stress(Traction::partial_slip(FRICTION, [1.0, 0.0], 0.5), across),
         _ => Err("no such task of the contact".into()),
     }
+}
+
+/// Stress under one patch at so many points along and across and half as many depths.
+fn stress(traction: Traction, across: usize) -> Result<(f64, f64), Failure> {
+    let contact = hertz(LOAD)?;
+    let ratio = contact.semi_axis_longitudinal() / contact.semi_axis_lateral();
+    let ellipse = EllipseStress::of_ratio(ratio, 0.3);
+    let side: Vec<f64> = (0..across)
+        .map(|index| 4.0 * (index as f64 + 0.5) / across as f64 - 2.0)
+        .collect();
+    let depths: Vec<f64> = (0..across / 2)
+        .map(|index| 4.0 * index as f64 / across as f64)
+        .collect();
+    let begun = Instant::now();
+    let stresses = black_box(traction.field(&ellipse, [&side, &side, &depths]));
+    let seconds = begun.elapsed().as_secs_f64();
+    Ok((seconds, stresses.iter().map(|stress| stress[2]).sum()))
 }
 
 /// Mean of steady states from free rolling to full slip, each from nothing.
@@ -206,6 +228,8 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         ("one-wavelength", RESPONSE_ACROSS),
         ("followed", RESPONSE_ACROSS),
         ("fastsim", CELLS),
+        ("stress", STRESS_POINTS),
+        ("stress-partial", STRESS_POINTS),
     ];
     let mut times = tasks.map(|_| Vec::new());
     for _ in 0..ROUNDS {
@@ -229,6 +253,8 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         one,
         followed,
         fastsim,
+        stress,
+        stress_partial,
     ] = times.map(|times| 1e3 * median(times));
     writeln!(
         text,
@@ -278,6 +304,12 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         text,
         "| FASTSIM, {CELLS} × {CELLS} cells, with lateral creepage and spin | {:.1} µs | | |",
         1e3 * fastsim
+    )?;
+    writeln!(
+        text,
+        "| stress under the patch, {STRESS_POINTS} × {STRESS_POINTS} × {0} points, full slip | {stress:.0} ms | in partial slip \
+         {stress_partial:.0} ms | |",
+        STRESS_POINTS / 2
     )?;
     writeln!(
         text,

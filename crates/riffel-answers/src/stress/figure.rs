@@ -53,8 +53,12 @@ fn steps(from: f64, to: f64, count: usize) -> Vec<f64> {
         .collect()
 }
 
-fn mises(answer: &StressAnswer, traction: &Traction, place: [f64; 3]) -> f64 {
-    StressMeasure::VonMises.of(&traction.stress(&answer.ellipse, place))
+fn mises(answer: &StressAnswer, traction: &Traction, axes: [&[f64]; 3]) -> Vec<f64> {
+    let stresses = traction.field(&answer.ellipse, axes);
+    let values = stresses
+        .iter()
+        .map(|stress| StressMeasure::VonMises.of(stress));
+    values.collect()
 }
 
 fn contours(x: &[f64], y: &[f64], values: &[f64]) -> Vec<Series> {
@@ -73,11 +77,7 @@ fn contours(x: &[f64], y: &[f64], values: &[f64]) -> Vec<Series> {
 
 fn section(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel {
     let (x, depth) = (steps(-2.0, 2.0, 80), steps(0.0, 2.0, 40));
-    let values: Vec<f64> = depth
-        .iter()
-        .flat_map(|&z| x.iter().map(move |&x| [x, 0.0, z]))
-        .map(|place| mises(answer, traction, place))
-        .collect();
+    let values = mises(answer, traction, [&x, &[0.0], &depth]);
     let down: Vec<f64> = depth.iter().map(|z| -z).collect();
     LinePanel {
         subtitle: format!("section, {name}"),
@@ -92,11 +92,7 @@ fn section(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel 
 
 fn surface(answer: &StressAnswer, name: &str, traction: &Traction) -> LinePanel {
     let (x, y) = (steps(-1.5, 1.5, 60), steps(-1.5, 1.5, 60));
-    let values: Vec<f64> = y
-        .iter()
-        .flat_map(|&y| x.iter().map(move |&x| [x, y, 0.0]))
-        .map(|place| mises(answer, traction, place))
-        .collect();
+    let values = mises(answer, traction, [&x, &y, &[0.0]]);
     let mut series = contours(&x, &y, &values);
     let turn: Vec<f64> = steps(0.0, std::f64::consts::TAU, 72);
     series.push(Series {
@@ -126,9 +122,7 @@ fn along(answer: &StressAnswer, tractions: &[(&str, &Traction)]) -> LinePanel {
         .enumerate()
         .map(|(index, (label, traction))| Series {
             label: (*label).to_owned(),
-            y: x.iter()
-                .map(|&x| mises(answer, traction, [x, 0.0, 0.0]))
-                .collect(),
+            y: mises(answer, traction, [&x, &[0.0], &[0.0]]),
             x: x.clone(),
             style: LineStyle::Solid,
             color: Some(OKABE_ITO[1 + index]),

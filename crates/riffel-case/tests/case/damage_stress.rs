@@ -319,3 +319,30 @@ fn exact_theory_between_its_limits() {
         }
     }
 }
+
+/// A field is the stress at its points, to 1e-4, whatever the traction and on whichever side.
+#[test]
+fn fields_are_their_points() {
+    let x: Vec<f64> = (0..9).map(|i| -1.6 + 0.4 * f64::from(i)).collect();
+    let y = [-0.9, -0.35, 0.0, 0.2, 0.9];
+    let z = [0.0, 0.05, 0.3, 1.2];
+    let mut worst = 0.0_f64;
+    for ratio in [0.5, 1.0, 2.5] {
+        let ellipse = EllipseStress::of_ratio(ratio, NU);
+        for traction in [
+            Traction::full_slip(0.4, [0.6, -0.8]),
+            Traction::partial_slip(0.4, [-0.8, -0.6], 0.4),
+        ] {
+            let field = traction.field(&ellipse, [&x, &y, &z]);
+            let places = z.iter().flat_map(|&z| y.iter().map(move |&y| [y, z]));
+            let places = places.flat_map(|[y, z]| x.iter().map(move |&x| [x, y, z]));
+            for (place, got) in places.zip(field) {
+                let expected = traction.stress(&ellipse, place);
+                for (got, expected) in got.iter().zip(expected) {
+                    worst = worst.max((got - expected).abs());
+                }
+            }
+        }
+    }
+    assert!(worst < 1e-4, "{worst:e}");
+}

@@ -36,18 +36,21 @@ pub struct UnitStress {
     pub across: StressTensor,
 }
 
-/// Points of the rule.
-const POINTS: usize = 16;
+/// A rule of Gauss and Legendre: places and weights between 0 and 1.
+type Rule<const N: usize> = LazyLock<[(f64, f64); N]>;
 
-/// Places and weights of Gauss and Legendre's rule between 0 and 1.
-static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(|| {
+static RULE: Rule<16> = LazyLock::new(rule);
+/// For pictures and fields.
+static SHORT_RULE: Rule<8> = LazyLock::new(rule);
+
+fn rule<const N: usize>() -> [(f64, f64); N] {
     std::array::from_fn(|index| {
-        let count = POINTS as f64;
+        let count = N as f64;
         let mut x = ((index as f64 + 0.75) / (count + 0.5) * std::f64::consts::PI).cos();
         let mut slope = 1.0;
         for _ in 0..20 {
             let (mut last, mut value) = (1.0, x);
-            for order in 2..=POINTS {
+            for order in 2..=N {
                 let n = order as f64;
                 (last, value) = (value, ((2.0 * n - 1.0) * x * value - (n - 1.0) * last) / n);
             }
@@ -56,7 +59,7 @@ static RULE: LazyLock<[(f64, f64); POINTS]> = LazyLock::new(|| {
         }
         (0.5 * (1.0 - x), 1.0 / ((1.0 - x * x) * slope * slope))
     })
-});
+}
 
 /// Integrals from λ on, of the longer semi-axis first.
 #[derive(Default)]
@@ -90,7 +93,16 @@ impl EllipseStress {
     }
 
     /// At x/a, y/b and z/a ≥ 0, z into the rail. At the surface that of the patch, or beside it.
-    pub fn at(&self, [x, y, z]: [f64; 3]) -> UnitStress {
+    pub fn at(&self, place: [f64; 3]) -> UnitStress {
+        self.by(&*RULE, place)
+    }
+
+    /// The same to 1e-4 of p₀.
+    pub(super) fn nearly_at(&self, place: [f64; 3]) -> UnitStress {
+        self.by(&*SHORT_RULE, place)
+    }
+
+    fn by<const N: usize>(&self, rule: &[(f64, f64); N], [x, y, z]: [f64; 3]) -> UnitStress {
         // The surface is the limit of small depths.
         let (y, z) = (y * self.b, z.max(1e-12 * self.b.min(1.0)));
         let (place, axes) = ([x, y], [1.0, self.b]);
@@ -101,7 +113,7 @@ impl EllipseStress {
         let [big, small] = [squares[long], squares[1 - long]];
         let [x2, y2] = [p[long] * p[long], p[1 - long] * p[1 - long]];
         let level = confocal([big, small], [x2, y2], z * z);
-        let integrals = Integrals::new([big, small], [x2, y2], z, level);
+        let integrals = Integrals::new(rule, [big, small], [x2, y2], z, level);
 
         // Boundary terms, with λ_i = 2 p_i/((A_i² + λ) N) and z² = λ ζ².
         let sums = squares.map(|square| square + level);
@@ -195,7 +207,13 @@ impl EllipseStress {
 }
 
 impl Integrals {
-    fn new([big, small]: [f64; 2], [x2, y2]: [f64; 2], z: f64, level: f64) -> Self {
+    fn new<const N: usize>(
+        rule: &[(f64, f64); N],
+        [big, small]: [f64; 2],
+        [x2, y2]: [f64; 2],
+        z: f64,
+        level: f64,
+    ) -> Self {
         let mut sums = Self::default();
         // An angle: s = AB tan² φ.
         let (a, b) = (big.sqrt(), small.sqrt());
@@ -235,7 +253,7 @@ impl Integrals {
             (n.map(|n| 2.0 * n * per_s), [0, 1, 2, 3].map(slope))
         };
         let mut edges = [0.0; 4];
-        for &(share, weight) in RULE.iter() {
+        for &(share, weight) in rule {
             let (sine, cosine) = (from + share * length).sin_cos();
             let (s2, c2) = (sine * sine, cosine * cosine);
             let [of_a, of_b] = [a * c2 + b * s2, b * c2 + a * s2];

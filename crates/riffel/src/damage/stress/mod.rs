@@ -2,6 +2,7 @@
 
 mod elements;
 mod ellipse;
+mod field;
 mod maximum;
 mod measure;
 mod traction;
