@@ -372,12 +372,13 @@ creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } 
 ## Schäden neben dem Verschleiß
 
 damage-beyond-friction = der ausgenutzte Kraftschluss des mittleren Zustands ist { $friction }: über 0,6 sind Spannungen und Shakedown-Grenzen der Schadensgesetze mit nichts verglichen
+damage-beyond-elastic = der Kontaktdruck von { $pressure } MPa ist das { $ratio }-Fache der Schubfließgrenze: über 7,3 ist der ganze Kontakt plastisch, und weder die Ellipse von Hertz noch Grenzen des Shakedowns gelten; damage.shear_yield prüfen
 moment-beside-its-limit = die mittlere Last biegt die Schiene mit { $moment } kN m, dem { $share }-fachen von damage.bending.limit
-flow-hardens = das Fließen verfestigt: sein Wachstum ist das der ersten Überfahrten; unter einer Ausreißerzahl von eins kommt es zur Ruhe, und was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
-hardening-runs-away = Fließen mit Verfestigung hält die Welle bei { $wavelength } mm nicht auf: ihre Ausreißerzahl ist { $runaway }, über eins, sodass sie davonläuft
-hardening-ends-wave = Fließen mit Verfestigung vervielfacht die Welle bei { $wavelength } mm auf das { $ratio }-Fache und kommt zur Ruhe: ihre Ausreißerzahl ist { $runaway }, unter eins. Ein Gesetz, das sich bis zur Ruhe verfestigt, macht allein keine Riffeln; was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
+flow-hardens = das Fließen verfestigt: sein Wachstum ist das der ersten Überfahrten; unter einer Durchgehzahl von eins kommt es zur Ruhe, und was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
+hardening-runs-away = Fließen mit Verfestigung hält die Welle bei { $wavelength } mm nicht auf: ihre Durchgehzahl ist { $runaway }, über eins, sodass sie durchgeht
+hardening-ends-wave = Fließen mit Verfestigung vervielfacht die Welle bei { $wavelength } mm auf das { $ratio }-Fache und kommt zur Ruhe: ihre Durchgehzahl ist { $runaway }, unter eins. Ein Gesetz, das sich bis zur Ruhe verfestigt, macht allein keine Riffeln; was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
 cracks-are-worn-off = der Verschleiß nimmt Risse in jeder Phase der vorhergesagten Wellen schneller weg, als sie wachsen
-cracks-grow = Risse werden { $at } bei { $wavelength } mm am längsten: { $length } mm nach { $passages } Achsüberfahrten, daneben { $other } mm { $opposite }
+cracks-grow = Risse werden { $at } bei { $wavelength } mm am längsten: { $length } mm nach { $passages } Achsüberrollungen, daneben { $other } mm { $opposite }
 cracks-grow-in-months = Risse werden { $at } bei { $wavelength } mm am längsten: { $length } mm nach { $months } Monaten, daneben { $other } mm { $opposite }
 on-crests = auf den Bergen
 in-troughs = in den Tälern

@@ -380,6 +380,7 @@ creepages-left-out = the exact theory does not converge at a creepage of { $cree
 ## Damage beside wear
 
 damage-beyond-friction = the utilised friction of the mean state is { $friction }: above 0.6 stress and shakedown limits of the laws of damage have not been compared with anything
+damage-beyond-elastic = the contact pressure of { $pressure } MPa is { $ratio } times the shear yield: above 7.3 the whole patch is plastic, and neither the ellipse of Hertz nor limits of shakedown hold; check damage.shear_yield
 moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of damage.bending.limit
 flow-hardens = flow hardens: growth by it is that of the first passages; below a runaway number of one it comes to rest, and what goes on is ratchetting at the hardened yield
 hardening-runs-away = flow that hardens does not stop the wave at { $wavelength } mm: its runaway number is { $runaway }, above one, so that it runs away

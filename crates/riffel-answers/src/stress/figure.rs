@@ -32,13 +32,13 @@ pub(super) fn figure(answer: &StressAnswer) -> LineFigure {
         title: "Stress under the contact".to_owned(),
         caption: format!(
             "Von Mises stress over the peak pressure of {:.0} MPa, rolling to the right, friction {:.2}, a/b = {:.2}. Sections through the \
-             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}{}.",
+             middle and the surface of the patch with lines of equal stress, partial slip by Vermeulen and Johnson at a tractive ratio of {:.2}.{}",
             1e-6 * answer.peak_pressure_pa,
             answer.friction,
             answer.semi_axis_longitudinal_m / answer.semi_axis_lateral_m,
             answer.tractive_ratio,
             match named.len() > 2 {
-                true => ", half-space by the tractions of the elements",
+                true => " Half-space by the tractions of its elements.",
                 false => "",
             },
         ),

@@ -195,11 +195,21 @@ impl CheckedKeys {
         let mut remarks = Vec::new();
         // Elastic limits of a line and an ellipse lie below the surface of a hundred fields up to here.
         const FRICTION: f64 = 0.6;
+        // Mean pressure of 2.8 times the yield in tension, √3 k: the whole patch is plastic.
+        const PLASTIC: f64 = 7.3;
         let demand = &damage.demand;
         if demand.utilised_friction > FRICTION {
             remarks.push(say!(
                 damage_beyond_friction,
                 friction = fixed(demand.utilised_friction, 2)
+            ));
+        }
+        let over_yield = demand.contact_pressure / demand.shear_yield;
+        if over_yield > PLASTIC {
+            remarks.push(say!(
+                damage_beyond_elastic,
+                pressure = fixed(1e-6 * demand.contact_pressure, 0),
+                ratio = fixed(over_yield, 1)
             ));
         }
         for law in &damage.laws {

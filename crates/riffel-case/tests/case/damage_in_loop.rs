@@ -259,6 +259,18 @@ fn grades_of_rail() {
     assert!(soft < usual && usual < hard);
 }
 
+/// A yield so low that the whole patch is plastic is said, a usual one is not.
+#[test]
+fn beyond_the_elastic_range() {
+    for (shear_yield, said) in [("100 MPa", true), ("300 MPa", false)] {
+        let shear_yield = format!("damage.shear_yield={shear_yield}");
+        let case = case(HEAVY_HAUL, "", &["damage.laws=[\"flow\"]", &shear_yield]);
+        let mut remarks = case.remarks.iter().map(ToString::to_string);
+        let found = remarks.any(|remark| remark.contains("whole patch is plastic"));
+        assert_eq!(found, said, "{shear_yield}");
+    }
+}
+
 #[test]
 fn bad_inputs_are_refused() {
     for (damage, overrides, words) in [

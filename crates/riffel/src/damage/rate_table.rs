@@ -30,12 +30,16 @@ pub(super) struct RateTable {
     cells: Vec<Cell>,
     /// Numbers of the cells in which equal parts begin.
     parts: Vec<usize>,
+    /// Parts per unit of s.
+    per_unit: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
 struct Cell {
-    begin: f64,
     end: f64,
+    middle: f64,
+    /// One over half its width.
+    per_half: f64,
     /// In t ∈ \[−1, 1\], lowest power first.
     polynomial: [f64; NODES],
 }
@@ -55,6 +59,7 @@ impl RateTable {
                 first,
                 cells: Vec::new(),
                 parts: Vec::new(),
+                per_unit: PARTS as f64 / (1.0 - first),
             };
             for cell in 0..FIRST_CELLS {
                 let end = |cell: usize| first + (1.0 - first) * cell as f64 / FIRST_CELLS as f64;
@@ -74,13 +79,16 @@ impl RateTable {
         }
         let sum = amplitude + self.scale;
         let place = amplitude / sum;
-        let part = (place - self.first) / (1.0 - self.first) * PARTS as f64;
+        let part = (place - self.first) * self.per_unit;
         let begin = self.parts[(part as usize).min(PARTS - 1)];
-        let behind = self.cells[begin..].iter();
-        let cell = behind.take_while(|cell| cell.end < place).count() + begin;
-        let rate = self.cells[cell.min(self.cells.len() - 1)].at(place);
+        let mut cell = begin.min(self.cells.len() - 1);
+        while self.cells[cell].end < place && cell + 1 < self.cells.len() {
+            cell += 1;
+        }
+        let rate = self.cells[cell].at(place);
         match self.law.exponent() {
             1.0 => rate,
+            2.0 => rate * (sum / self.scale),
             exponent => rate * (self.scale / sum).powf(1.0 - exponent),
         }
     }
@@ -96,8 +104,9 @@ impl RateTable {
     fn divide(&mut self, begin: f64, end: f64, halvings: u32) {
         let at = |t: f64| 0.5 * (begin + end + t * (end - begin));
         let cell = Cell {
-            begin,
             end,
+            middle: 0.5 * (begin + end),
+            per_half: 2.0 / (end - begin),
             polynomial: through_nodes(|t| self.exact(at(t))),
         };
         let size = self.law.slope(self.scale);
@@ -117,8 +126,7 @@ impl RateTable {
 
 impl Cell {
     fn at(&self, place: f64) -> f64 {
-        let t = (2.0 * place - self.begin - self.end) / (self.end - self.begin);
-        polynomial_at(&self.polynomial, t)
+        polynomial_at(&self.polynomial, (place - self.middle) * self.per_half)
     }
 }
 

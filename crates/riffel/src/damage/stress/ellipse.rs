@@ -94,12 +94,12 @@ impl EllipseStress {
 
     /// At x/a, y/b and z/a ≥ 0, z into the rail. At the surface that of the patch, or beside it.
     pub fn at(&self, place: [f64; 3]) -> UnitStress {
-        self.by(&*RULE, place)
+        self.by(&RULE, place)
     }
 
     /// The same to 1e-4 of p₀.
     pub(super) fn nearly_at(&self, place: [f64; 3]) -> UnitStress {
-        self.by(&*SHORT_RULE, place)
+        self.by(&SHORT_RULE, place)
     }
 
     fn by<const N: usize>(&self, rule: &[(f64, f64); N], [x, y, z]: [f64; 3]) -> UnitStress {
