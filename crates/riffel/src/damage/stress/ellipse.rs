@@ -26,7 +26,7 @@ pub struct EllipseStress {
 }
 
 /// Stresses over p₀ by pressure alone, and by tractions of friction one along x and y alone.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Default, Clone, Copy, PartialEq)]
 pub struct UnitStress {
     /// By pressure.
     pub normal: StressTensor,

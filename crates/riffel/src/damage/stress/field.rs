@@ -22,17 +22,15 @@ impl Field {
             sizes
         });
         let [along, across] = &sizes;
-        let rows = z
-            .par_iter()
-            .flat_map(|&z| across.par_iter().map(move |&y| [y, z]));
-        let quarter = rows.flat_map_iter(|[y, z]| {
-            let places = along.iter();
-            places.map(move |&x| ellipse.nearly_at([x, y, z]))
+        let mut quarter = vec![UnitStress::default(); along.len() * across.len() * z.len()];
+        let rows = quarter.par_chunks_mut(along.len()).enumerate();
+        rows.for_each(|(index, row)| {
+            let (y, z) = (across[index % across.len()], z[index / across.len()]);
+            for (unit, &x) in row.iter_mut().zip(along) {
+                *unit = ellipse.nearly_at([x, y, z]);
+            }
         });
-        Self {
-            quarter: quarter.collect(),
-            sizes,
-        }
+        Self { quarter, sizes }
     }
 
     /// In a plane, by its place among the depths, at one of the places x/a and y/b.

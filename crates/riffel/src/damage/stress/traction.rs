@@ -105,24 +105,23 @@ impl Traction {
             }
             Stick::None | Stick::Elements(_) => None,
         };
-        let rows = (0..z.len() * y.len()).into_par_iter();
-        let stresses = rows.flat_map_iter(|row| {
+        let mut stresses = vec![StressTensor::default(); x.len() * y.len() * z.len()];
+        let rows = stresses.par_chunks_mut(x.len()).enumerate();
+        rows.for_each(|(row, stresses)| {
             let (plane, row) = (row / y.len(), row % y.len());
-            let (outer, within) = (&outer, &within);
-            x.iter().map(move |&x| {
+            for (stress, &x) in stresses.iter_mut().zip(x) {
                 let place = [x, y[row], z[plane]];
-                let mut stress = self.of_slip(&outer.at([x, y[row]], plane));
-                if let Some((c, within)) = within {
+                *stress = self.of_slip(&outer.at([x, y[row]], plane));
+                if let Some((c, within)) = &within {
                     let [x, y, _] = inner(*c, place);
-                    self.less(&mut stress, *c, &within.at([x, y], plane));
+                    self.less(stress, *c, &within.at([x, y], plane));
                 }
                 if let Stick::Elements(elements) = &self.stick {
-                    less_elements(&mut stress, elements, ellipse, place);
+                    less_elements(stress, elements, ellipse, place);
                 }
-                stress
-            })
+            }
         });
-        stresses.collect()
+        stresses
     }
 
     /// In full slip.
