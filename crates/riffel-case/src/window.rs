@@ -3,12 +3,14 @@
 use riffel_keys::{Message, say};
 
 /// What the window of wavelengths and speeds of a case is, which sentences name.
-#[derive(Clone, Copy)]
+#[derive(Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Window {
     /// The growth map, as the case file says.
     Map,
     /// Bands of the spectrum at the speeds of a vehicle.
     Traffic,
+    /// The same of a wheel whose remarks nobody reads: those of another wheel of its vehicle stand for all, and none are made.
+    BesideAnother,
 }
 
 impl Window {
@@ -16,7 +18,7 @@ impl Window {
     pub(crate) fn name(self) -> Message {
         match self {
             Self::Map => say!(map_window),
-            Self::Traffic => say!(traffic_window),
+            Self::Traffic | Self::BesideAnother => say!(traffic_window),
         }
     }
 }

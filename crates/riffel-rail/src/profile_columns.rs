@@ -42,7 +42,8 @@ impl<'a> ProfileTable<'a> {
         let (table, heading) = (self.table, &self.table.heading);
         let spacing = self.layout.spacing;
         let (position, mut columns) = self.position_and_others();
-        columns.retain(|&column| self.left_out(column).is_none());
+        let lengths = self.columns_of_lengths(&columns);
+        columns.retain(|&column| self.left_out(column, &lengths).is_none());
         if position.is_none_or(|column| table.even_step(column).is_none() && !self.is_named(column))
             && spacing.is_none()
             && let Some(counter) = self.counter()
@@ -103,19 +104,25 @@ impl<'a> ProfileTable<'a> {
         (place.map(|place| columns.remove(place)), columns)
     }
 
-    /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside columns of lengths.
-    fn left_out(&self, column: usize) -> Option<&'static str> {
+    /// Those of some columns whose names and units are those of lengths.
+    fn columns_of_lengths(&self, columns: &[usize]) -> Vec<usize> {
+        let is_length = |&column: &usize| {
+            left_out(self.table, column).is_none()
+                && self.table.heading.foreign_unit_of(column).is_none()
+        };
+        columns.iter().copied().filter(is_length).collect()
+    }
+
+    /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside
+    /// [columns of lengths](Self::columns_of_lengths).
+    fn left_out(&self, column: usize, lengths: &[usize]) -> Option<&'static str> {
         const COMPUTED: &str =
             "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|rms";
         let (table, heading) = (self.table, &self.table.heading);
         left_out(table, column).or_else(|| {
-            let mut others = self.position_and_others().1;
-            others.retain(|&other| {
-                other != column
-                    && left_out(table, other).is_none()
-                    && heading.foreign_unit_of(other).is_none()
-            });
-            let beside = |is: &dyn Fn(usize) -> bool| others.iter().any(|&other| is(other));
+            let beside = |is: &dyn Fn(usize) -> bool| {
+                lengths.iter().any(|&other| other != column && is(other))
+            };
             if heading.foreign_unit_of(column).is_some()
                 && beside(&|other| heading.unit_of(other).is_some())
             {
@@ -239,13 +246,14 @@ impl<'a> ProfileTable<'a> {
                 .collect(),
         };
         let count = self.table.count();
+        let lengths = self.columns_of_lengths(&self.position_and_others().1);
         sentences.extend((0..count).filter_map(|column| {
             let is_read = |one: &Column| one.column == column + 1;
             let is_read = format.position.iter().chain(&format.rails).any(is_read);
             if is_read || self.labels.contains(&column) || !self.table.kinds[column].is_numeric() {
                 return None;
             }
-            let why = match self.left_out(column) {
+            let why = match self.left_out(column, &lengths) {
                 Some(why) => why,
                 None if self.table.is_index(column) => "it numbers the rows",
                 None => "it is neither a position nor a height",

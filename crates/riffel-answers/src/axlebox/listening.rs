@@ -10,7 +10,7 @@ use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable};
 
 use super::AxleBoxRequest;
 use crate::AnswerError;
-use crate::roughness::rms_limit;
+use crate::roughness::{limit_levels, rms_limit};
 
 /// What is known of one channel so far.
 pub(super) struct Heard {
@@ -127,6 +127,7 @@ pub(super) fn listen(
         longest_wavelength: request.longest,
         block: request.block,
         limit: rms_limit(limits)?,
+        section_levels: limit_levels(limits),
         without_defects: !request.keep_defects,
         ..AnalysisSettings::default()
     };

@@ -84,6 +84,12 @@ pub(crate) fn rms_limit(limits: &[LimitTable]) -> Result<Option<RmsLimit>, Answe
     }
 }
 
+/// Whether a table limits levels, those of each section of the rail then too.
+pub(crate) fn limit_levels(limits: &[LimitTable]) -> bool {
+    let mut limits = limits.iter();
+    limits.any(|table| matches!(table.limit, Limit::Levels(_)))
+}
+
 impl ProfileAnswer {
     /// A profile held to limits; `path` is the one in errors, `progress` is told of [`steps`](Self::steps) done.
     ///
@@ -123,6 +129,7 @@ impl ProfileAnswer {
             window: request.window,
             block: request.block,
             limit: rms_limit(limits)?,
+            section_levels: limit_levels(limits),
             ..AnalysisSettings::default()
         };
         if let Some(longest) = request.longest {

@@ -290,7 +290,10 @@ mod tests {
     #[test]
     fn a_rough_place_is_told_where_the_mean_hides_it() {
         let limits = [LimitTable::find("iso-3095-2013").unwrap()];
-        let settings = AnalysisSettings::default();
+        let settings = AnalysisSettings {
+            section_levels: true,
+            ..AnalysisSettings::default()
+        };
         let verdict = |length: f64, from: f64| {
             let height = |n: usize| {
                 let x = 5e-3 * n as f64;

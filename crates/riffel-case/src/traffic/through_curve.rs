@@ -127,6 +127,7 @@ impl Case {
         equilibrium: &Arc<Equilibrium>,
         wheelset: usize,
         sets: &[&[Setting]],
+        window: Window,
     ) -> Result<Self, CaseError> {
         let mut text = self.text_with(sets)?;
         if !text.keys.has("contact.from") {
@@ -137,7 +138,7 @@ impl Case {
         let mut given = self.keys.given.clone();
         given.equilibrium = Some(equilibrium.clone());
         let folder = self.keys.folder.as_deref();
-        Self::of_text(text, folder, given, Window::Traffic)
+        Self::of_text(text, folder, given, window)
     }
 }
 

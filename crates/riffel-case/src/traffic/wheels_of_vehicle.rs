@@ -16,6 +16,7 @@ use super::{CurveOfVehicle, SpreadEffect, Traffic, TrafficOnCase};
 use crate::from_curve::Equilibrium;
 use crate::kept_state::KeptState;
 use crate::setting::Setting;
+use crate::window::Window;
 use crate::{Case, Hold, Variant};
 
 /// Change of the growth rates between two rules of quadrature, relative to the largest, at which the coarser is taken.
@@ -183,19 +184,24 @@ impl Asked<'_> {
             }
         };
         let (equilibria, without) = self.equilibria(through, values, &speeds, &balanced)?;
-        let at_speed = |(speed, equilibrium): &(f64, Arc<Equilibrium>)| {
+        let middle = equilibria.len() / 2;
+        let at_speed = |(index, (speed, equilibrium)): (usize, &(f64, Arc<Equilibrium>))| {
             let speed = *speed;
             let wheels = 1..=through.wheelsets();
             let wheels = wheels.map(|wheelset| {
-                let wheel = self.case.on_wheelset(equilibrium, wheelset, &sets);
+                let window = match (index, wheelset) == (middle, 1) {
+                    true => Window::Traffic,
+                    false => Window::BesideAnother,
+                };
+                let wheel = self.case.on_wheelset(equilibrium, wheelset, &sets, window);
                 wheel.map_err(|error| self.at_speed(speed, values, &error))
             });
             wheels.collect()
         };
         let cases: Result<Vec<Vec<Case>>, CaseError> =
-            equilibria.par_iter().map(at_speed).collect();
+            equilibria.par_iter().enumerate().map(at_speed).collect();
         let (cases, balanced) = (cases?, equilibria.iter().map(|it| it.0));
-        let first = &cases[cases.len() / 2];
+        let first = &cases[middle];
         for wheel in first {
             self.check_frequencies(wheel, &speeds)?;
         }

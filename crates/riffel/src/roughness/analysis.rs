@@ -28,6 +28,8 @@ pub struct AnalysisSettings {
     pub felt: Option<WavelengthBand>,
     /// Whether [defects](RailAnalysis::defects) are left out of the levels; they stay in statistics.
     pub without_defects: bool,
+    /// Whether each section of 100 m is given its levels, which cost as much as all else.
+    pub section_levels: bool,
 }
 
 impl Default for AnalysisSettings {
@@ -41,6 +43,7 @@ impl Default for AnalysisSettings {
             limit: None,
             felt: None,
             without_defects: false,
+            section_levels: false,
         }
     }
 }
@@ -59,7 +62,7 @@ pub struct RailAnalysis {
     pub defects: Vec<RailDefect>,
     /// Energy-averaged one-third-octave levels after EN 15610.
     pub spectrum: Spectrum,
-    /// The levels of each section of 100 m; none where there is one section, or no band is asked for.
+    /// The levels of each section of 100 m; none where there is one section, or they are not asked for.
     pub section_spectra: Vec<SectionSpectrum>,
     /// Length of a segment for the longest wavelengths \[m\].
     pub segment_length: f64,
@@ -161,9 +164,9 @@ impl RailAnalysis {
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
         let levels = RecordLevels::new(&stretches, settings.longest_wavelength)?;
-        let section_spectra = match settings.bands.is_empty() {
-            true => Vec::new(),
-            false => section_spectra(&stretches, &ends, settings),
+        let section_spectra = match settings.section_levels {
+            true => section_spectra(&stretches, &ends, settings),
+            false => Vec::new(),
         };
         progress();
         let summaries = settings.bands.iter().zip(&statistics);
