@@ -89,11 +89,13 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
     }
 }
 
-/// Length of cracks over the passages at the phases of the wave where they become longest; none without fatigue among the laws.
+/// Length of cracks over the passages at the phases of the wave where they become longest; none where none
+/// grows.
 fn crack_panel(answer: &ForecastAnswer, until: f64) -> Option<LinePanel> {
     const STEPS: u32 = 24;
     let longest = (answer.cracks().into_iter())
-        .max_by(|a, b| a.crack_length_m.total_cmp(&b.crack_length_m))?;
+        .max_by(|a, b| a.crack_length_m.total_cmp(&b.crack_length_m))
+        .filter(|longest| longest.crack_length_m > 0.0)?;
     let forecast = &answer.leading().forecast;
     let mut bands = forecast.bands().iter();
     let band = bands.find(|band| band.now.band.wavelength() == longest.wavelength_m)?;
