@@ -13,7 +13,7 @@ pub(super) struct Field {
 }
 
 impl Field {
-    /// At x/a, y/b and z/a, to 1e-4 of p₀.
+    /// At x/a, y/b and z/a, to 1e-3 of p₀.
     pub(super) fn new(ellipse: &EllipseStress, [x, y, z]: [&[f64]; 3]) -> Self {
         let sizes = [x, y].map(|axis| {
             let mut sizes: Vec<f64> = axis.iter().map(|place| place.abs()).collect();
