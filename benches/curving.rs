@@ -7,7 +7,8 @@ use std::time::Instant;
 
 use riffel::Rail;
 use riffel::profile::ContactSurface;
-use riffel_case::CurvingCase;
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, CurvingCase, Variant};
 
 use crate::contestant::{Contestant, Failure};
 use crate::median;
@@ -18,6 +19,8 @@ const SHIFTS: i32 = 201;
 const YAWS: [f64; 3] = [0.0, 5e-3, 10e-3];
 /// Elements across the patch of the exact contact.
 const ELEMENTS: usize = 48;
+/// Speeds of the traffic through a curve.
+const SPEEDS: usize = 20;
 
 fn case(name: &str, overrides: &[&str]) -> Result<CurvingCase, Failure> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR"))
@@ -32,6 +35,7 @@ pub(crate) fn task(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
     match name {
         "geometry" => geometry(repeats),
         "contact" => contact(repeats),
+        "traffic" => traffic(repeats),
         _ => equilibrium(name, repeats),
     }
 }
@@ -94,6 +98,30 @@ fn equilibrium(name: &str, repeats: usize) -> Result<(f64, f64), Failure> {
     Ok((begun.elapsed().as_secs_f64() / repeats as f64, sum))
 }
 
+/// Growth on both rails under four bogies at as many speeds as asked, every wheel in its own state of the metro curve.
+fn traffic(speeds: usize) -> Result<(f64, f64), Failure> {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/metro-curve.toml");
+    let listed = (0..speeds).map(|speed| {
+        let kmh = 35.0 + 30.0 * speed as f64 / speeds as f64;
+        format!("{{ speed = \"{kmh} km/h\", share = 1 }}")
+    });
+    let listed = listed.collect::<Vec<_>>().join(", ");
+    let bogie = |load: i32| {
+        format!(
+            "[[vehicle]]\nname = \"{load} kN\"\nshare = 0.25\ncurve = true\nwheel_load = \"{load} kN\"\nspeeds = [{listed}]\n"
+        )
+    };
+    let traffic = Traffic::parse("traffic.toml", &[42, 45, 48, 51].map(bogie).concat())?;
+    let begun = Instant::now();
+    let mut sum = 0.0;
+    for rail in ["low", "high"] {
+        let case = Case::read(&path, &[format!("contact.from.rail={rail}")])?.sharing_parts();
+        let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| ())?;
+        sum += on.growth.rates().iter().sum::<f64>();
+    }
+    Ok((begun.elapsed().as_secs_f64(), sum))
+}
+
 /// The section of the report.
 pub(crate) fn report(
     text: &mut String,
@@ -135,6 +163,11 @@ pub(crate) fn report(
             "| equilibrium of a bogie by steps from straight track: {what} | {took:.2} ms | {asked} |"
         )?;
     }
+    let took = 1e-3 * milliseconds(two, "traffic", SPEEDS)?;
+    writeln!(
+        text,
+        "| growth on both rails under four bogies at {SPEEDS} speeds, every wheel in its own state of `metro-curve.toml`, two threads | {took:.1} s | 1 s |"
+    )?;
     writeln!(
         text,
         "\nMedians of {ROUNDS} rounds, one thread unless said."

@@ -262,7 +262,9 @@ class Network:
         return self._folder, os.fspath(limit), scalar(section, "section", "length")
 
 
-def _expected(case: Case | None, traffic: Traffic | None, line: str | None) -> tuple[Any, ...] | None:
+def _expected(
+    case: Case | None, traffic: Traffic | None, line: str | None
+) -> tuple[str | None, _riffel.Case, str | dict[str, Any] | None] | None:
     if case is None:
         if traffic is not None or line is not None:
             raise ValueError("traffic and line belong to a case: give case, too")

@@ -190,10 +190,17 @@ def network_ingest(
 def network_status(store: str) -> dict[str, Any]: ...
 def network_worst(judged: tuple[str, str, float], until: str | None, most: int) -> list[dict[str, Any]]: ...
 def network_growth(
-    judged: tuple[str, str, float], between: tuple[str, str] | None, most: int
+    judged: tuple[str, str, float],
+    between: tuple[str, str] | None,
+    most: int,
+    expected: tuple[str | None, Case, _Traffic | None] | None,
 ) -> list[dict[str, Any]]: ...
 def network_plan(
-    judged: tuple[str, str, float], months: float, budget: tuple[float, float, float], most_track: bool
+    judged: tuple[str, str, float],
+    months: float,
+    budget: tuple[float, float, float],
+    most_track: bool,
+    expected: tuple[str | None, Case, _Traffic | None] | None,
 ) -> dict[str, Any]: ...
 def network_chart(judged: tuple[str, str, float], line: str | None, rail: str | None) -> dict[str, Any]: ...
 def calibrate(plan: str, folder: str, restart: bool) -> tuple[list[str], list[str]]: ...
