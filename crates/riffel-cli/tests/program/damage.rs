@@ -83,6 +83,34 @@ fn findings(document: &Value) -> String {
         .collect()
 }
 
+/// A run that goes on knows what has flowed at every point of the rail: of 20 µm as in one go to the rounding of sums that are cut
+/// in two.
+#[test]
+fn hardening_goes_on_from_where_it_was() {
+    let sandbox = Sandbox::new();
+    let run = |passages: u32, folder: &str| {
+        let outcome = sandbox.riffel(&format!(
+            "simulate {} --speed 14 --sinusoid 20um,300mm --passages {passages} -o {folder}",
+            hardening("0.2mm")
+        ));
+        assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    };
+    run(2000, "whole");
+    run(1000, "parts");
+    run(2000, "parts");
+    let heights = |folder: &str| -> Vec<f64> {
+        let text = std::fs::read_to_string(sandbox.path(folder).join("profile.csv")).unwrap();
+        let rows = text.lines().skip(1).map(|row| row.rsplit(',').next());
+        rows.map(|height| height.unwrap().parse().unwrap())
+            .collect()
+    };
+    let (whole, parts) = (heights("whole"), heights("parts"));
+    assert!(whole.len() == parts.len() && !whole.is_empty());
+    for (one, other) in whole.iter().zip(&parts) {
+        assert!((one - other).abs() < 1e-18, "{one:e} {other:e}");
+    }
+}
+
 /// A forecast says whether flow that hardens ends a wave or lets it run away, and passages in time end it where a point says.
 #[test]
 fn hardening_ends_or_runs_away() {
