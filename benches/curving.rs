@@ -103,7 +103,8 @@ fn traffic(speeds: usize) -> Result<(f64, f64), Failure> {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../cases/metro-curve.toml");
     let listed = (0..speeds).map(|speed| {
         let kmh = 35.0 + 30.0 * speed as f64 / speeds as f64;
-        format!("{{ speed = \"{kmh} km/h\", share = 1 }}")
+        let share = (speeds as f64).recip();
+        format!("{{ speed = \"{kmh} km/h\", share = {share} }}")
     });
     let listed = listed.collect::<Vec<_>>().join(", ");
     let bogie = |load: i32| {
