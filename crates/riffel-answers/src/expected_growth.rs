@@ -3,10 +3,8 @@
 use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, UsualTraffic, bands_of};
 use riffel_case::{Case, Variant};
 
+use crate::forecast::per_million;
 use crate::{AnswerError, Banded, wear_spread};
-
-/// Level \[dB\] of an e-fold of the amplitude.
-const DECIBELS: f64 = 20.0 / std::f64::consts::LN_10;
 
 /// Growth of the level \[dB a year\] in bands of wavelength \[m\] under a traffic, or else under the usual one of the line: in each
 /// band that of its fastest wave, which the band follows in the end. None where the case has no wave in a band.
@@ -36,7 +34,7 @@ pub fn expected_growth(
         let lines = on.growth.wavelengths().into_iter().zip(on.growth.rates());
         let inside = lines.filter(|(wavelength, _)| (*from..=*to).contains(wavelength));
         let fastest = inside.map(|(_, rate)| *rate).reduce(f64::max)?;
-        let median = DECIBELS * passages * fastest;
+        let median = 1e-6 * passages * per_million(fastest);
         Some(match spread {
             Some(spread) => Banded::by_wear(median, spread),
             None => Banded {

@@ -12,11 +12,10 @@ use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
-use crate::contact_tables::ContactTables;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
-use crate::kept_wheelsets::KeptWheelsets;
 use crate::measurement;
 use crate::setting::Setting;
+use crate::shared::Shared;
 use crate::substitutes::{GivenReceptance, Substitutes};
 use crate::track::Track;
 use crate::wheelset::CaseWheelset;
@@ -243,8 +242,8 @@ impl Case {
     #[must_use]
     pub fn sharing_parts(&self) -> Self {
         let mut case = self.clone();
-        case.keys.given.tables = ContactTables::shared();
-        case.keys.given.wheelsets = KeptWheelsets::shared();
+        case.keys.given.tables = Shared::kept();
+        case.keys.given.wheelsets = Shared::kept();
         case
     }
 

@@ -2,15 +2,15 @@
 
 use std::sync::Arc;
 
-use riffel::Receptance;
 use riffel::receptance::MeasuredReceptance;
+use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 
-use crate::contact_tables::ContactTables;
 use crate::from_curve::Equilibrium;
-use crate::kept_wheelsets::KeptWheelsets;
 use crate::measurement::{self, UniversalFunction};
+use crate::shared::Shared;
 use crate::track::Origin;
+use crate::wheelset::BuiltWheelset;
 
 /// A vertical receptance that takes the place of the model of the case: a finite-element track, a flexible
 /// wheelset, a measurement in memory.
@@ -77,8 +77,8 @@ pub(crate) struct Substitutes {
     pub(crate) wheel: Option<GivenReceptance>,
     /// In place of that of the curve of the case.
     pub(crate) equilibrium: Option<Arc<Equilibrium>>,
-    /// Tables of the contact that other cases have, too.
-    pub(crate) tables: ContactTables,
-    /// Wheelsets that other cases have, too.
-    pub(crate) wheelsets: KeptWheelsets,
+    /// Tables of the exact contact that other cases have, too: each costs a second.
+    pub(crate) tables: Shared<Arc<dyn RollingContact>>,
+    /// Wheelsets that other cases have, too: of a vehicle in its curve every wheel at every speed has a case of its own.
+    pub(crate) wheelsets: Shared<BuiltWheelset>,
 }

@@ -1,11 +1,12 @@
 //! The wheelset of a case.
 
 use std::f64::consts::TAU;
+use std::sync::Arc;
 
 use riffel::Complex64;
 use riffel::wheelset::{
     ContactReceptances, FlexibleWheelset, MeasuredWheelset, ModalWheelset, ModeName, NaturalMode,
-    RigidWheelset, Wheelset,
+    RememberingWheelset, RigidWheelset, Wheelset,
 };
 use riffel_keys::{CaseError, Message, fixed, say};
 
@@ -91,6 +92,12 @@ impl CaseWheelset {
         })
     }
 }
+
+/// A wheelset, and beside it, where cases share their parts, the same with a memory of what it answered.
+pub(crate) type BuiltWheelset = (
+    Arc<CaseWheelset>,
+    Option<Arc<RememberingWheelset<Arc<CaseWheelset>>>>,
+);
 
 /// A natural frequency of a wheelset.
 #[derive(Debug, Clone)]

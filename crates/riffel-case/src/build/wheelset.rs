@@ -3,8 +3,8 @@
 use std::sync::Arc;
 
 use riffel::wheelset::{
-    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RigidBody, RigidWheelset,
-    Segment, Suspension,
+    Axle, ContactGeometry, CoupledInertia, Disc, FlexibleWheelset, RememberingWheelset, RigidBody,
+    RigidWheelset, Segment, Suspension,
 };
 use riffel::{ElasticMaterial, Rail};
 use riffel_keys::{CaseError, Message};
@@ -12,9 +12,8 @@ use riffel_keys::{CaseError, Message};
 use crate::checked_keys::CheckedKeys;
 use crate::file;
 use crate::general_keys::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
-use crate::kept_wheelsets::KeptWheelset;
 use crate::measurement::{MeasurementError, WheelsetModes, WheelsetReceptances};
-use crate::wheelset::CaseWheelset;
+use crate::wheelset::{BuiltWheelset, CaseWheelset};
 
 impl CheckedKeys {
     /// The wheelset, whose wheels have the rolling radius \[m\] and of which that on `rail` is under study; beside it, where the
@@ -25,14 +24,22 @@ impl CheckedKeys {
         rolling_radius: f64,
         rail: Rail,
         remarks: &mut Vec<Message>,
-    ) -> Result<(Arc<CaseWheelset>, Option<Arc<KeptWheelset>>), CaseError> {
+    ) -> Result<BuiltWheelset, CaseError> {
         let mut new = || self.new_wheelset(keys, rolling_radius, rail, remarks);
         match &keys.model {
             // A table has nothing to remember, and its remarks belong to each case.
             WheelsetModelKeys::Measured { .. } => Ok((Arc::new(new()?), None)),
             _ => {
                 let wheelsets = &self.given.wheelsets;
-                wheelsets.get(|| format!("{keys:?} {rolling_radius:?}"), new)
+                wheelsets.get(
+                    || format!("{keys:?} {rolling_radius:?}"),
+                    || {
+                        let wheelset = Arc::new(new()?);
+                        let remembering = || Arc::new(RememberingWheelset::new(wheelset.clone()));
+                        let remembering = wheelsets.is_kept().then(remembering);
+                        Ok((wheelset, remembering))
+                    },
+                )
             }
         }
     }
