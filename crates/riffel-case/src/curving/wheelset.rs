@@ -23,6 +23,15 @@ const STEP: f64 = 1e-4;
 /// beyond [`FARTHEST`].
 const BEYOND_FLANGE: f64 = 5e-3;
 
+/// Lateral shift \[m\] over which the contact of a wheelset is tabulated.
+fn farthest(wheelset: &WheelsetOnTrack) -> f64 {
+    let flanges = Rail::BOTH.map(|rail| wheelset.flange_shift(rail, 0.0));
+    let flanges = flanges.into_iter().flatten();
+    flanges.fold(FARTHEST, |farthest, flange| {
+        farthest.max(flange + BEYOND_FLANGE)
+    })
+}
+
 impl CurvingCase {
     /// The steel of wheels and rails.
     ///
@@ -122,12 +131,13 @@ impl CurvingCase {
         wheelset: &WheelsetOnTrack,
     ) -> Result<[RadiusDifference; 2], CaseError> {
         let [_, right] = self.rolling_radii();
+        let farthest = farthest(wheelset);
         let of = |table: Result<RadiusDifference, ProfileError>| {
             table.map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))
         };
         Ok([
-            of(RadiusDifference::level(wheelset, right, FARTHEST, STEP))?,
-            of(RadiusDifference::rolling(wheelset, right, FARTHEST, STEP))?,
+            of(RadiusDifference::level(wheelset, right, farthest, STEP))?,
+            of(RadiusDifference::rolling(wheelset, right, farthest, STEP))?,
         ])
     }
 
@@ -241,12 +251,7 @@ impl CurvingCase {
             return Err(self.text.keys.invalid(key, rule, ""));
         }
         let wheelset = self.wheelset_on_track()?;
-        let farthest = Rail::BOTH
-            .into_iter()
-            .filter_map(|rail| wheelset.flange_shift(rail, 0.0))
-            .fold(FARTHEST, |farthest, flange| {
-                farthest.max(flange + BEYOND_FLANGE)
-            });
+        let farthest = farthest(&wheelset);
         let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
             .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))?;
         Ok(Kinematics::Nonlinear {
