@@ -1,10 +1,36 @@
 //! How fast the bands of a line are expected to grow under its traffic.
 
+use rayon::prelude::*;
 use riffel_case::traffic::{DAYS_PER_YEAR, Traffic, UsualTraffic, bands_of};
 use riffel_case::{Case, Variant};
 
 use crate::forecast::per_million;
-use crate::{AnswerError, Banded, wear_spread};
+use crate::{AnswerError, Banded, PosteriorDraws, wear_spread};
+
+/// The same over the draws of a calibration, under its traffic, or else the usual one: in each band medians with bands, none where
+/// no draw has a wave there.
+///
+/// # Errors
+/// Those of [`expected_growth`].
+pub fn expected_growth_over(
+    draws: &PosteriorDraws,
+    bands: &[[f64; 2]],
+    progress: &(dyn Fn(usize) + Sync),
+) -> Result<Vec<Option<Banded>>, AnswerError> {
+    let growth = draws.drawn.par_iter().map(|drawn| {
+        let growth = expected_growth(&drawn.case, drawn.traffic.as_ref(), bands);
+        progress(1);
+        growth
+    });
+    let growth = growth.collect::<Result<Vec<_>, AnswerError>>()?;
+    let of_band = |band: usize| {
+        let samples = growth
+            .iter()
+            .filter_map(|growth| Some(growth[band]?.median));
+        Banded::of_samples(samples.collect())
+    };
+    Ok((0..bands.len()).map(of_band).collect())
+}
 
 /// Growth of the level \[dB a year\] in bands of wavelength \[m\] under a traffic, or else under the usual one of the line: in each
 /// band that of its fastest wave, which the band follows in the end. None where the case has no wave in a band.

@@ -7,7 +7,7 @@ use riffel_case::traffic::{
     DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, reported_growth, traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
-use riffel_keys::{CaseError, Message, Value, say, significant};
+use riffel_keys::{CaseError, Message, say, significant};
 use serde::{Serialize, Serializer};
 
 use crate::{Banded, wear_spread};
@@ -185,21 +185,47 @@ impl FastestGrowth {
             };
         };
         let two = |time: f64| significant(time, 2);
-        let ends = self.doubling_months_banded.map(|banded| banded.band_80);
-        let [early, late] = ends.unwrap_or([months; 2]);
-        let scale = |size: f64| -> [Value; 2] { [early, late].map(|time| two(size * time)) };
-        let (unit, [early, late]) = match (early, late) {
-            (_, late) if late < 2.0 => (0, scale(DAYS_PER_MONTH)),
-            (early, _) if early >= 36.0 => (2, scale(1.0 / 12.0)),
-            _ => (1, scale(1.0)),
-        };
-        match (unit, ends) {
-            (0, Some(_)) => say!(days_between, early = early, late = late),
-            (0, None) => say!(days_of, days = early),
-            (1, Some(_)) => say!(months_between, early = early, late = late),
-            (1, None) => say!(months_of, months = early),
-            (_, Some(_)) => say!(years_between, early = early, late = late),
-            (_, None) => say!(years_of, years = early),
+        if let Some(banded) = self.doubling_months_banded {
+            return time_between(banded.band_80);
+        }
+        match unit_of([months; 2]) {
+            Unit::Days => say!(days_of, days = two(DAYS_PER_MONTH * months)),
+            Unit::Months => say!(months_of, months = two(months)),
+            Unit::Years => say!(years_of, years = two(months / 12.0)),
+        }
+    }
+}
+
+enum Unit {
+    Days,
+    Months,
+    Years,
+}
+
+/// Years above three of them, days below two months.
+fn unit_of([early, late]: [f64; 2]) -> Unit {
+    match (early, late) {
+        (_, late) if late < 2.0 => Unit::Days,
+        (early, _) if early >= 36.0 => Unit::Years,
+        _ => Unit::Months,
+    }
+}
+
+/// Between so many months, in the unit that suits both.
+pub(crate) fn time_between(months: [f64; 2]) -> Message {
+    let in_unit = |size: f64| months.map(|time| significant(size * time, 2));
+    match unit_of(months) {
+        Unit::Days => {
+            let [early, late] = in_unit(DAYS_PER_MONTH);
+            say!(days_between, early = early, late = late)
+        }
+        Unit::Months => {
+            let [early, late] = in_unit(1.0);
+            say!(months_between, early = early, late = late)
+        }
+        Unit::Years => {
+            let [early, late] = in_unit(1.0 / 12.0);
+            say!(years_between, early = early, late = late)
         }
     }
 }

@@ -163,6 +163,11 @@ impl Table {
             .unwrap_or(0)
     }
 
+    /// Whether a reader sees a column of it.
+    pub fn is_shown(&self) -> bool {
+        self.columns.iter().any(|column| column.head.is_some())
+    }
+
     /// Heads and rows for a reader.
     pub fn shown(&self, language: Language) -> (Vec<String>, Vec<Vec<String>>) {
         let columns = self.columns.iter();

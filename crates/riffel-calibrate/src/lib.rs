@@ -13,6 +13,7 @@ mod conjugate;
 mod data;
 mod decision;
 pub mod diagnostics;
+mod drawn;
 mod error;
 pub mod file;
 mod forecast;
@@ -34,6 +35,7 @@ mod run;
 mod summary;
 
 pub use decision::{ActionOutcome, Decision, Months, Worth};
+pub use drawn::Drawn;
 pub use error::CalibrationError;
 pub use forecast::{BandForecast, Forecast};
 pub use identifiability::{Correlation, Direction, Identifiability};

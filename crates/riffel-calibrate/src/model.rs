@@ -279,7 +279,7 @@ impl<'a> Trial<'a> {
     }
 
     /// What the parameters give the keys of the case.
-    fn numbers(&self, view: usize) -> Vec<(&'a str, f64)> {
+    pub(crate) fn numbers(&self, view: usize) -> Vec<(&'a str, f64)> {
         let View { case, acting, .. } = &self.model.views[view];
         let mut numbers: Vec<(&str, f64)> = Vec::new();
         for &index in acting {

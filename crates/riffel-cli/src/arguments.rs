@@ -11,6 +11,7 @@ mod noise;
 mod number;
 mod page;
 mod point_in_rail;
+mod posterior;
 mod roughness;
 mod shakedown;
 mod simulate;
@@ -41,6 +42,7 @@ pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
 pub(crate) use page::Page;
 use point_in_rail::PointInRail;
+pub(crate) use posterior::Posterior;
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
@@ -419,8 +421,11 @@ pub(crate) struct Map {
     pub(crate) observations: Option<PathBuf>,
 
     /// Traffic file, for growth under the traffic [default: the usual traffic of a line of this kind].
-    #[arg(long, value_name = "FILE", conflicts_with = "wheels")]
+    #[arg(long, value_name = "FILE", conflicts_with_all = ["wheels", "posterior"])]
     pub(crate) traffic: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) posterior: Posterior,
 
     /// Place of the wheel on discrete supports, from one of them [default: that of the case].
     #[arg(long, value_name = "LENGTH")]

@@ -9,6 +9,7 @@ mod fingerprint;
 mod messages;
 mod observations;
 mod output;
+mod posterior;
 mod question;
 mod results;
 mod staging;

@@ -69,7 +69,8 @@ pub(crate) fn readable<A: Answer>(answer: &A, tables: &[Table]) -> String {
         let lines = messages.iter().map(|line| line.text(language()) + "\n");
         lines.collect()
     };
-    let tables = tables.iter().map(|table| format!("{}\n", table_of(table)));
+    let shown = tables.iter().filter(|table| table.is_shown());
+    let tables = shown.map(|table| format!("{}\n", table_of(table)));
     let tables = tables.collect::<String>();
     lines(answer.introduction()) + &tables + &lines(answer.sentences())
 }

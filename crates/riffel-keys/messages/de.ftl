@@ -456,3 +456,11 @@ first-of-pair = Wert
 second-of-pair = anderer Wert
 told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
+drawn-as-levels-see-it = über die Kalibrierung ist der Fall so, wie ihn die datierten Pegel sehen, mit { $set }
+median-with-band = { $median } ({ $low } … { $high })
+growth-over-posterior = über { $draws } Ziehungen der Kalibrierung wächst im Median { $wavelength } mm am schnellsten ({ $shortest } bis { $longest } mm, 90 %) und verdoppelt sich in { $time } (90 %)
+no-growth-in-draws = in { $share } % der Ziehungen wächst nichts
+variant-over-posterior = „{ $title }“: über { $draws } Ziehungen der Kalibrierung ändert sich das Wachstum um { $change } % (90 %), und in { $share } % von ihnen ist es kleiner
+variant-months-over-posterior = „{ $title }“: { $months } Monate bis zur Grenze (90 %)
+level-over-posterior = über { $draws } Ziehungen der Kalibrierung { $level } dB(A) (90 %)
+measure-over-posterior = { $measure }: spart { $saved } dB(A) (90 %)

@@ -464,3 +464,11 @@ first-of-pair = value
 second-of-pair = other value
 told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
 told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone
+drawn-as-levels-see-it = over the calibration the case is as its dated levels see it, with { $set }
+median-with-band = { $median } ({ $low } … { $high })
+growth-over-posterior = over { $draws } draws of the calibration { $wavelength } mm grows fastest in the median ({ $shortest } to { $longest } mm, 90 %) and doubles in { $time } (90 %)
+no-growth-in-draws = in { $share } % of the draws nothing grows
+variant-over-posterior = "{ $title }": over { $draws } draws of the calibration growth changes by { $change } % (90 %), and is less in { $share } % of them
+variant-months-over-posterior = "{ $title }": { $months } months to the limit (90 %)
+level-over-posterior = over { $draws } draws of the calibration { $level } dB(A) (90 %)
+measure-over-posterior = { $measure }: saves { $saved } dB(A) (90 %)

@@ -9,6 +9,7 @@ use riffel_answers::decide::DecideAnswer;
 use riffel_calibrate::{CalibrationError, Folder, Plan};
 use riffel_study::Stop;
 
+use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, wrong};
 use crate::interrupt::interruptible;
@@ -61,4 +62,99 @@ pub(crate) fn decide(
         DecideAnswer::new(&plan, &chains)
     };
     document(py, &interruptible(py, work)?.map_err(of_calibration)?)
+}
+
+/// Cases with the values of draws, each with the keys of its traffic.
+#[pyfunction]
+pub(crate) fn draws(
+    py: Python<'_>,
+    folder: PathBuf,
+    count: usize,
+) -> PyResult<Vec<(Case, Option<Bound<'_, PyAny>>)>> {
+    let work = move || {
+        let (plan, chains) = riffel_calibrate::finished(&folder, None)?;
+        plan.drawn(&chains, count)
+    };
+    let drawn = interruptible(py, work)?.map_err(of_calibration)?;
+    let drawn = drawn.into_iter().map(|drawn| {
+        let traffic = drawn.traffic.map(|traffic| document(py, &traffic.file));
+        Ok((Case::new(drawn.case), traffic.transpose()?))
+    });
+    drawn.collect()
+}
+
+/// How likely values of a plan are after its data.
+#[pyclass(frozen, module = "riffel._riffel")]
+pub(crate) struct LogPosterior {
+    plan: Plan,
+}
+
+#[pymethods]
+impl LogPosterior {
+    #[new]
+    fn new(plan: PathBuf) -> PyResult<Self> {
+        let plan = Plan::read(&plan).map_err(of_case)?;
+        Ok(Self { plan })
+    }
+
+    /// Name and unit of each parameter.
+    #[getter]
+    fn parameters(&self) -> Vec<(String, String)> {
+        let parameters = self.plan.posterior.parameters().iter();
+        parameters
+            .map(|it| (it.name.clone(), it.unit.clone()))
+            .collect()
+    }
+
+    fn log_density(&self, py: Python<'_>, place: Vec<f64>) -> PyResult<f64> {
+        self.check(&place)?;
+        let density = py.detach(|| self.plan.posterior.log_density(&place));
+        Ok(density.unwrap_or(f64::NEG_INFINITY))
+    }
+
+    fn gradient(&self, py: Python<'_>, place: Vec<f64>) -> PyResult<Option<Vec<f64>>> {
+        self.check(&place)?;
+        Ok(py
+            .detach(|| self.plan.posterior.at(&place))
+            .map(|point| point.gradient))
+    }
+
+    fn log_likelihood(&self, py: Python<'_>, values: Vec<f64>) -> PyResult<Vec<(String, f64)>> {
+        self.check(&values)?;
+        py.detach(|| self.plan.posterior.log_likelihood(&values))
+            .map_err(wrong)
+    }
+
+    fn values(&self, place: Vec<f64>) -> PyResult<Vec<f64>> {
+        self.check(&place)?;
+        Ok(self.plan.posterior.values(&place))
+    }
+
+    fn place(&self, values: Vec<f64>) -> PyResult<Vec<f64>> {
+        self.check(&values)?;
+        Ok(self.plan.posterior.place(&values))
+    }
+
+    fn prior_quantile(&self, share: f64) -> PyResult<Vec<f64>> {
+        if !(share > 0.0 && share < 1.0) {
+            return Err(wrong(format!(
+                "`share` is {share}, but must be between 0 and 1"
+            )));
+        }
+        let parameters = self.plan.posterior.parameters().iter();
+        Ok(parameters.map(|it| it.prior.quantile(share)).collect())
+    }
+}
+
+impl LogPosterior {
+    fn check(&self, numbers: &[f64]) -> PyResult<()> {
+        let count = self.plan.posterior.parameters().len();
+        match numbers.len() == count {
+            true => Ok(()),
+            false => Err(wrong(format!(
+                "{} numbers are given, but the plan has {count} parameters",
+                numbers.len()
+            ))),
+        }
+    }
 }

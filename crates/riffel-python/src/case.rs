@@ -122,7 +122,7 @@ fn ends(values: &[f64]) -> (f64, f64) {
 }
 
 impl Case {
-    fn new(case: riffel_case::Case) -> Self {
+    pub(crate) fn new(case: riffel_case::Case) -> Self {
         Self {
             case: Arc::new(case),
             callables: Vec::new(),

@@ -40,7 +40,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::axlebox::axlebox;
     #[pymodule_export]
-    use crate::calibrate::{calibrate, decide};
+    use crate::calibrate::{LogPosterior, calibrate, decide, draws};
     #[pymodule_export]
     use crate::case::{Case, PortableCase};
     #[pymodule_export]

@@ -77,3 +77,44 @@ def test_what_is_not_there_is_said(plan: Path, tmp_path: Path) -> None:
     plan.write_text(HEAD.replace("2.5e-9", '"2 kg"'))
     with pytest.raises(ValueError, match="2 kg"):
         riffel.calibrate(plan, tmp_path / "out")
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_cases_of_draws_answer_as_the_program_does_over_the_posterior(
+    plan: Path, tmp_path: Path, program: Callable[..., Any]
+) -> None:
+    folder = tmp_path / "out"
+    tree = riffel.calibrate(plan, folder)
+    drawn = riffel.draws(folder)
+    assert len(drawn) == 200
+    fastest = [case.line_growth(traffic)["fastest"] for case, traffic in drawn]
+    months = np.array([growth["doubling_months"] for growth in fastest])
+    found = program("map", str(plan.parent / "case.toml"), "--posterior", str(folder), "--json", "-q")
+    assert "under_traffic" not in found
+    over = {number["name"]: number for number in found["over_posterior"]["numbers"]}
+    banded = over["under_traffic.fastest.doubling_months"]
+    assert banded["median"] == pytest.approx(np.quantile(months, 0.5), rel=1e-12)
+    assert banded["band_90"] == pytest.approx(np.quantile(months, [0.05, 0.95]), rel=1e-12)
+    # The wear coefficient alone is drawn, and growth goes with it.
+    coefficient = tree["posterior/wear.coefficient"].values.ravel()
+    assert np.std(np.log(months)) == pytest.approx(np.std(np.log(coefficient)), rel=0.15)
+    with pytest.raises(FileNotFoundError, match="holds no calibration"):
+        riffel.draws(tmp_path)
+
+
+def test_the_density_of_a_plan_is_that_of_its_sampler(plan: Path) -> None:
+    posterior = riffel.LogPosterior(plan)
+    assert (posterior.names, posterior.units) == (["wear.coefficient"], ["kg/J"])
+    middle = posterior.prior_quantile(0.5)
+    assert middle == pytest.approx([2.5e-9])
+    place = posterior.place(middle)
+    assert posterior.values(place) == pytest.approx(middle)
+    likelihood = sum(posterior.log_likelihood(middle).values())
+    prior = -0.5 * np.log(2.0 * np.pi) - np.log(np.log(2.0))
+    assert posterior(place) == pytest.approx(likelihood + prior, abs=1e-9)
+    step = 1e-4
+    slope = (posterior(place + step) - posterior(place - step)) / (2.0 * step)
+    assert posterior.gradient(place) == pytest.approx([slope], rel=1e-4)
+    assert posterior([1e3]) == -np.inf
+    with pytest.raises(ValueError, match="2 numbers are given, but the plan has 1 parameters"):
+        posterior([0.0, 0.0])

@@ -9,10 +9,10 @@ use riffel_case::file::CaseFile;
 use serde::Serialize;
 
 use super::{CompareAnswer, Effect, Outcome};
-use crate::WearLimitDocument;
 use crate::column;
 use crate::forecast::{RailForecast, ReachDocument};
 use crate::roughness::{Level, levels};
+use crate::{OverPosterior, WearLimitDocument};
 
 /// What `riffel compare --json` prints.
 #[derive(Serialize)]
@@ -27,6 +27,8 @@ pub struct CompareDocument<'a> {
     limit: Option<&'a str>,
     /// The case as it is first.
     outcomes: Vec<OutcomeDocument<'a>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    over_posterior: Option<&'a OverPosterior>,
 }
 
 #[derive(Serialize)]
@@ -102,6 +104,7 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
             .iter()
             .map(|outcome| of(answer, outcome))
             .collect(),
+        over_posterior: answer.over_posterior.as_ref(),
     }
 }
 

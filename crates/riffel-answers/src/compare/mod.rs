@@ -3,6 +3,7 @@
 mod comparison;
 mod document;
 mod figure;
+mod over_posterior;
 
 use std::io::{self, Write};
 
@@ -10,18 +11,20 @@ use riffel::forecast::WearSpread;
 use riffel::roughness::LevelLimit;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{fixed, say};
+use riffel_keys::{Message, fixed, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
 
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use document::CompareDocument;
+pub use over_posterior::compare_over;
 
 use crate::forecast::{RailForecast, not_forecast, number, per_million, reached};
 use crate::roughness::rail_in_words;
-use crate::{AnswerError, wear_spread};
+use crate::{AnswerError, OverPosterior, wear_spread};
 
 /// What is asked of variants.
+#[derive(Clone)]
 pub struct CompareRequest {
     /// The variants, each with what it holds.
     pub variants: Vec<Variant>,
@@ -57,6 +60,8 @@ pub struct CompareAnswer {
     pub table: LimitTable,
     /// The limit.
     pub limit: LevelLimit,
+    /// The same over the draws of a calibration, where one was given.
+    pub over_posterior: Option<OverPosterior>,
 }
 
 impl CompareAnswer {
@@ -114,7 +119,15 @@ impl CompareAnswer {
             warnings,
             table,
             limit,
+            over_posterior: None,
         })
+    }
+
+    /// What the draws of a calibration say of each variant; nothing without one.
+    pub fn over_posterior_in_words(&self) -> Vec<Message> {
+        let over = self.over_posterior.iter();
+        over.flat_map(|over| over_posterior::in_words(self, over))
+            .collect()
     }
 
     /// The figure of the comparison.
@@ -146,7 +159,8 @@ impl CompareAnswer {
     /// What the reader should know of variants: that a part or all has no effect, that less friction means less
     /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<String> {
-        let known_to = self.wear_spread.map(|spread| {
+        let spread = self.wear_spread.filter(|_| self.over_posterior.is_none());
+        let known_to = spread.map(|spread| {
             let [_, either_way] = spread.band_80(1.0);
             say!(rates_hold_to, factor = fixed(either_way, 1))
         });

@@ -1,6 +1,7 @@
 //! Growth over wavelength and speed.
 
 mod bay;
+mod over_posterior;
 mod panel;
 mod table;
 
@@ -14,9 +15,10 @@ use serde::Serialize;
 
 use crate::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_of};
 use crate::stability::StabilityAtSpeed;
-use crate::{LineGrowth, WearLimitDocument};
+use crate::{LineGrowth, OverPosterior, WearLimitDocument};
 
 pub use bay::{BayDocument, BayGrowth};
+pub use over_posterior::{growth_in_words, growth_over};
 pub use panel::{Shown, map_figure, panel};
 pub use table::{map_csv, map_netcdf};
 
@@ -32,6 +34,8 @@ pub struct MapAnswer {
     pub bay: Option<BayGrowth>,
     /// What grows fastest under the traffic of the line, where it was asked for.
     pub under_traffic: Option<LineGrowth>,
+    /// Growth under the traffic over the draws of a calibration, where one was given.
+    pub over_posterior: Option<OverPosterior>,
     /// How many observations were laid over the map, where there were any.
     pub observations: Option<ObservationCount>,
 }
@@ -82,6 +86,8 @@ pub struct MapDocument<'a> {
     derived: DerivedDocument,
     #[serde(skip_serializing_if = "Option::is_none")]
     under_traffic: Option<&'a LineGrowth>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    over_posterior: Option<&'a OverPosterior>,
     ridge: RidgeSummary<'a>,
     /// For the highest growth of the ridge, of one wheel of this kind on one line of the rail.
     #[serde(flatten)]
@@ -152,6 +158,7 @@ impl MapAnswer {
             ridge,
             bay: None,
             under_traffic: None,
+            over_posterior: None,
             observations: None,
         }
     }
@@ -170,6 +177,7 @@ impl MapAnswer {
             inputs: &case.file,
             derived: DerivedDocument::of(case),
             under_traffic: self.under_traffic.as_ref(),
+            over_posterior: self.over_posterior.as_ref(),
             ridge: RidgeSummary {
                 best_fit_frequency_hz: best_fit_frequency(ridge),
                 branches: &self.branches,

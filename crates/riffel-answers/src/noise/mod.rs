@@ -3,6 +3,7 @@
 mod course;
 mod figure;
 mod measure;
+mod over_posterior;
 mod remarks;
 mod sources;
 mod tables;
@@ -26,7 +27,7 @@ pub use sources::without_decay;
 pub(crate) use tables::name_of;
 
 use crate::forecast::ForecastHorizon;
-use crate::{Answer, AnswerError, Table, parameters};
+use crate::{Answer, AnswerError, OverPosterior, PosteriorDraws, Table, parameters};
 
 /// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
 const LENGTH_PER_WHEEL: f64 = 6.6;
@@ -43,6 +44,7 @@ pub enum RoughWheels {
 }
 
 /// What is asked of rolling noise; numbers are SI.
+#[derive(Clone)]
 pub struct NoiseQuestion {
     /// Speed of the train.
     pub speed: f64,
@@ -252,9 +254,28 @@ impl NoiseQuestion {
             before,
             course,
             left_out_hz: left_out.iter().map(|band| band.nominal()).collect(),
+            over_posterior: None,
             remarks,
             title: case.file.title.clone(),
             parameters: parameters(case),
+        })
+    }
+
+    /// The answers on the cases of draws, under the traffic of the calibration if the question has one or looks ahead.
+    ///
+    /// # Errors
+    /// Those of [`answer`](Self::answer).
+    pub fn over(
+        &self,
+        draws: &PosteriorDraws,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<OverPosterior, AnswerError> {
+        draws.over(progress, |drawn| {
+            let question = Self {
+                traffic: drawn.traffic.clone().or_else(|| self.traffic.clone()),
+                ..self.clone()
+            };
+            question.answer(&drawn.case, &|_| ())
         })
     }
 }
@@ -360,6 +381,9 @@ pub struct NoiseAnswer {
     pub course: Option<Course>,
     /// Nominal centres of the bands that are not known.
     pub left_out_hz: Vec<f64>,
+    /// The same over the draws of a calibration, where one was given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub over_posterior: Option<OverPosterior>,
     /// What the reader should know.
     pub remarks: Vec<Message>,
     #[serde(skip)]
@@ -369,6 +393,11 @@ pub struct NoiseAnswer {
 }
 
 impl NoiseAnswer {
+    /// The level and what each measure saves over the draws of a calibration; nothing without one.
+    pub(crate) fn over_posterior_in_words(&self) -> Vec<Message> {
+        over_posterior::in_words(self)
+    }
+
     /// What each measure does.
     pub(crate) fn measures_table(&self) -> Table {
         tables::measures(self)
@@ -456,11 +485,13 @@ impl Answer for NoiseAnswer {
     }
 
     fn tables(&self) -> Vec<Table> {
-        tables::tables(self)
+        let posterior = self.over_posterior.iter().map(OverPosterior::table);
+        tables::tables(self).into_iter().chain(posterior).collect()
     }
 
     fn sentences(&self) -> Vec<Message> {
-        self.course.iter().map(Course::in_words).collect()
+        let course = self.course.iter().map(Course::in_words);
+        course.chain(self.over_posterior_in_words()).collect()
     }
 
     fn figure(&self) -> LineFigure {

@@ -11,7 +11,7 @@ use super::outlook::Outlook;
 use super::page::{Section, escape, figure, list, table};
 use crate::capital;
 use crate::diagnose::{Diagnosis, SHARE, candidate_row};
-use crate::map::{MapAnswer, Shown, panel};
+use crate::map::{MapAnswer, Shown, growth_in_words, panel};
 use crate::parameters::parameters;
 use crate::ridge::BranchDocument;
 
@@ -38,7 +38,9 @@ pub(super) fn growth_map(
     let branches = BranchDocument::sentence(&map.branches).to_string();
     let words = format!("{}.", escape(&capital(&branches)));
     let picture = drawing.picture()?;
-    let remarks = map.under_traffic.iter().flat_map(|it| &it.remarks);
+    let remarks = map.under_traffic.iter().flat_map(|it| it.remarks.clone());
+    let over = map.over_posterior.iter().flat_map(growth_in_words);
+    let remarks = remarks.chain(over);
     let brief = remarks.map(|remark| format!("{}.", escape(&capital(&remark.to_string()))));
     Ok(Outlook {
         section: Section::There(

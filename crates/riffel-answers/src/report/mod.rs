@@ -27,7 +27,7 @@ use crate::AnswerError;
 use crate::capital;
 use crate::compare::CompareAnswer;
 use crate::diagnose::Diagnosis;
-use crate::forecast::{ForecastAnswer, WearReport};
+use crate::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer};
@@ -94,6 +94,8 @@ pub struct ReportRequest<'a> {
     pub case: Option<(&'a Case, &'a MapAnswer)>,
     /// What becomes of the rail, or why that is left out.
     pub forecast: Result<&'a ForecastAnswer, &'static str>,
+    /// What becomes of the rail of a calibration, if there is one.
+    pub posterior_forecast: Option<&'a PosteriorForecast>,
     /// What would help, or why that is left out.
     pub compare: Result<&'a CompareAnswer, &'static str>,
     /// What a train sounds like, or why that is left out.
@@ -132,6 +134,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         rail,
         case,
         forecast,
+        posterior_forecast,
         compare,
         noise,
         inputs,
@@ -210,6 +213,11 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
             }
             let doubt =
                 of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
+            if let Some(answer) = posterior_forecast {
+                let mut over = outlook::of_answer("Forecast over the calibration", answer)?;
+                over.brief = labelled("What comes", over.brief);
+                over.put(&mut sections, &mut brief, &mut warnings);
+            }
             let outlooks = [
                 ("What comes", forecast),
                 ("What helps", what_if),

@@ -62,11 +62,15 @@ pub(super) fn heard(answer: &NoiseAnswer) -> Result<Outlook, PlotError> {
         [] => String::new(),
         savings => format!(" Each alone would save: {}.", savings.join(", ")),
     };
+    let over = answer.over_posterior_in_words();
+    let over = over.iter();
+    let over = over.map(|it| format!("{}.", escape(&capital(&it.to_string()))));
     Ok(Outlook {
         section: Section::There("Rolling noise", html),
         brief: vec![level + &savings]
             .into_iter()
             .chain(course.map(|course| escape(&course)))
+            .chain(over)
             .collect(),
         warnings: answer
             .remarks

@@ -4,11 +4,13 @@ use std::borrow::Cow;
 
 use riffel::forecast::Reach;
 use riffel_case::Case;
+use riffel_keys::{Language, Message};
 use riffel_plot::{LineFigure, PlotError};
 
 use super::page::{Section, escape, figure, list, table};
 use crate::compare::{CompareAnswer, Effect, Outcome};
 use crate::forecast::{ForecastAnswer, WearReport, number};
+use crate::{Answer, capital};
 
 /// A section with a sentence for those in a hurry and what to warn of.
 pub(super) struct Outlook {
@@ -38,6 +40,37 @@ impl Outlook {
         brief.extend(self.brief);
         warnings.extend(self.warnings);
     }
+}
+
+/// An answer as a section: its tables, its sentences, its figure.
+pub(super) fn of_answer<A: Answer>(
+    heading: &'static str,
+    answer: &A,
+) -> Result<Outlook, PlotError> {
+    let sentence = |message: &Message| format!("{}.", capital(&message.to_string()));
+    let mut html = String::new();
+    for message in answer.introduction().iter().skip(1) {
+        html += &format!("<p>{}</p>\n", escape(&sentence(message)));
+    }
+    for shown in answer.tables() {
+        let (heads, rows) = shown.shown(Language::English);
+        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let rows = rows.iter();
+        let rows: Vec<Vec<String>> = rows
+            .map(|row| row.iter().map(|cell| escape(cell)).collect())
+            .collect();
+        html += &table("", &heads, &rows);
+    }
+    let sentences: Vec<String> = answer.sentences().iter().map(sentence).collect();
+    let brief = sentences.iter().map(|sentence| escape(sentence)).collect();
+    html += &list(sentences);
+    html += &drawing(answer.figure())?;
+    let remarks = answer.remarks().iter();
+    Ok(Outlook {
+        section: Section::There(heading, html),
+        brief,
+        warnings: remarks.map(ToString::to_string).collect(),
+    })
 }
 
 /// What becomes of the spectrum under the traffic.
@@ -96,7 +129,7 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
         section: Section::There("Forecast", html),
         brief: findings
             .first()
-            .map(|first| escape(&capital(first)))
+            .map(|first| escape(&format!("{}.", capital(first))))
             .into_iter()
             .collect(),
         warnings,
@@ -130,9 +163,15 @@ pub(super) fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, Pl
         html += "<p class=\"small\">Held is what a change of friction or load leaves as it is: the traction force, the \
                  tractive ratio Q₀/μP₀ or the creepage.</p>\n";
     }
-    html += &list(report.effects());
+    let over = report.over_posterior_in_words();
+    let over = over
+        .iter()
+        .map(|it| format!("{}.", capital(&it.to_string())));
+    let over: Vec<String> = over.collect();
+    html += &list(report.effects().into_iter().chain(over.iter().cloned()));
     html += &drawing(report.figure(case))?;
-    let brief = best(report).into_iter().chain(months(report));
+    let over = over.iter().map(|sentence| escape(sentence));
+    let brief = best(report).into_iter().chain(months(report)).chain(over);
     let remarks = report
         .comparison
         .base()
@@ -235,8 +274,4 @@ pub(super) fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
         ..drawing
     };
     Ok(figure("half", &drawing.picture()?, &caption))
-}
-
-fn capital(words: &str) -> String {
-    crate::capital(words) + "."
 }

@@ -89,6 +89,7 @@ fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
         }),
         case: Some((&case, &map)),
         forecast: Ok(&forecast),
+        posterior_forecast: None,
         compare: Err("no variant was given."),
         noise: Err("no train was given.".to_owned()),
         inputs: &Inputs::default(),

@@ -59,6 +59,19 @@ impl Reading<'_> {
         Ok(self.views.len() - 1)
     }
 
+    /// The case as it is with the values that act in all data.
+    pub(super) fn view_of_all(&mut self) -> usize {
+        let parameters = self.parameters.iter().enumerate();
+        let acting = parameters.filter(|(_, it)| it.in_data.is_none() && it.role != Role::Size);
+        let acting = acting.map(|(index, _)| index).collect();
+        self.views.push(View {
+            case: self.case.clone(),
+            wheels: Vec::new(),
+            acting,
+        });
+        self.views.len() - 1
+    }
+
     /// The data, those that share errors together.
     pub(super) fn blocks(&mut self) -> Result<Vec<Named>, CaseError> {
         for (index, data) in self.file.data.iter().enumerate() {

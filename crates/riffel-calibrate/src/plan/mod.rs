@@ -36,6 +36,10 @@ pub struct Plan {
     pub inputs: Vec<PathBuf>,
     /// Axle passages of a day, if the traffic says how many there are.
     pub passages_per_day: Option<f64>,
+    /// The traffic, if it names one.
+    pub traffic: Option<Traffic>,
+    /// The view of the case that trains have.
+    pub(crate) trains: usize,
     source: KeyFile,
 }
 
@@ -76,14 +80,13 @@ impl Plan {
                 error => error,
             })?;
         let mut inputs = vec![path.to_owned(), case_path];
-        let mut line = None;
+        let mut traffic = None;
         let vehicles = match &file.traffic {
             None => Vec::new(),
             Some(name) => {
                 inputs.push(folder.join(name));
-                let traffic = Traffic::read(&folder.join(name))?;
-                line = Some(traffic.file.line);
-                Vehicle::all(&traffic).map_err(|(index, key)| {
+                let read = traffic.insert(Traffic::read(&folder.join(name))?);
+                Vehicle::all(read).map_err(|(index, key)| {
                     let message = format!(
                         "vehicle[{index}] of {name} has `{key}`, which calibration does not take; give one wheel at a distribution of speeds"
                     );
@@ -118,6 +121,11 @@ impl Plan {
         if reading.parameters.is_empty() {
             return Err(source.missing("parameter", "write one [[parameter]] or more"));
         }
+        let levels = blocks.iter().find_map(|named| named.block.as_levels());
+        let trains = match levels {
+            Some(levels) => levels.view(),
+            None => reading.view_of_all(),
+        };
         let Reading {
             parameters,
             views,
@@ -132,6 +140,7 @@ impl Plan {
             2.0 * vehicle.share * load / STANDARD_GRAVITY
         });
         let axle_mass: f64 = axle_mass.sum();
+        let line = traffic.as_ref().map(|traffic| traffic.file.line);
         let passages_per_day = line.and_then(|line| {
             let of_mgt = line
                 .mgt_per_year
@@ -153,6 +162,8 @@ impl Plan {
             text,
             inputs,
             passages_per_day,
+            traffic,
+            trains,
             source,
         };
         // Before minutes of sampling.

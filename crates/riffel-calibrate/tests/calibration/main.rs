@@ -1,6 +1,7 @@
 //! Calibration against a second implementation and closed forms.
 
 mod decision;
+mod drawn;
 mod likelihood;
 mod posterior;
 mod refusals;

@@ -51,6 +51,20 @@ impl Traffic {
         Ok(traffic)
     }
 
+    /// The traffic with some keys changed, checked as [`read`](Self::read) does.
+    ///
+    /// # Errors
+    /// As [`read`](Self::read).
+    pub fn edit(&self, change: impl FnOnce(&mut TrafficFile)) -> Result<Self, CaseError> {
+        let mut file = self.file.clone();
+        change(&mut file);
+        let text = toml::to_string(&file)
+            .map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
+        let mut traffic = Self::parse(self.source.name(), &text)?;
+        traffic.folder.clone_from(&self.folder);
+        Ok(traffic)
+    }
+
     /// Read traffic from TOML; `name` is shown in errors. Files that it names are relative to the present folder.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout, ResultsArguments};
+use super::{Asked, CaseArguments, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -197,7 +197,7 @@ pub(crate) struct Compare {
 
     /// Speed of the wheel of the case, in m/s or with its unit [default: the usual traffic of its line; with --models,
     /// the middle of map.speed].
-    #[arg(long, value_name = "SPEED", conflicts_with = "traffic")]
+    #[arg(long, value_name = "SPEED", conflicts_with_all = ["traffic", "posterior"])]
     pub(crate) speed: Option<Asked<Speed>>,
 
     /// Standard deviation of the speed.
@@ -210,8 +210,11 @@ pub(crate) struct Compare {
     pub(crate) speed_deviation: Option<Quantity<Speed>>,
 
     /// Traffic file, in place of the wheel of the case.
-    #[arg(long, value_name = "TOML")]
+    #[arg(long, value_name = "TOML", conflicts_with = "posterior")]
     pub(crate) traffic: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) posterior: Posterior,
 
     /// What variants of friction or load hold: force, ratio (Q₀/μP₀) or creepage [default: what the case or the
     /// vehicle gives, ratio or creepage].

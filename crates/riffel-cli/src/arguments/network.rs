@@ -121,8 +121,17 @@ pub(crate) struct Expected {
     pub(crate) case: Option<PathBuf>,
 
     /// Traffic file [default: the usual traffic of a line of this kind].
-    #[arg(long, value_name = "TOML", requires = "case")]
+    #[arg(
+        long,
+        value_name = "TOML",
+        requires = "case",
+        conflicts_with = "posterior"
+    )]
     pub(crate) traffic: Option<PathBuf>,
+
+    /// Folder of a finished calibration of the case: growth over its draws and under its traffic.
+    #[arg(long, value_name = "DIR", requires = "case")]
+    pub(crate) posterior: Option<PathBuf>,
 
     /// The line that the case is of [default: all].
     #[arg(long, value_name = "NAME", requires = "case")]

@@ -6,7 +6,7 @@ use clap::Args;
 use riffel_keys::quantity::{Area, Length, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout, ResultsArguments};
+use super::{Asked, CaseArguments, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -90,15 +90,18 @@ pub(crate) struct Noise {
     pub(crate) limit: String,
 
     /// Traffic file: the level in months to come.
-    #[arg(long, value_name = "TOML")]
+    #[arg(long, value_name = "TOML", group = "growth_under")]
     pub(crate) traffic: Option<PathBuf>,
 
+    #[command(flatten)]
+    pub(crate) posterior: Posterior,
+
     /// Look so many months ahead.
-    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = plain_number, default_value = "12", requires = "traffic")]
+    #[arg(long, value_name = "M", allow_negative_numbers = true, value_parser = plain_number, default_value = "12", requires = "growth_under")]
     pub(crate) months: f64,
 
     /// Highest level allowed, to say in how many months it is reached.
-    #[arg(long, value_name = "DECIBELS", allow_negative_numbers = true, value_parser = plain_number, requires = "traffic")]
+    #[arg(long, value_name = "DECIBELS", allow_negative_numbers = true, value_parser = plain_number, requires = "growth_under")]
     pub(crate) limit_dba: Option<f64>,
 
     #[command(flatten)]

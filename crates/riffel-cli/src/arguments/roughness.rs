@@ -308,6 +308,10 @@ pub(crate) struct Report {
     #[arg(long, value_name = "FILE")]
     pub(crate) roughness: Option<PathBuf>,
 
+    /// Folder of a finished calibration of the case: growth, what becomes of the rail, variants and noise over its draws.
+    #[arg(long, value_name = "DIR", requires = "case")]
+    pub(crate) posterior: Option<PathBuf>,
+
     #[command(flatten)]
     pub(crate) record: DiagnosisArguments,
 

@@ -2,7 +2,7 @@
 
 use riffel::forecast::SpeedDistribution;
 use riffel_answers::AnswerError;
-use riffel_answers::compare::{CompareAnswer, CompareRequest};
+use riffel_answers::compare::{CompareAnswer, CompareRequest, compare_over};
 use riffel_answers::forecast::per_million;
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
@@ -13,8 +13,9 @@ use super::forecast::{ground_rail, outside};
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{Progress, json, table};
+use crate::posterior::over;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
@@ -39,6 +40,9 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
             staging.write_figure("compare", &answer.figure(&case))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
             staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
+            if let Some(over) = &answer.over_posterior {
+                staging.write_with("posterior.csv", |file| over.table().csv(file))?;
+            }
             staging.write("summary.json", document())
         },
         || readable(&case, &answer),
@@ -66,7 +70,12 @@ pub(super) fn compare(
         })
         .collect();
     let variants = variants?;
-    let (traffic, speeds) = traffic(case, arguments)?;
+    let draws = arguments.posterior.draws(&arguments.case)?;
+    let of_plan = draws.as_ref().and_then(|draws| draws.traffic.clone());
+    let (traffic, speeds) = match of_plan {
+        Some(traffic) => titled(traffic),
+        None => traffic(case, arguments)?,
+    };
     let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     let survey = match &ground {
@@ -76,7 +85,6 @@ pub(super) fn compare(
             .transpose()?,
     };
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
-    let progress = Progress::new("growth of the variants", steps);
     let request = CompareRequest {
         variants,
         traffic,
@@ -86,7 +94,11 @@ pub(super) fn compare(
         ground,
         limit: (table, limit),
     };
-    let answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(
+    let over = over(draws.as_ref(), |draws, progress| {
+        compare_over(draws, &request, progress)
+    })?;
+    let progress = Progress::new("growth of the variants", steps);
+    let mut answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(
         |error| match error {
             AnswerError::OutsideWindow(error) => {
                 let path = arguments.spectrum.as_deref();
@@ -96,6 +108,7 @@ pub(super) fn compare(
         },
     )?;
     drop(progress);
+    answer.over_posterior = over;
     Ok(answer)
 }
 
@@ -119,6 +132,9 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
         text += "passages, MGT and months are those of the rail named, which leads; summary.json has every rail\n";
     }
     text += &bands(answer);
+    for sentence in answer.over_posterior_in_words() {
+        text += &format!("{}\n", sentence.text(language()));
+    }
     text
 }
 
@@ -151,9 +167,7 @@ fn bands(answer: &CompareAnswer) -> String {
 /// its line.
 fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, String)> {
     if let Some(path) = &arguments.traffic {
-        let traffic = Traffic::read(path)?;
-        let title = traffic.file.title.clone();
-        return Ok((traffic, title.unwrap_or_else(|| "traffic".to_owned())));
+        return Ok(titled(Traffic::read(path)?));
     }
     let Some(mean) = &arguments.speed else {
         let usual = UsualTraffic::of(case);
@@ -169,6 +183,12 @@ fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, String)
     })?;
     let words = in_words(&speeds);
     Ok((Traffic::of_case(speeds), words))
+}
+
+/// A traffic with its title.
+fn titled(traffic: Traffic) -> (Traffic, String) {
+    let title = traffic.file.title.clone();
+    (traffic, title.unwrap_or_else(|| "traffic".to_owned()))
 }
 
 fn in_words(speeds: &SpeedDistribution) -> String {

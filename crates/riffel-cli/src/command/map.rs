@@ -1,6 +1,8 @@
 //! `riffel map`
 
-use riffel_answers::map::{BayGrowth, MapAnswer, ObservationCount, map_csv, map_netcdf};
+use riffel_answers::map::{
+    BayGrowth, MapAnswer, ObservationCount, growth_in_words, growth_over, map_csv, map_netcdf,
+};
 use riffel_answers::ridge::{BranchDocument, branches_csv, ridge_csv};
 use riffel_answers::{LineGrowth, capital, for_whom};
 use riffel_case::Case;
@@ -12,6 +14,7 @@ use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::observations;
 use crate::output::{Progress, json, table};
+use crate::posterior::over;
 use crate::results::Results;
 use crate::staging::Staging;
 
@@ -46,7 +49,13 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         .as_deref()
         .map(Traffic::read)
         .transpose()?;
-    answer.under_traffic = Some(LineGrowth::new(&case, traffic.as_ref())?);
+    let draws = arguments.posterior.draws(&arguments.case)?;
+    let over = over(draws.as_ref(), growth_over)?;
+    // The calibration knows more than the case says.
+    if over.is_none() {
+        answer.under_traffic = Some(LineGrowth::new(&case, traffic.as_ref())?);
+    }
+    answer.over_posterior = over;
     if arguments.bay {
         let rows = case.speed.points() * BayGrowth::map_count();
         let progress = Progress::new("growth over the bay", rows);
@@ -96,6 +105,9 @@ fn write_files(
     map_netcdf(map, &figure.title, &staging.path("map.nc"))?;
     staging.write_with("ridge.csv", |file| ridge_csv(ridge, file))?;
     staging.write_with("branches.csv", |file| branches_csv(ridge, file))?;
+    if let Some(over) = &answer.over_posterior {
+        staging.write_with("posterior.csv", |file| over.table().csv(file))?;
+    }
     staging.write("summary.json", document)
 }
 
@@ -159,8 +171,13 @@ fn readable(case: &Case, answer: &MapAnswer) -> String {
     let bay = bay.map_or_else(String::new, |bay| bay.sentence() + "\n");
     let observations = answer.observations;
     let observations = observations.map_or_else(String::new, |count| count.sentence() + "\n");
-    let remarks = answer.under_traffic.iter().flat_map(|it| &it.remarks);
+    let remarks = answer
+        .under_traffic
+        .iter()
+        .flat_map(|it| it.remarks.clone());
+    let over = answer.over_posterior.iter().flat_map(growth_in_words);
     let remarks: String = remarks
+        .chain(over)
         .map(|remark| capital(&remark.to_string()) + ".\n")
         .collect();
     format!(

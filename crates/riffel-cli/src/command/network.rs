@@ -1,6 +1,6 @@
 //! `riffel network`
 
-use riffel_answers::expected_growth;
+use riffel_answers::{expected_growth, expected_growth_over};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_network::{
@@ -11,7 +11,9 @@ use riffel_network::{
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
 
-use crate::arguments::{Judged, Network, NetworkCommand, network, positive};
+use crate::arguments::{
+    CaseArguments, Judged, Network, NetworkCommand, Posterior, network, positive,
+};
 use crate::error::CliError;
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
@@ -239,10 +241,22 @@ fn expecting(
     let Some(case) = &expected.case else {
         return Ok(judgement);
     };
-    let case = Case::read(case, &[])?;
-    let traffic = expected.traffic.as_deref().map(Traffic::read).transpose()?;
     let bands = judgement.ends_of_bands();
-    let growth = expected_growth(&case, traffic.as_ref(), &bands).map_err(CliError::from)?;
+    let posterior = Posterior {
+        posterior: expected.posterior.clone(),
+    };
+    let growth = match posterior.draws(&CaseArguments::of(case, &[]))? {
+        Some(draws) => {
+            let progress = Progress::new("draws of the calibration", draws.count());
+            expected_growth_over(&draws, &bands, &|by| progress.advance(by))
+        }
+        None => {
+            let case = Case::read(case, &[])?;
+            let traffic = expected.traffic.as_deref().map(Traffic::read).transpose()?;
+            expected_growth(&case, traffic.as_ref(), &bands)
+        }
+    };
+    let growth = growth.map_err(CliError::from)?;
     let growth = growth.into_iter().map(|growth| {
         growth.map(|growth| ExpectedGrowth {
             median: growth.median,

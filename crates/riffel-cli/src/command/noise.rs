@@ -9,6 +9,7 @@ use super::roughness::survey;
 use crate::arguments::Noise;
 use crate::messages::print_remarks;
 use crate::output::Progress;
+use crate::posterior::over;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
@@ -22,6 +23,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         None => None,
     };
     let case = arguments.case.read()?;
+    let draws = arguments.posterior.draws(&arguments.case)?;
     let length = arguments.train_length.as_ref();
     let transfer = arguments.track_transfer.clone();
     let question = NoiseQuestion {
@@ -49,19 +51,21 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         surroundings: Surroundings::HardGround,
         rail_foot: arguments.rail_foot.within("--rail-foot")?,
         sleeper_area: arguments.sleeper_area.within("--sleeper-area")?,
-        traffic: arguments
-            .traffic
-            .as_deref()
-            .map(Traffic::read)
-            .transpose()?,
+        traffic: match (&arguments.traffic, &draws) {
+            (Some(path), _) => Some(Traffic::read(path)?),
+            (None, draws) => draws.as_ref().and_then(|draws| draws.traffic.clone()),
+        },
         months: arguments.months,
         limit_dba: arguments.limit_dba,
     };
     let traffic = question.traffic.as_ref();
     let vehicles = traffic.map_or(0, |traffic| traffic.file.vehicle.len());
     let progress = Progress::new("growth under traffic", vehicles);
-    let answer = question.answer(&case, &|by| progress.advance(by))?;
+    let mut answer = question.answer(&case, &|by| progress.advance(by))?;
     drop(progress);
+    answer.over_posterior = over(draws.as_ref(), |draws, progress| {
+        question.over(draws, progress)
+    })?;
     Results {
         command: "noise",
         case: &arguments.case,

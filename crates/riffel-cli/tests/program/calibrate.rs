@@ -121,6 +121,7 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         assert_eq!(outcome.status, Some(2), "{}", outcome.text);
         assert!(outcome.sentence().contains(words), "{}", outcome.text);
     }
+    over_the_calibration(&sandbox, set);
     // Actions may come later; data may not.
     let outcome = sandbox.riffel("decide out");
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
@@ -172,4 +173,99 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         "{}",
         outcome.text
     );
+}
+
+/// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.
+fn over_the_calibration(sandbox: &Sandbox, set: &str) {
+    let case = format!("{set}/case.toml");
+    let number = |document: &serde_json::Value, name: &str, key: &str| {
+        let numbers = document["over_posterior"]["numbers"].as_array().unwrap();
+        let found = numbers.iter().find(|it| it["name"] == name);
+        found.unwrap_or_else(|| panic!("{name}: {document}"))[key].clone()
+    };
+    let map = sandbox.json(&format!("map {case} --posterior out --json -q"));
+    let passages = number(&map, "under_traffic.fastest.doubling_passages", "median");
+    // The fastest line of the fastest band grows somewhat faster than its band.
+    let of_band = 2e6 * 20.0 * 2f64.log10() / 2.9;
+    let share = passages.as_f64().unwrap() / of_band;
+    assert!((0.7..1.0).contains(&share), "{share}");
+    fs::write(
+        sandbox.path("now.csv"),
+        "wavelength_mm,level_db\n158,4\n126,3\n100,2\n",
+    )
+    .unwrap();
+    let compare =
+        format!("compare {case} --with {set}/friction.toml --posterior out --spectrum now.csv");
+    let answer = sandbox.json(&format!("{compare} --json -q"));
+    // At a given tractive ratio growth goes with the square of friction.
+    let change = number(
+        &answer,
+        "outcomes[friction treatment].fastest_growth_rate_per_passage",
+        "median",
+    );
+    let as_it_is = number(
+        &answer,
+        "outcomes[as it is].fastest_growth_rate_per_passage",
+        "median",
+    );
+    let ratio = change.as_f64().unwrap() / as_it_is.as_f64().unwrap();
+    let told = answer["outcomes"][1]["change_of_fastest_growth"]
+        .as_f64()
+        .unwrap();
+    assert!((ratio - 1.0 - told).abs() < 1e-6, "{ratio} {told}");
+    let outcome = sandbox.riffel(&format!("{compare} -o c"));
+    for words in [
+        "\"friction treatment\": over 200 draws of the calibration growth changes by",
+        "and is less in 100 % of them",
+        "months to the limit (90 %)",
+    ] {
+        assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+    }
+    assert!(sandbox.path("c/posterior.csv").exists());
+    let noise = format!("noise {case} --roughness now.csv --speed \"110 km/h\" --posterior out");
+    let outcome = sandbox.riffel(&format!("{noise} -o n"));
+    assert!(
+        outcome.text.contains("under the traffic"),
+        "{}",
+        outcome.text
+    );
+    assert!(sandbox.path("n/posterior.csv").exists());
+    let report = format!(
+        "report {case} --roughness now.csv --traffic {set}/traffic.toml --posterior out -o r.html"
+    );
+    assert_eq!(sandbox.riffel(&report).status, Some(0));
+    let page = fs::read_to_string(sandbox.path("r.html")).unwrap();
+    for words in [
+        "Forecast over the calibration",
+        "200 draws of the calibration",
+    ] {
+        assert!(page.contains(words), "{words}");
+    }
+    for (command, words) in [
+        (
+            format!("map {case} --posterior out --set contact.friction=0.3"),
+            "without --set",
+        ),
+        (
+            format!("map {case} --posterior {set}"),
+            "holds no calibration",
+        ),
+        (
+            format!("{noise} --traffic {set}/traffic.toml"),
+            "cannot be used with",
+        ),
+        (format!("{compare} --speed 30"), "cannot be used with"),
+        (
+            "map cases/nominal.toml --posterior out".to_owned(),
+            "of the case that is named",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&command);
+        assert_eq!(outcome.status, Some(2), "{command}: {}", outcome.text);
+        assert!(
+            outcome.sentence().contains(words),
+            "{words}: {}",
+            outcome.text
+        );
+    }
 }

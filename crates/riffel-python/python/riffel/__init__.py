@@ -20,7 +20,7 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from riffel import roughness
-    from riffel._calibration import calibrate, decide
+    from riffel._calibration import LogPosterior, calibrate, decide, draws
     from riffel._case import Case
     from riffel._curving import contact_geometry, contact_under_load, curve, profile, profile_wear
     from riffel._matlab import to_matlab
@@ -35,6 +35,7 @@ if TYPE_CHECKING:
 __all__ = [
     "Case",
     "ConvergenceError",
+    "LogPosterior",
     "Network",
     "ReceptanceError",
     "Study",
@@ -45,6 +46,7 @@ __all__ = [
     "contact_under_load",
     "curve",
     "decide",
+    "draws",
     "merge_studies",
     "open_results",
     "presets",
@@ -62,6 +64,7 @@ __all__ = [
 _HOMES = {
     "Case": "riffel._case",
     "ConvergenceError": "riffel._riffel",
+    "LogPosterior": "riffel._calibration",
     "Network": "riffel._network",
     "ReceptanceError": "riffel._riffel",
     "Study": "riffel._study",
@@ -71,6 +74,7 @@ _HOMES = {
     "contact_under_load": "riffel._curving",
     "curve": "riffel._curving",
     "decide": "riffel._calibration",
+    "draws": "riffel._calibration",
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
     "presets": "riffel._riffel",

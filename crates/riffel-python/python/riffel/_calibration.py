@@ -5,10 +5,14 @@ from __future__ import annotations
 import os
 import warnings
 from pathlib import Path
+from typing import Any
 
+import numpy as np
 import xarray as xr
+from numpy.typing import ArrayLike, NDArray
 
 from riffel import _riffel
+from riffel._case import Case
 
 Folder = str | os.PathLike[str]
 
@@ -106,3 +110,88 @@ def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
             for name in ("currency", "rise_db", "horizon_months", "draws", "evpi_per_year", "evppi_per_year", "measurements")
         },
     )
+
+
+def draws(folder: Folder, count: int = 200) -> list[tuple[Case, dict[str, Any] | None]]:
+    """Cases with the values of draws of a finished calibration: whatever a case is asked, it can be asked of each.
+
+    Parameters
+    ----------
+    folder : path
+        Folder of the calibration.
+    count : int
+        So many draws, which lie evenly in the chains; all of them where there are fewer.
+
+    Returns
+    -------
+    list of (Case, dict or None)
+        The case as the dated levels of the plan see it, and the keys of its traffic, none where the plan names no traffic.
+
+    Raises
+    ------
+    FileNotFoundError
+        If the folder holds no calibration.
+    ValueError
+        Where the case refuses the values of a draw.
+
+    Examples
+    --------
+    >>> months = [case.line_growth(traffic)["fastest"]["doubling_months"] for case, traffic in riffel.draws("posterior")]  # doctest: +SKIP
+    """
+    return [(Case(case), traffic) for case, traffic in _riffel.draws(os.fspath(folder), count)]
+
+
+class LogPosterior:
+    """How likely values are after the data of a plan: a density for samplers, or for likelihoods of one's own.
+
+    Places are on the whole line: the logarithm of what is lognormal, deviations of what is normal, the logit of what is uniform.
+
+    Parameters
+    ----------
+    plan : path
+        The plan: priors and data.
+
+    Attributes
+    ----------
+    names, units : list of str
+        Of the parameters, in the order of all arrays here; units are SI.
+
+    Examples
+    --------
+    >>> posterior = riffel.LogPosterior("plan.toml")  # doctest: +SKIP
+    >>> sampler = emcee.EnsembleSampler(40, len(posterior.names), lambda z: posterior(z) + own(posterior.values(z)))  # doctest: +SKIP
+    """
+
+    def __init__(self, plan: Folder) -> None:
+        self._posterior = _riffel.LogPosterior(os.fspath(plan))
+        self.names = [name for name, _ in self._posterior.parameters]
+        self.units = [unit for _, unit in self._posterior.parameters]
+
+    def __call__(self, place: ArrayLike) -> float:
+        """Natural logarithm of prior times likelihood at a place, up to a constant; minus infinity where the case refuses it."""
+        return self._posterior.log_density(_numbers(place))
+
+    def gradient(self, place: ArrayLike) -> NDArray[np.float64] | None:
+        """Derivatives by the place, of forward differences of the predictions; none where the case refuses it."""
+        gradient = self._posterior.gradient(_numbers(place))
+        return None if gradient is None else np.array(gradient)
+
+    def log_likelihood(self, values: ArrayLike) -> dict[str, float]:
+        """Natural logarithm of the likelihood of each set of data for values in SI."""
+        return dict(self._posterior.log_likelihood(_numbers(values)))
+
+    def values(self, place: ArrayLike) -> NDArray[np.float64]:
+        """Values in SI of a place."""
+        return np.array(self._posterior.values(_numbers(place)))
+
+    def place(self, values: ArrayLike) -> NDArray[np.float64]:
+        """Place of values in SI."""
+        return np.array(self._posterior.place(_numbers(values)))
+
+    def prior_quantile(self, share: float) -> NDArray[np.float64]:
+        """Values in SI below which a share of each prior lies."""
+        return np.array(self._posterior.prior_quantile(share))
+
+
+def _numbers(numbers: ArrayLike) -> list[float]:
+    return np.asarray(numbers, dtype=float).ravel().tolist()

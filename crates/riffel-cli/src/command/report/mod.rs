@@ -5,17 +5,17 @@ mod fit;
 use std::path::Path;
 
 use jiff::civil::Date;
-use riffel_answers::LineGrowth;
 use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
-use riffel_answers::forecast::{ForecastAnswer, WearReport};
-use riffel_answers::map::MapAnswer;
+use riffel_answers::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
+use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion};
 use riffel_answers::report::{
     GENERATOR, Inputs, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site,
     block_of_strip, report,
 };
 use riffel_answers::roughness::SpectraAnswer;
+use riffel_answers::{LineGrowth, PosteriorDraws};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::Quantity;
@@ -25,7 +25,7 @@ use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 use riffel_words::page_in_german;
 
 use crate::arguments::{
-    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Report,
+    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Posterior, Report,
     ResultsArguments, Spectra, Statistics,
 };
 use crate::command::compare::compare;
@@ -37,6 +37,7 @@ use crate::error::CliError;
 use crate::fingerprint::fingerprint;
 use crate::messages::language;
 use crate::output::{Progress, print};
+use crate::posterior::{finished_of, over};
 use crate::staging::{Existing, write_file};
 use fit::Before;
 
@@ -144,13 +145,35 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     }
     let case = given.as_ref().map(|given| &given.case);
     let traffic = record.traffic.as_deref();
-    let map = case.map(|case| growth_map(case, traffic)).transpose()?;
+    let posterior = given.as_ref().zip(arguments.posterior.as_deref());
+    let posterior = posterior
+        .map(|(given, folder)| finished_of(&given.arguments(), folder))
+        .transpose()?;
+    let draws = posterior
+        .as_ref()
+        .map(|(plan, chains)| PosteriorDraws::new(plan, chains))
+        .transpose()?;
+    let map = case.map(|case| growth_map(case, traffic, draws.as_ref()));
+    let map = map.transpose()?;
+    let posterior_forecast = match &posterior {
+        Some((plan, chains)) if plan.has_levels() => {
+            let limit = level_limit(arguments, &limits).ok_or_else(|| CliError::Argument {
+                argument: "--limit",
+                value: arguments.limit.join(", "),
+                rule: "a limit of levels where there is a --posterior".to_owned(),
+            })?;
+            let limit = riffel_answers::level_limit(&limit)?;
+            let months = arguments.months.unwrap_or(MONTHS_OF_NOISE);
+            Some(PosteriorForecast::new(plan, chains, &limit, months)?)
+        }
+        _ => None,
+    };
     let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
     let mut noise = Err(NO_ROUGHNESS.to_owned());
     if let Some(given) = &given {
         if let Some(now) = &now {
             forecast = outlook(arguments, given, &limits, now, wear)?;
-            noise = heard(arguments, &given.case, &limits, now)?;
+            noise = heard(arguments, &given.case, &limits, now, draws.as_ref())?;
         }
         compare = what_if(arguments, given, &limits, now.as_ref())?;
     }
@@ -174,6 +197,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         }),
         case: case.zip(map.as_ref()),
         forecast: forecast.as_ref().map_err(|why| *why),
+        posterior_forecast: posterior_forecast.as_ref(),
         compare: compare.as_ref().map_err(|why| *why),
         noise: noise.as_ref().map_err(String::clone),
         inputs: &inputs,
@@ -260,12 +284,19 @@ fn add(inputs: &mut Inputs, role: &str, path: &Path, origin: &str) -> Result<(),
 }
 
 /// The growth map of a case, with a bar of how far it is.
-fn growth_map(case: &Case, traffic: Option<&Path>) -> miette::Result<MapAnswer> {
+fn growth_map(
+    case: &Case,
+    traffic: Option<&Path>,
+    draws: Option<&PosteriorDraws>,
+) -> miette::Result<MapAnswer> {
     case.check_window()?;
     let traffic = traffic.map(Traffic::read).transpose()?;
     let progress = Progress::new("growth map", case.speed.points());
     let mut map = MapAnswer::new(case, |rows| progress.advance(rows));
-    map.under_traffic = Some(LineGrowth::new(case, traffic.as_ref())?);
+    map.over_posterior = over(draws, growth_over)?;
+    if draws.is_none() {
+        map.under_traffic = Some(LineGrowth::new(case, traffic.as_ref())?);
+    }
     Ok(map)
 }
 
@@ -421,6 +452,7 @@ fn heard(
     case: &Case,
     limits: &[LimitTable],
     now: &Now<'_>,
+    draws: Option<&PosteriorDraws>,
 ) -> miette::Result<Result<NoiseAnswer, String>> {
     let Some(limit) = level_limit(arguments, limits) else {
         return Ok(Err(NO_LEVEL_LIMIT.to_owned()));
@@ -434,9 +466,11 @@ fn heard(
         ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
-    Ok(question
-        .answer(case, &|_| ())
-        .map_err(|error| format!("{error}.")))
+    let answer = question.answer(case, &|_| ()).and_then(|mut answer| {
+        answer.over_posterior = over(draws, |draws, progress| question.over(draws, progress))?;
+        Ok(answer)
+    });
+    Ok(answer.map_err(|error| format!("{error}.")))
 }
 
 /// What would help, with what is measured now if anything is, or why that is left out.
@@ -462,6 +496,9 @@ fn what_if(
             .map(|now| Quantity::new(now.speed).into()),
         speed_deviation: None,
         traffic,
+        posterior: Posterior {
+            posterior: arguments.posterior.clone(),
+        },
         hold: arguments.hold,
         spectrum: now.map(|now| now.path.to_owned()),
         ground: arguments.ground.clone(),

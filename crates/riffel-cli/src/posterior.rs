@@ -1,0 +1,53 @@
+//! `--posterior`: the folder of a finished calibration in the place of the values of a case.
+
+use std::path::Path;
+
+use riffel_answers::{AnswerError, OverPosterior, PosteriorDraws};
+use riffel_calibrate::{Chains, Plan, finished};
+
+use crate::arguments::{CaseArguments, Posterior};
+use crate::error::CliError;
+use crate::messages::print_remarks;
+use crate::output::Progress;
+
+impl Posterior {
+    /// The draws of a calibration of the case, if a folder is given.
+    pub(crate) fn draws(&self, case: &CaseArguments) -> miette::Result<Option<PosteriorDraws>> {
+        let Some(folder) = &self.posterior else {
+            return Ok(None);
+        };
+        let (plan, chains) = finished_of(case, folder)?;
+        let draws = PosteriorDraws::new(&plan, &chains)?;
+        print_remarks(&draws.remarks);
+        Ok(Some(draws))
+    }
+}
+
+/// An answer over the draws, if there are any.
+pub(crate) fn over(
+    draws: Option<&PosteriorDraws>,
+    answer: impl FnOnce(&PosteriorDraws, &(dyn Fn(usize) + Sync)) -> Result<OverPosterior, AnswerError>,
+) -> Result<Option<OverPosterior>, AnswerError> {
+    let Some(draws) = draws else {
+        return Ok(None);
+    };
+    let progress = Progress::new("draws of the calibration", draws.count());
+    answer(draws, &|by| progress.advance(by)).map(Some)
+}
+
+/// The plan and the chains of a folder, which are of the case that is named and of no other.
+pub(crate) fn finished_of(case: &CaseArguments, folder: &Path) -> miette::Result<(Plan, Chains)> {
+    let (plan, chains) = finished(folder, None)?;
+    if !case.is_just(&plan.inputs[1]) {
+        return Err(CliError::Argument {
+            argument: "--posterior",
+            value: folder.display().to_string(),
+            rule: format!(
+                "a calibration of the case that is named, without --set; it is of {}",
+                plan.inputs[1].display()
+            ),
+        }
+        .into());
+    }
+    Ok((plan, chains))
+}
