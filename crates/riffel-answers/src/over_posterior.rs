@@ -71,7 +71,7 @@ impl PosteriorDraws {
             let mut numbers = BTreeMap::new();
             if let Ok(Value::Object(document)) = serde_json::to_value(&document) {
                 let answers = document.iter();
-                for (key, value) in answers.filter(|(key, _)| !OF_QUESTION.contains(&&***key)) {
+                for (key, value) in answers.filter(|(key, _)| is_of_answer(key)) {
                     collect(key, value, &mut numbers);
                 }
             }
@@ -211,6 +211,10 @@ impl OverPosterior {
     }
 }
 
+fn is_of_answer(key: &str) -> bool {
+    !OF_QUESTION.contains(&key) && !key.ends_with(BANDED)
+}
+
 /// All numbers of a document under their names; what has a title that no other has goes by it, for the order may differ from draw to
 /// draw.
 fn collect(name: &str, value: &Value, numbers: &mut BTreeMap<String, f64>) {
@@ -231,7 +235,7 @@ fn collect(name: &str, value: &Value, numbers: &mut BTreeMap<String, f64>) {
             }
         }
         Value::Object(values) => {
-            for (key, value) in values.iter().filter(|(key, _)| !key.ends_with(BANDED)) {
+            for (key, value) in values.iter().filter(|(key, _)| is_of_answer(key)) {
                 collect(&format!("{name}.{key}"), value, numbers);
             }
         }
