@@ -1,16 +1,22 @@
 //! A rigid wheelset on two rails.
 
+mod outline;
+mod track;
+mod wheels;
+
 use std::sync::Arc;
 
 use rayon::prelude::*;
 
 use super::{Profile, ProfileError, ProfilePoint};
 use crate::Rail;
+use outline::{Attitude, attitude, outline_of};
 
-/// Distance of the samples of a wheel \[m\] among which minima of the gap are looked for.
-const WHEEL_STEP: f64 = 2e-4;
-/// Distance of the samples of a rail \[m\].
-const RAIL_STEP: f64 = 2e-5;
+pub(super) use outline::Outline;
+pub use track::Track;
+pub(super) use wheels::SampledWheel;
+pub use wheels::Wheels;
+
 /// Another local minimum of the gap within this distance is told \[m\].
 const SECOND: f64 = 5e-5;
 /// Where the gap is within this of its least \[m\], every sample is looked around.
@@ -25,176 +31,6 @@ const LEVEL: f64 = 1e-14;
 const MOST_ROLLS: usize = 60;
 /// Largest sine of the angle by which a contact runs ahead about the axle; steeper parts of a yawed wheel are not seen.
 const FARTHEST_AHEAD: f64 = 0.99;
-
-/// Both rails in their places.
-#[derive(Debug, Clone)]
-pub struct Track {
-    /// Left, right; both as right rails: x across the track from its middle outward, height above the crown.
-    rails: [Arc<PlacedRail>; 2],
-}
-
-#[derive(Debug)]
-struct PlacedRail {
-    profile: Profile,
-    /// Heights a step apart from the inner end.
-    heights: Vec<f64>,
-}
-
-impl PlacedRail {
-    fn new(profile: Profile) -> Self {
-        let [low, high] = profile.range();
-        let count = ((high - low) / RAIL_STEP) as usize;
-        let heights = (0..=count).filter_map(|index| profile.at(low + RAIL_STEP * index as f64));
-        Self {
-            heights: heights.map(|point| point.height).collect(),
-            profile,
-        }
-    }
-
-    /// Height between samples; none beside the rail.
-    fn height(&self, x: f64) -> Option<f64> {
-        let place = (x - self.profile.range()[0]) / RAIL_STEP;
-        if place < 0.0 || place.is_nan() {
-            return None;
-        }
-        let index = place as usize;
-        let [one, other] = self.heights.get(index..index + 2)?.try_into().ok()?;
-        Some(one + (place - index as f64) * (other - one))
-    }
-}
-
-impl Track {
-    /// Rails of two profiles, left and right, both drawn as right ones, inclined by tan α towards each other; their inner
-    /// faces are `gauge` \[m\] apart `gauge_height` \[m\] below their crowns.
-    ///
-    /// # Errors
-    /// [`ProfileError`] for a rail that ends above the height of the gauge or is drawn upside down, and a gauge that
-    /// makes the rails overlap.
-    pub fn new(
-        rails: [&Profile; 2],
-        gauge: f64,
-        gauge_height: f64,
-        inclination: f64,
-    ) -> Result<Self, ProfileError> {
-        let [left, right] = rails.map(|rail| placed(rail, gauge, gauge_height, inclination));
-        Ok(Self {
-            rails: [Arc::new(left?), Arc::new(right?)],
-        })
-    }
-}
-
-fn placed(
-    rail: &Profile,
-    gauge: f64,
-    gauge_height: f64,
-    inclination: f64,
-) -> Result<PlacedRail, ProfileError> {
-    let turned = rail.turned(inclination.atan());
-    let crown = turned.crown();
-    let [low, high] = turned.range();
-    if crown.x - low < 1e-3 || high - crown.x < 1e-3 {
-        return Err(ProfileError::Shape(
-            "the highest point of the rail lies at its end, as in a profile that is drawn upside down or cut at its crown"
-                .to_owned(),
-        ));
-    }
-    let inner = turned.inner_face(crown.height - gauge_height).ok_or_else(|| {
-        ProfileError::Gauge(format!(
-            "the inner side of the rail ends above the gauge height of {:.1} mm below its crown, or the profile is mirrored: \
-             x must be positive to the field side",
-            1e3 * gauge_height
-        ))
-    })?;
-    if 0.5 * gauge + low - inner <= 0.0 {
-        return Err(ProfileError::Gauge(format!(
-            "with a gauge of {:.1} mm the rails overlap",
-            1e3 * gauge
-        )));
-    }
-    Ok(PlacedRail::new(
-        turned.moved([0.5 * gauge - inner, -crown.height]),
-    ))
-}
-
-/// The wheels of a rigid wheelset.
-#[derive(Debug, Clone)]
-pub struct Wheels {
-    /// Left, right; both as right wheels.
-    wheels: [Arc<SampledWheel>; 2],
-    /// Distance of the origins of the profiles from the middle of the axle \[m\].
-    half_spacing: f64,
-}
-
-#[derive(Debug)]
-pub(super) struct SampledWheel {
-    pub(super) profile: Profile,
-    pub(super) rolling_radius: f64,
-    pub(super) samples: Vec<ProfilePoint>,
-}
-
-impl Wheels {
-    /// Wheels of two profiles, left and right, with their radii on the datum circle \[m\]; the flange backs lie
-    /// `flange_back_distance` \[m\] apart and at `flange_back_position` \[m\] in the coordinates of a wheel.
-    ///
-    /// # Errors
-    /// [`ProfileError`] for a wheel without a flange at x below zero, as a mirrored one, and for one whose datum circle
-    /// is not on the profile.
-    pub fn new(
-        profiles: [&Profile; 2],
-        rolling_radii: [f64; 2],
-        flange_back_distance: f64,
-        flange_back_position: f64,
-    ) -> Result<Self, ProfileError> {
-        let sampled = |index: usize| -> Result<Arc<SampledWheel>, ProfileError> {
-            let profile: &Profile = profiles[index];
-            check_wheel(profile)?;
-            Ok(Arc::new(SampledWheel {
-                rolling_radius: rolling_radii[index],
-                samples: profile.sampled(WHEEL_STEP),
-                profile: profile.clone(),
-            }))
-        };
-        Ok(Self {
-            wheels: [sampled(0)?, sampled(1)?],
-            half_spacing: 0.5 * flange_back_distance - flange_back_position,
-        })
-    }
-
-    /// Distance of the datum circles \[m\].
-    pub fn spacing(&self) -> f64 {
-        2.0 * self.half_spacing
-    }
-}
-
-fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
-    let origin = profile.at(0.0).ok_or_else(|| {
-        ProfileError::Shape(
-            "x = 0, the datum circle of the tread, is not on the profile of the wheel".to_owned(),
-        )
-    })?;
-    // A flange hangs 25 mm or more below the datum circle; trams have 15.
-    const LEAST_FLANGE: f64 = 5e-3;
-    let samples = profile.sampled(WHEEL_STEP);
-    let lowest = |side: f64| {
-        let there = samples.iter().filter(|point| point.x * side > 0.0);
-        there.fold(origin.height, |least: f64, point| least.min(point.height))
-    };
-    let highest = samples
-        .iter()
-        .fold(origin.height, |most: f64, point| most.max(point.height));
-    let (inside, outside) = (origin.height - lowest(-1.0), origin.height - lowest(1.0));
-    if inside > LEAST_FLANGE && inside > outside {
-        return Ok(());
-    }
-    let why = if outside > LEAST_FLANGE {
-        "its flange lies at x above zero: it is mirrored, for x must be positive to the field side"
-    } else if highest - origin.height > LEAST_FLANGE {
-        "it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down"
-    } else {
-        "it has no flange"
-    };
-    Err(ProfileError::Shape(why.to_owned()))
-}
 
 /// Where a wheel touches its rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -248,14 +84,6 @@ pub struct WheelsetOnTrack {
     pub track: Track,
 }
 
-/// How one wheel stands, seen as a right one.
-#[derive(Clone, Copy)]
-struct Attitude {
-    lateral_shift: f64,
-    yaw: (f64, f64),
-    roll: (f64, f64),
-}
-
 /// How a wheel of a wheelset that touches stands, seen as a right one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Stand {
@@ -279,15 +107,6 @@ impl Stand {
         };
         outline_of(point, rolling_radius, self.half_spacing, &attitude)
     }
-}
-
-/// A point of a wheel's outline as seen along the track, from the axle's middle.
-pub(super) struct Outline {
-    pub(super) ahead: f64,
-    pub(super) across: f64,
-    pub(super) down: f64,
-    /// dz/dy of the outline.
-    pub(super) slope: f64,
 }
 
 /// A local minimum of the gap.
@@ -668,49 +487,4 @@ fn place(rail: Rail) -> usize {
         Rail::Left => 0,
         Rail::Right => 1,
     }
-}
-
-/// A left wheel is the right one of the mirrored wheelset.
-fn attitude(rail: Rail, lateral_shift: f64, yaw: f64, roll: f64) -> Attitude {
-    let side = rail.sign();
-    Attitude {
-        lateral_shift: side * lateral_shift,
-        yaw: (side * yaw).sin_cos(),
-        roll: (side * roll).sin_cos(),
-    }
-}
-
-/// R = Rx(roll) Rz(yaw) on the point of the wheel whose normal has no component along the track: with r the radius over
-/// the lateral coordinate it lies ahead of the lowest one by θ, sin θ = −tan ψ dr/dy.
-fn outline_of(
-    point: &ProfilePoint,
-    rolling_radius: f64,
-    half_spacing: f64,
-    attitude: &Attitude,
-) -> Option<Outline> {
-    let (yaw_sine, yaw_cosine) = attitude.yaw;
-    let (roll_sine, roll_cosine) = attitude.roll;
-    let (radius, radius_slope) = (rolling_radius - point.height, -point.slope);
-    let ahead_sine = -yaw_sine / yaw_cosine * radius_slope;
-    if ahead_sine.abs() > FARTHEST_AHEAD {
-        return None;
-    }
-    let ahead_cosine = (1.0 - ahead_sine * ahead_sine).sqrt();
-    let lateral = half_spacing + point.x;
-    let forward = radius * ahead_sine;
-    let (ahead, across) = (
-        forward * yaw_cosine - lateral * yaw_sine,
-        forward * yaw_sine + lateral * yaw_cosine,
-    );
-    let down = radius * ahead_cosine;
-    // The normal (0, −r'/cos ψ, cos θ), rolled.
-    let (normal_across, normal_down) = (-radius_slope / yaw_cosine, ahead_cosine);
-    let rolled_across = normal_across * roll_cosine - normal_down * roll_sine;
-    let rolled_down = normal_across * roll_sine + normal_down * roll_cosine;
-    Some(Outline {
-        ahead,
-        across: across * roll_cosine - down * roll_sine,
-        down: across * roll_sine + down * roll_cosine,
-        slope: -rolled_across / rolled_down,
-    })
 }
