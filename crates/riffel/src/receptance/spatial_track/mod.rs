@@ -1,12 +1,17 @@
 //! Rail that moves along, across and down at once, on any support.
 
+mod spatial_waves;
+
 use num_complex::Complex64;
 
-use super::coupled_floquet::{CoupledFloquet, CoupledStation};
-use super::periodic::{Station, check_spacing};
-use super::twisting_rail::{CoupledWaves, Foundation, LateralReceptance, TwistingRail};
-use super::{Bar, Beam, FloquetWaves, Structure, Support, Twist, Waveguide, Waves};
+use super::coupled_floquet::CoupledFloquet;
+use super::periodic::check_spacing;
+use super::twisting_rail::{Foundation, TwistingRail};
+use super::{Bar, Beam, FloquetWaves, Structure, Support, Twist, Waveguide};
 use crate::{Direction, Error, Place, Rail};
+use spatial_waves::{AxisWaves, LateralWaves};
+
+pub(super) use spatial_waves::{Motions, SpatialWaves};
 
 /// A rail by its motions: one that it does not have is held.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -431,88 +436,5 @@ fn side(rail: Rail) -> usize {
     match rail {
         Rail::Left => 0,
         Rail::Right => 1,
-    }
-}
-
-/// The waves of a track at one frequency, and what they are at some places.
-pub(super) struct SpatialWaves {
-    alongs: Vec<f64>,
-    vertical: AxisWaves,
-    longitudinal: Option<AxisWaves>,
-    lateral: Option<LateralWaves>,
-}
-
-/// Displacements at one place by unit forces at another.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Motions {
-    pub(super) vertical: Complex64,
-    pub(super) longitudinal: Complex64,
-    pub(super) lateral: LateralReceptance,
-}
-
-/// Waves of one motion of the rail.
-enum AxisWaves {
-    Even {
-        waves: Waves,
-        point: Complex64,
-    },
-    Discrete {
-        waves: FloquetWaves,
-        stations: Vec<Station>,
-    },
-}
-
-/// Waves of bending across the track and twist.
-enum LateralWaves {
-    Bending(AxisWaves),
-    Even(CoupledWaves),
-    Discrete {
-        waves: Box<CoupledFloquet>,
-        stations: Vec<CoupledStation>,
-    },
-}
-
-impl SpatialWaves {
-    /// Motions at one of the places by forces at another, by their numbers.
-    pub(super) fn motions(&self, from: usize, to: usize) -> Motions {
-        let alongs = &self.alongs;
-        let along_axis = |axis: &AxisWaves| axis.receptance(alongs, from, to);
-        Motions {
-            vertical: along_axis(&self.vertical),
-            longitudinal: self
-                .longitudinal
-                .as_ref()
-                .map_or(Complex64::ZERO, along_axis),
-            lateral: match &self.lateral {
-                None => LateralReceptance::default(),
-                Some(LateralWaves::Bending(axis)) => {
-                    [[along_axis(axis), Complex64::ZERO], [Complex64::ZERO; 2]]
-                }
-                Some(LateralWaves::Even(waves)) => {
-                    waves.receptance((alongs[to] - alongs[from]).abs())
-                }
-                Some(LateralWaves::Discrete { waves, stations }) => {
-                    waves.between(&stations[from], &stations[to])
-                }
-            },
-        }
-    }
-}
-
-impl AxisWaves {
-    fn receptance(&self, alongs: &[f64], from: usize, to: usize) -> Complex64 {
-        match self {
-            Self::Even { waves, point } => {
-                let distance = (alongs[to] - alongs[from]).abs();
-                if distance == 0.0 {
-                    return *point;
-                }
-                let waves = waves.as_slice().iter();
-                waves
-                    .map(|wave| wave.amplitude * (-wave.propagation * distance).exp())
-                    .sum()
-            }
-            Self::Discrete { waves, stations } => waves.between(&stations[from], &stations[to]),
-        }
     }
 }
