@@ -1,5 +1,8 @@
 //! The equations of the general loop and their scratch.
 
+mod axes;
+mod moved;
+
 use std::f64::consts::PI;
 
 use num_complex::Complex64;
@@ -8,11 +11,12 @@ use pulp::Arch;
 use super::answers::Answers;
 use super::linear::{Equations, Solve};
 use super::turn::{NORMAL, SHIFT, Turn};
-use super::{Comb, Contact, ContactState, Derivative, Derivatives, Loop};
-use crate::damage::Oscillation;
+use super::{Comb, Contact, ContactState, Derivative, Loop};
 use crate::vector::lanes_of;
 use crate::wheelset::Motion;
 use crate::{Place, Rail};
+use axes::turn_axes;
+use moved::Moved;
 
 /// The equations and their scratch, for one loop at one group of points after the other: as many as a vector register has
 /// lanes.
@@ -484,69 +488,5 @@ impl System {
 
     fn size(&self) -> usize {
         self.on_track.len()
-    }
-}
-
-/// What moves a contact.
-struct Moved {
-    force: [Complex64; 3],
-    creepage: [Complex64; 2],
-    spin: Complex64,
-    shift: Complex64,
-    /// Of its place.
-    phase: Complex64,
-    /// \[m\].
-    profile: Complex64,
-}
-
-impl Moved {
-    /// What derivatives make of it.
-    fn sum(&self, of: &Derivatives, what: fn(&Derivative) -> Complex64) -> Complex64 {
-        let inputs = [
-            (&of.by_load, self.force[NORMAL]),
-            (&of.by_creepage[0], self.creepage[0]),
-            (&of.by_creepage[1], self.creepage[1]),
-            (&of.by_spin, self.spin),
-            (&of.by_profile, self.profile),
-        ];
-        let parts = inputs.into_iter().map(|(by, input)| what(by) * input);
-        parts.fold(Complex64::ZERO, |sum, part| sum + part)
-    }
-
-    /// The wave under the contact, or that of the rail under study where its own rail is smooth \[m\].
-    fn profile_or_one(&self, contact: &Contact, amplitude: f64) -> Complex64 {
-        amplitude * contact.profile_or_one() * self.phase
-    }
-
-    /// What laws of damage take.
-    fn oscillation(&self, of: &Derivatives, receptance: Complex64, wavelength: f64) -> Oscillation {
-        Oscillation {
-            demand: self.sum(of, |by| by.demand),
-            wear: self.sum(of, |by| by.at_rail),
-            energy: self.sum(of, |by| by.dissipated),
-            load: self.force[NORMAL],
-            receptance,
-            wavenumber: 2.0 * PI / wavelength,
-        }
-    }
-}
-
-/// Turn a receptance matrix of all contacts from the axes of the track to those of each contact: T H Tᵀ.
-fn turn_axes(of: &Loop, matrix: &mut [Complex64]) {
-    let size = 3 * of.contacts.len();
-    for (index, contact) in of.contacts.iter().enumerate() {
-        if contact.angle == 0.0 {
-            continue;
-        }
-        let (lateral, vertical) = (3 * index + 1, 3 * index + 2);
-        let (above, below) = matrix.split_at_mut(vertical * size);
-        let rows = above[lateral * size..].iter_mut().zip(&mut below[..size]);
-        for (lateral, vertical) in rows {
-            contact.turn(lateral, vertical);
-        }
-        for row in matrix.chunks_exact_mut(size) {
-            let (left, right) = row.split_at_mut(vertical);
-            contact.turn(&mut left[lateral], &mut right[0]);
-        }
     }
 }
