@@ -1,12 +1,13 @@
 //! A file of keys (TOML) with its overrides, and where each key stands.
 
+mod text;
+
 use std::collections::HashMap;
-use std::ops::Range;
 use std::sync::Arc;
 
 use miette::NamedSource;
 use serde::de::DeserializeOwned;
-use toml::de::{DeTable, DeValue};
+use toml::de::DeTable;
 use toml::{Table, Value};
 
 use crate::excerpt::{clipped, excerpt};
@@ -14,6 +15,7 @@ use crate::quantity::WrittenQuantity;
 use crate::range::Judgement;
 use crate::text_file::{command_in, in_a_message};
 use crate::{CaseError, Message, PhysicalRange};
+use text::{Text, join, within};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
 const DEEPEST: usize = 16;
@@ -26,16 +28,6 @@ pub struct KeyFile {
     table: Table,
     /// Dotted key → the override that set it last; none where the program did.
     overrides: HashMap<String, Option<String>>,
-}
-
-/// What was read; the same however many overrides are applied.
-struct Text {
-    name: String,
-    text: String,
-    /// Dotted key → its value in the text.
-    values: HashMap<String, Range<usize>>,
-    /// Dotted key → the key itself in the text.
-    keys: HashMap<String, Range<usize>>,
 }
 
 impl KeyFile {
@@ -479,70 +471,9 @@ impl KeyFile {
     }
 }
 
-impl Text {
-    fn empty(name: &str) -> Self {
-        Self {
-            name: name.to_owned(),
-            text: String::new(),
-            values: HashMap::new(),
-            keys: HashMap::new(),
-        }
-    }
-
-    fn index(&mut self, parent: &str, table: &DeTable<'_>) {
-        for (key, value) in table {
-            let path = join(parent, key.get_ref());
-            self.keys.insert(path.clone(), key.span());
-            self.values.insert(path.clone(), value.span());
-            match value.get_ref() {
-                DeValue::Table(table) => self.index(&path, table),
-                DeValue::Array(items) => {
-                    for (index, item) in items.iter().enumerate() {
-                        let path = format!("{path}[{index}]");
-                        self.keys.insert(path.clone(), item.span());
-                        if let DeValue::Table(table) = item.get_ref() {
-                            self.index(&path, table);
-                        }
-                    }
-                }
-                _ => {}
-            }
-        }
-    }
-
-    /// The value of the key, the key itself, or the nearest table or list around it.
-    fn span(&self, key: &str) -> Option<Range<usize>> {
-        let mut path = key;
-        loop {
-            let found = match self.values.get(path) {
-                // A table is shown by its header, not by its whole text.
-                Some(value) if !self.keys.keys().any(|other| within(other, path)) => Some(value),
-                _ => self.keys.get(path),
-            };
-            if let Some(range) = found {
-                return Some(range.clone());
-            }
-            path = &path[..path.rfind(['.', '['])?];
-        }
-    }
-}
-
 /// The key of an override `key=value`.
 pub fn overridden_key(assignment: &str) -> &str {
     assignment.split('=').next().unwrap_or_default().trim()
-}
-
-fn within(key: &str, table: &str) -> bool {
-    key.strip_prefix(table)
-        .is_some_and(|rest| rest.starts_with('.'))
-}
-
-fn join(parent: &str, key: &str) -> String {
-    if parent.is_empty() {
-        key.to_owned()
-    } else {
-        format!("{parent}.{key}")
-    }
 }
 
 /// An excerpt under the name of its file.
