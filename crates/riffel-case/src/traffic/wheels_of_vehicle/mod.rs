@@ -1,23 +1,27 @@
 //! The wheels of a vehicle on a case, as loops: one, or all of a curve, for every part of its spreads.
 
+mod across_rail;
+mod spread_effects;
+
 use std::collections::HashMap;
 use std::sync::{Arc, Mutex, OnceLock, PoisonError};
 
 use rayon::prelude::*;
 use riffel::Loop;
-use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth, band_lines};
+use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{CaseError, Message, say};
 
 use super::on_case::{WheelOnCase, settings_of, window};
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
-use super::{CurveOfVehicle, SpreadEffect, Traffic, TrafficOnCase};
+use super::{CurveOfVehicle, Traffic};
 use crate::from_curve::Equilibrium;
 use crate::kept_state::KeptState;
 use crate::setting::Setting;
 use crate::window::Window;
 use crate::{Case, Hold, Variant};
+use across_rail::AcrossRail;
 
 /// Change of the growth rates between two rules of quadrature, relative to the largest, at which the coarser is taken.
 const TOLERANCE: f64 = 5e-3;
@@ -41,15 +45,6 @@ pub(super) struct WheelOfVehicle {
     across: Option<AcrossRail>,
     /// Growth under it in the bands of the traffic, once it was asked for.
     growth: OnceLock<VehicleGrowth>,
-}
-
-/// Where the contact of a wheel runs across the rail.
-#[derive(Debug, Clone, Copy)]
-struct AcrossRail {
-    /// From the axis of the rail's profile to the field side \[m\]; none where only the distance from the line under study is known.
-    outward: Option<f64>,
-    /// Share of its passages that cover the line under study.
-    covering: f64,
 }
 
 /// All wheels of a vehicle with the values of one part of them.
@@ -393,63 +388,6 @@ impl Asked<'_> {
         Ok((growth, remarks, middle.held))
     }
 
-    /// Where the contact of a wheel runs, if the line under study is one across the rail or contacts are spread.
-    ///
-    /// Mass that comes off a band comes off that about the place of the wheel.
-    fn across(&self, wheel: &Case) -> Result<Option<AcrossRail>, CaseError> {
-        let own = wheel.hertz.semi_axis_lateral();
-        let Some(line) = self.traffic.file.line.measured_line else {
-            let spread = self.spreads().lateral_position.is_some();
-            return Ok(spread.then(|| AcrossRail {
-                outward: None,
-                covering: self.spreads().covering(own, 0.0),
-            }));
-        };
-        let Some(outward) = wheel.keys.text.contact_outward else {
-            let message = format!(
-                "`line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle \"{}\" has none",
-                self.name()
-            );
-            return Err(self.traffic.source.refuse("line.measured_line", &message));
-        };
-        let band = wheel
-            .file
-            .wear
-            .band_width
-            .map_or(0.0, |width| 0.5 * width.si());
-        Ok(Some(AcrossRail {
-            outward: Some(outward),
-            covering: self.spreads().covering(own.max(band), line.si() - outward),
-        }))
-    }
-
-    /// Between which places the wheels run, and how many of them cover the measured line.
-    fn across_in_words(&self, parts: &[(f64, Arc<WheelsOfVehicle>)]) -> Option<Message> {
-        let line = self.traffic.file.line.measured_line?;
-        let wheels = || {
-            let wheels = parts
-                .iter()
-                .flat_map(|(share, part)| part.wheels.iter().map(move |wheel| (share, wheel)));
-            wheels.filter_map(|(share, wheel)| Some((share * wheel.share, wheel.across?)))
-        };
-        let outward = || wheels().filter_map(|(_, across)| across.outward);
-        let millimetres = |place: f64| fixed(1e3 * place, 1);
-        Some(say!(
-            wheels_across_rail,
-            vehicle = self.name(),
-            innermost = millimetres(outward().fold(f64::INFINITY, f64::min)),
-            outermost = millimetres(outward().fold(f64::NEG_INFINITY, f64::max)),
-            line = millimetres(line.si()),
-            percent = fixed(
-                100.0
-                    * wheels()
-                        .map(|(share, across)| share * across.covering)
-                        .sum::<f64>(),
-                0
-            )
-        ))
-    }
-
     fn rules(&self, spread: &[usize], bands: &[ThirdOctave]) -> Result<(Rules, f64), CaseError> {
         let mut rules = self.spreads().means();
         let mut errors = 0.0;
@@ -518,87 +456,4 @@ fn remarks_of(wheel: &Case) -> Vec<Message> {
     let presets = &wheel.keys.text.remarks;
     let remarks = wheel.remarks.iter().cloned();
     remarks.filter(|remark| !presets.contains(remark)).collect()
-}
-
-impl Traffic {
-    /// The traffic on a case, and what each spread does to the growth under its vehicle, the vehicles in their order: the fastest
-    /// growth with every wheel at the mean of this spread over that with all of them. `progress` is told of each vehicle.
-    ///
-    /// Cost: that of [`on`](Self::on) with some wheels more for each spread.
-    ///
-    /// # Errors
-    /// As [`on`](Self::on).
-    pub fn on_with_effects(
-        &self,
-        case: &Case,
-        bands: &[ThirdOctave],
-        progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<(TrafficOnCase, Vec<SpreadEffect>), CaseError> {
-        let kept = KeptWheels::default();
-        let on = self.on_keeping(&kept, case, bands, &Variant::none(""), progress)?;
-        let effects = self.spread_effects(&kept, case, bands, &on)?;
-        Ok((on, effects))
-    }
-
-    fn spread_effects(
-        &self,
-        kept: &KeptWheels,
-        case: &Case,
-        bands: &[ThirdOctave],
-        on: &TrafficOnCase,
-    ) -> Result<Vec<SpreadEffect>, CaseError> {
-        let lines = band_lines(bands);
-        let variant = Variant::none("");
-        let mut effects = Vec::new();
-        for (index, vehicle) in self.file.vehicle.iter().enumerate() {
-            let asked = Asked {
-                kept,
-                traffic: self,
-                index,
-                case,
-                lines: &lines,
-                variant: &variant,
-                speeds: None,
-            };
-            let rates = &on.growth.vehicles()[index].growth.rates;
-            let with = rates.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-            let traction = vehicle.traction_share.map_or(1.0, |share| share.si());
-            let mut tell = |what: &str, without: f64| {
-                effects.push(SpreadEffect {
-                    vehicle: vehicle.name.clone(),
-                    what: what.to_owned(),
-                    reduction: (with > 0.0).then(|| traction * without / with),
-                });
-            };
-            let spread = asked.spreads().spread_values();
-            let (rules, _) = asked.rules(&spread, bands)?;
-            let speeds = &self.speeds[index];
-            if speeds.deviation() > 0.0
-                && let Ok(mean) = SpeedDistribution::single(speeds.mean())
-            {
-                let at_mean = Asked {
-                    speeds: Some(&mean),
-                    ..asked
-                };
-                tell("speed", asked.fastest(&at_mean.parts(&rules)?));
-            }
-            for &place in &spread {
-                let mut others = rules.clone();
-                others[place] = None;
-                let growth = asked.growth(&asked.parts(&others)?, bands, false)?;
-                let rates = growth.growth.rates.into_iter();
-                tell(
-                    asked.spreads().of_keys[place].name(),
-                    rates.fold(f64::NEG_INFINITY, f64::max),
-                );
-            }
-            if asked.spreads().lateral_position.is_some() || self.file.line.measured_line.is_some()
-            {
-                let growth = asked.growth(&asked.parts(&rules)?, bands, true)?;
-                let rates = growth.growth.rates.into_iter();
-                tell("lateral_position", rates.fold(f64::NEG_INFINITY, f64::max));
-            }
-        }
-        Ok(effects)
-    }
 }
