@@ -1,16 +1,20 @@
 //! The keys of curving: curve, bogie, body, profiles, and what curving takes of the other tables.
 
-use std::borrow::Cow;
-use std::fmt;
+mod inclination;
+mod rail_friction;
+mod rail_profiles;
 
 use riffel_keys::quantity::{
     Angle, Force, Length, Mass, Moment, Quantity, Ratio, Speed, Stiffness, TorsionalStiffness,
 };
-use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
-use serde::de::value::MapAccessDeserializer;
-use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
 
 use super::Steel;
+
+pub use inclination::Inclination;
+pub use rail_friction::{FrictionOfRails, RailFriction};
+pub use rail_profiles::{RailProfiles, RailProfilesByRail};
 
 /// What `riffel curve` and `riffel profile` take of a file. Every other key of a case may stand beside these.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
@@ -383,215 +387,4 @@ pub struct CreepCoefficients {
     pub spin: Quantity<Moment>,
     /// The normal force.
     pub load: Quantity<Force>,
-}
-
-/// Coefficient of friction of both rails: one number, or one for each.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
-#[serde(untagged)]
-pub enum RailFriction {
-    /// The same on both.
-    Both(Quantity<Ratio>),
-    /// One for each.
-    Each(FrictionOfRails),
-}
-
-/// A coefficient of friction for each rail.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct FrictionOfRails {
-    /// On the left rail.
-    pub left: Quantity<Ratio>,
-    /// On the right rail.
-    pub right: Quantity<Ratio>,
-}
-
-impl RailFriction {
-    /// Left, right.
-    pub fn of_rails(self) -> [f64; 2] {
-        match self {
-            Self::Both(friction) => [friction.si(); 2],
-            Self::Each(friction) => [friction.left.si(), friction.right.si()],
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for RailFriction {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor;
-
-        impl<'de> de::Visitor<'de> for Visitor {
-            type Value = RailFriction;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("a ratio such as 0.4, or a table of left and right")
-            }
-
-            fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
-                Quantity::deserialize(de::value::F64Deserializer::new(value))
-                    .map(RailFriction::Both)
-            }
-
-            fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
-                self.visit_f64(value as f64)
-            }
-
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
-                text.parse().map(RailFriction::Both).map_err(E::custom)
-            }
-
-            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-                FrictionOfRails::deserialize(MapAccessDeserializer::new(map))
-                    .map(RailFriction::Each)
-            }
-        }
-
-        deserializer.deserialize_any(Visitor)
-    }
-}
-
-impl JsonSchema for RailFriction {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "RailFriction".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "unit": "",
-            "anyOf": [
-                generator.subschema_for::<Quantity<Ratio>>(),
-                generator.subschema_for::<FrictionOfRails>(),
-            ],
-        })
-    }
-}
-
-/// Profiles of both rails: one for both, or one for each.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
-#[serde(untagged)]
-pub enum RailProfiles {
-    /// The same, turned over, on the left.
-    Both(String),
-    /// One for each.
-    Each(RailProfilesByRail),
-}
-
-/// A profile for each rail, both drawn as right rails: x above zero on the field side.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct RailProfilesByRail {
-    /// The left one.
-    pub left: String,
-    /// The right one.
-    pub right: String,
-}
-
-impl<'de> Deserialize<'de> for RailProfiles {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        struct Visitor;
-
-        impl<'de> de::Visitor<'de> for Visitor {
-            type Value = RailProfiles;
-
-            fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                f.write_str("the name of a profile, a file, or a table of left and right")
-            }
-
-            fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
-                Ok(RailProfiles::Both(text.to_owned()))
-            }
-
-            fn visit_map<A: de::MapAccess<'de>>(self, map: A) -> Result<Self::Value, A::Error> {
-                RailProfilesByRail::deserialize(MapAccessDeserializer::new(map))
-                    .map(RailProfiles::Each)
-            }
-        }
-
-        deserializer.deserialize_any(Visitor)
-    }
-}
-
-impl JsonSchema for RailProfiles {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "RailProfiles".into()
-    }
-
-    fn json_schema(generator: &mut SchemaGenerator) -> Schema {
-        json_schema!({
-            "anyOf": [
-                { "type": "string" },
-                generator.subschema_for::<RailProfilesByRail>(),
-            ],
-        })
-    }
-}
-
-/// Inclination of the rails towards each other.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Inclination {
-    /// Tangent of the angle; 0 for rails that stand upright or whose coordinates are inclined.
-    pub slope: f64,
-}
-
-impl Default for Inclination {
-    fn default() -> Self {
-        Self { slope: 1.0 / 40.0 }
-    }
-}
-
-impl Serialize for Inclination {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match self.slope {
-            0.0 => serializer.serialize_str("none"),
-            slope => serializer.collect_str(&format_args!("1:{}", 1.0 / slope)),
-        }
-    }
-}
-
-impl<'de> Deserialize<'de> for Inclination {
-    fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        let text = Cow::<str>::deserialize(deserializer)?;
-        Self::read(&text)
-            .map_err(|rule| de::Error::custom(format!("is \"{text}\", but must be {rule}")))
-    }
-}
-
-impl Inclination {
-    /// The inclination of a text such as "1:40", or "none".
-    ///
-    /// # Errors
-    /// What it must be.
-    pub fn read(text: &str) -> Result<Self, String> {
-        if text == "none" {
-            return Ok(Self { slope: 0.0 });
-        }
-        let run = text
-            .strip_prefix("1:")
-            .and_then(|run| run.trim().parse::<f64>().ok());
-        match run.filter(|run| run.abs() >= 5.0) {
-            Some(run) => Ok(Self { slope: 1.0 / run }),
-            None => Err("\"none\" or as in \"1:40\", 1:5 at the steepest".to_owned()),
-        }
-    }
-}
-
-impl JsonSchema for Inclination {
-    fn inline_schema() -> bool {
-        true
-    }
-
-    fn schema_name() -> Cow<'static, str> {
-        "Inclination".into()
-    }
-
-    fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        json_schema!({ "type": "string", "pattern": "^(none|1:-?[0-9.]+)$", "examples": ["1:40"] })
-    }
 }
