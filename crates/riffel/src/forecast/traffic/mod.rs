@@ -5,13 +5,14 @@ mod vehicle_growth;
 use super::cracks::WavePhase;
 use super::hardening_wheel::HardeningWheel;
 use super::marched::RatesByAmplitude;
-use super::{LINES_PER_BAND, MeanGrowth, SpeedDistribution, band_lines};
-use crate::feedback::Loop;
+use super::{LINES_PER_BAND, band_lines};
 use crate::growth::GrowthCourse;
 use crate::roughness::ThirdOctave;
 use crate::{Error, MeanWear};
+use vehicle_growth::mean;
 
 pub use vehicle_growth::VehicleGrowth;
+pub(super) use vehicle_growth::lines_of;
 
 /// Growth rates of the lines of some bands under a mix of vehicles.
 #[derive(Debug, Clone, PartialEq)]
@@ -246,44 +247,4 @@ impl TrafficGrowth {
         let errors = self.vehicles.iter().map(|v| v.share * v.growth.rate_error);
         errors.sum()
     }
-}
-
-/// Rates of lines at amplitudes from that of a smooth rail to one that no rail bears; none where they do not depend on it.
-fn rates_by_amplitude(
-    states: &[(f64, &[(Loop, f64)])],
-    lines: &[f64],
-    speeds: &SpeedDistribution,
-) -> Result<Vec<(f64, Vec<f64>)>, Error> {
-    /// From 1 µm on, ten to each power of ten: a threshold is blurred over a quarter of its amplitude.
-    const FIRST: f64 = 1e-6;
-    const STEPS: u32 = 40;
-    let mut loops = states.iter().flat_map(|(_, places)| *places);
-    if !loops.any(|(feedback, _)| feedback.depends_on_amplitude()) {
-        return Ok(Vec::new());
-    }
-    let at = |step: u32| {
-        let amplitude = FIRST * 10f64.powf(f64::from(step) / 10.0);
-        let states = states.iter().map(|(speed, places)| {
-            let places = places.iter().map(|(feedback, weight)| {
-                Ok((feedback.clone().with_amplitude(amplitude)?, *weight))
-            });
-            Ok((*speed, places.collect::<Result<Vec<_>, Error>>()?))
-        });
-        let states = states.collect::<Result<Vec<_>, Error>>()?;
-        let states: Vec<_> = states
-            .iter()
-            .map(|(at, places)| (*at, &places[..]))
-            .collect();
-        Ok((amplitude, MeanGrowth::between(&states, lines, speeds).rates))
-    };
-    (0..=STEPS).map(at).collect()
-}
-
-/// Places of the lines of a band.
-pub(super) fn lines_of(band: usize) -> std::ops::Range<usize> {
-    LINES_PER_BAND * band..LINES_PER_BAND * (band + 1)
-}
-
-fn mean(values: &[f64]) -> f64 {
-    values.iter().sum::<f64>() / values.len() as f64
 }

@@ -11,6 +11,7 @@ use rayon::prelude::*;
 use super::{Profile, ProfileError, ProfilePoint};
 use crate::Rail;
 use outline::{Attitude, attitude, outline_of};
+use track::place;
 
 pub(super) use outline::Outline;
 pub use track::Track;
@@ -29,8 +30,6 @@ const NEAR_ROLL: f64 = 1e-3;
 const LEVEL: f64 = 1e-14;
 /// Most steps of the roll; near flanges some ten are needed.
 const MOST_ROLLS: usize = 60;
-/// Largest sine of the angle by which a contact runs ahead about the axle; steeper parts of a yawed wheel are not seen.
-const FARTHEST_AHEAD: f64 = 0.99;
 
 /// Where a wheel touches its rail.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -480,11 +479,4 @@ fn falling_to_rising(
         last = there;
     }
     Some(middle)
-}
-
-fn place(rail: Rail) -> usize {
-    match rail {
-        Rail::Left => 0,
-        Rail::Right => 1,
-    }
 }

@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use crate::Rail;
 use crate::profile::{Profile, ProfileError};
 
 /// Distance of the samples of a rail \[m\].
@@ -95,4 +96,11 @@ pub(super) fn placed(
     Ok(PlacedRail::new(
         turned.moved([0.5 * gauge - inner, -crown.height]),
     ))
+}
+
+pub(super) fn place(rail: Rail) -> usize {
+    match rail {
+        Rail::Left => 0,
+        Rail::Right => 1,
+    }
 }
