@@ -1,5 +1,9 @@
 //! The contact of a wheel and its rail under load.
 
+mod overlap;
+#[cfg(test)]
+mod tests;
+
 use super::contact_surface::PatchSurface;
 use super::{ContactGap, ContactSurface, ProfileError, WheelsetContact, WheelsetOnTrack};
 use crate::contact::{
@@ -7,6 +11,7 @@ use crate::contact::{
     NormalState, PatchRolling, PenetrationState, VirtualPenetration,
 };
 use crate::{ElasticMaterial, Error, Rail};
+use overlap::{Overlap, ends_of, grid_over};
 
 /// The grid reaches to where the gap is this share of the approach of the fast patch \[-\]; the patch itself ends before
 /// the gap is the approach. Should it come near the rim, the next one is tried.
@@ -269,69 +274,6 @@ fn normal_contact(
     )
 }
 
-/// Means over the overlap of the undeformed surfaces at an approach, weighted by the square of its depth.
-struct Overlap {
-    /// \[m\].
-    x: f64,
-    /// \[m\].
-    y: f64,
-    /// Of the rail \[rad\].
-    inclination: f64,
-}
-
-impl Overlap {
-    /// Along a strip of depth d the overlap is a parabola, and the integral of its square (16/15) d² √(2d/κ).
-    fn new(gap: &ContactGap, strips: &[GapStrip], approach: f64) -> Self {
-        let mut sums = [0.0; 4];
-        for (index, strip) in strips.iter().enumerate() {
-            let depth = approach - strip.gap;
-            let Some(inclination) = gap.inclination_at(strip.y).filter(|_| depth > 0.0) else {
-                continue;
-            };
-            let before = strips[index.saturating_sub(1)].y;
-            let after = strips[(index + 1).min(strips.len() - 1)].y;
-            let weight = (after - before) * depth * depth * (depth / strip.curvature).sqrt();
-            let values = [1.0, strip.x, strip.y, inclination];
-            for (sum, value) in sums.iter_mut().zip(values) {
-                *sum += weight * value;
-            }
-        }
-        Self {
-            x: sums[1] / sums[0],
-            y: sums[2] / sums[0],
-            inclination: sums[3] / sums[0],
-        }
-    }
-}
-
-/// First and last x and y at which the gap is below a limit \[m\].
-fn ends_of(strips: &[GapStrip], limit: f64) -> [[f64; 2]; 2] {
-    let mut ends = [[f64::INFINITY, f64::NEG_INFINITY]; 2];
-    for strip in strips.iter().filter(|strip| strip.gap < limit) {
-        let half = (2.0 * (limit - strip.gap) / strip.curvature).sqrt();
-        for (ends, [low, high]) in ends
-            .iter_mut()
-            .zip([[strip.x - half, strip.x + half], [strip.y; 2]])
-        {
-            *ends = [ends[0].min(low), ends[1].max(high)];
-        }
-    }
-    ends
-}
-
-/// A grid over a rectangle, and its middle: elements nearly square, even numbers of them.
-fn grid_over(ends: [[f64; 2]; 2], elements: usize) -> Result<(ContactGrid, [f64; 2]), Error> {
-    let [length, width] = ends.map(|[low, high]| high - low);
-    let even = |count: f64| {
-        let least = 16.max(elements / 2) as f64;
-        2 * (0.5 * count.clamp(least, 4.0 * elements as f64)).round() as usize
-    };
-    let ratio = (length / width).sqrt();
-    let (columns, rows) = (even(elements as f64 * ratio), even(elements as f64 / ratio));
-    let grid = ContactGrid::over(columns, rows, 0.5 * length, 0.5 * width)?;
-    Ok((grid, ends.map(|[low, high]| 0.5 * (low + high))))
-}
-
 impl LoadedContact {
     /// The gap of the profiles, and the plane of the contact.
     pub fn gap(&self) -> &ContactGap {
@@ -506,7 +448,3 @@ impl LoadedContact {
         ]
     }
 }
-
-#[cfg(test)]
-#[path = "loaded_contact_tests.rs"]
-mod tests;
