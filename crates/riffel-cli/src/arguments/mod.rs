@@ -3,44 +3,50 @@
 mod asked;
 mod axlebox;
 mod calibrate;
+mod case;
 mod decide;
+mod figures;
 mod forecast;
 mod listed_length;
+mod map;
 pub(crate) mod network;
 mod noise;
 mod number;
 mod page;
 mod point_in_rail;
+mod profile;
+mod receptance;
 mod roughness;
 mod shakedown;
 mod simulate;
 mod stability;
 mod study;
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use clap::{Args, Parser, Subcommand, ValueEnum};
 use riffel_answers::paper::Model;
-use riffel_case::file::CaseFile;
-use riffel_case::{Case, CaseContact, CurvingCase};
-use riffel_keys::quantity::{Angle, Dimension, Force, Frequency, Length, Quantity, Ratio, Speed};
-use riffel_keys::text_file::is_standard_input;
-use riffel_keys::{CaseError, Language};
+use riffel_keys::Language;
+use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
 
 use crate::error::CliError;
 use crate::messages::Verbosity;
-use crate::staging::add_input;
+use point_in_rail::PointInRail;
 
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
 pub(crate) use calibrate::Calibrate;
+pub(crate) use case::{CaseArguments, covering, stem};
 pub(crate) use decide::Decide;
+pub(crate) use figures::{Figures, ModelArgument};
 pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
 pub(crate) use listed_length::ListedLength;
+pub(crate) use map::Map;
 pub(crate) use network::{Judged, Network, NetworkCommand};
 pub(crate) use noise::Noise;
 pub(crate) use page::Page;
-use point_in_rail::PointInRail;
+pub(crate) use profile::{Alignment, Orientation, Profile};
+pub(crate) use receptance::{DirectionArgument, Receptance};
 pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
 pub(crate) use shakedown::Shakedown;
 pub(crate) use simulate::{LengthPair, Simulate};
@@ -197,111 +203,6 @@ pub(crate) struct ResultsArguments {
     pub(crate) json: bool,
 }
 
-/// A case file with overrides.
-#[derive(Args)]
-pub(crate) struct CaseArguments {
-    /// Case file, or - for standard input.
-    #[arg(value_name = "CASE")]
-    path: PathBuf,
-
-    /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE")]
-    overrides: Vec<String>,
-}
-
-impl CaseArguments {
-    /// Whether it is the case of a file without any override.
-    pub(crate) fn is_just(&self, path: &Path) -> bool {
-        let real = |path: &Path| std::fs::canonicalize(path).ok();
-        self.overrides.is_empty() && real(path).is_some() && real(&self.path) == real(path)
-    }
-
-    /// A case named elsewhere than on its own place of the command line.
-    pub(crate) fn of(path: &Path, overrides: &[String]) -> Self {
-        Self {
-            path: path.to_owned(),
-            overrides: overrides.to_vec(),
-        }
-    }
-
-    pub(crate) fn read(&self) -> miette::Result<Case> {
-        Ok(protected(
-            &self.path,
-            Case::read(&self.path, &self.overrides)?,
-        ))
-    }
-
-    /// The contact of the case alone.
-    pub(crate) fn read_contact(&self) -> miette::Result<CaseContact> {
-        let contact = CaseContact::read(&self.path, &self.overrides)?;
-        protect(&self.path, &contact.file);
-        Ok(contact)
-    }
-
-    /// The tables of curving of the case.
-    pub(crate) fn read_curving(&self) -> miette::Result<CurvingCase> {
-        Ok(CurvingCase::read(&self.path, &self.overrides)?)
-    }
-
-    /// The case with the wheel at another place of the bay.
-    pub(crate) fn read_at(&self, position: Option<Quantity<Length>>) -> miette::Result<Case> {
-        let Some(position) = position else {
-            return self.read();
-        };
-        let case = Case::read(&self.path, &self.overrides)?;
-        match case.edit(|keys| keys.track.position = Some(position)) {
-            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message })?,
-            Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
-                message: format!(
-                    "the track is the same everywhere along the rail with track.model = \"{}\"; choose \
-                     one-layer-periodic or two-layer-periodic",
-                    case.file.track.model.name()
-                ),
-            })?,
-            case => Ok(protected(&self.path, case?)),
-        }
-    }
-
-    /// The folder given for results, or one named after the case and what it holds.
-    pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
-        given.map_or_else(
-            || PathBuf::from(format!("{}-{what}", stem(&self.path))),
-            Path::to_owned,
-        )
-    }
-}
-
-/// What results are named after that are made from a file.
-pub(crate) fn stem(path: &Path) -> String {
-    if is_standard_input(path) {
-        return "stdin".to_owned();
-    }
-    let stem = path.file_stem().unwrap_or_default();
-    stem.to_string_lossy().into_owned()
-}
-
-/// The case, whose file of a measured track must not be replaced by results.
-fn protected(path: &Path, case: Case) -> Case {
-    protect(path, &case.file);
-    case
-}
-
-fn protect(path: &Path, file: &CaseFile) {
-    if let Some(measurement) = &file.track.measurement {
-        let folder = path.parent().unwrap_or_else(|| Path::new(""));
-        add_input(folder.join(&measurement.file));
-    }
-}
-
-/// The case with a contact that answers from one wavelength \[m\] to another.
-pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
-    // The window was not written by the user.
-    case.covering(from, to)
-        .map_err(|error| CliError::Wavelength {
-            message: error.without_key(),
-        })
-}
-
 /// The value of an argument that must be above zero, in SI.
 pub(crate) fn positive<D: Dimension>(
     argument: &'static str,
@@ -408,89 +309,6 @@ pub(crate) struct Point {
 }
 
 #[derive(Args)]
-#[command(after_help = "Example: riffel map case.toml -o results --set contact.friction=0.3")]
-pub(crate) struct Map {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Measured corrugation to draw on the map: a table with the columns wavelength, speed and label,
-    /// values in SI, with their units, or with those in the head, as in wavelength_mm.
-    #[arg(long, value_name = "CSV")]
-    pub(crate) observations: Option<PathBuf>,
-
-    /// Traffic file, for growth under the traffic [default: the usual traffic of a line of this kind].
-    #[arg(long, value_name = "FILE", conflicts_with = "wheels")]
-    pub(crate) traffic: Option<PathBuf>,
-
-    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) position: Option<Quantity<Length>>,
-
-    /// Growth over the bay between two supports as well: maps over a support, in mid-span and of the
-    /// mean, and the curve of growth against position.
-    #[arg(long)]
-    pub(crate) bay: bool,
-
-    /// Every wheel of the vehicle in its curve instead, side by side: maps in one scale, growth at the speed of the curve, and a
-    /// table of mean states. Needs contact.from.
-    #[arg(long, conflicts_with_all = ["bay", "observations"])]
-    pub(crate) wheels: bool,
-
-    /// Wavelength of the curve over the bay [default: where the mean grows fastest].
-    #[arg(long, value_name = "LENGTH", requires = "bay", requires = "speed")]
-    pub(crate) wavelength: Option<Asked<Length>>,
-
-    /// Speed of the curve over the bay.
-    #[arg(long, value_name = "SPEED", requires = "bay", requires = "wavelength")]
-    pub(crate) speed: Option<Asked<Speed>>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel receptance case.toml --from \"50 Hz\" --to \"2 kHz\"")]
-pub(crate) struct Receptance {
-    #[command(flatten)]
-    pub(crate) case: CaseArguments,
-
-    /// Lowest frequency, in Hz or with its unit [default: 20 Hz, or the lowest measured].
-    #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) from: Option<Asked<Frequency>>,
-
-    /// Highest frequency, in Hz or with its unit [default: 5 kHz, or the highest measured].
-    #[arg(long, value_name = "FREQUENCY")]
-    pub(crate) to: Option<Asked<Frequency>>,
-
-    /// Number of frequencies, equally spaced in their logarithm.
-    #[arg(long, value_name = "N", default_value_t = 600, value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
-    pub(crate) points: u32,
-
-    /// Speed of the load, in m/s or with its unit [default: the highest of the map].
-    #[arg(long, value_name = "SPEED")]
-    pub(crate) speed: Option<Asked<Speed>>,
-
-    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
-    #[arg(long, value_name = "LENGTH")]
-    pub(crate) position: Option<Quantity<Length>>,
-
-    /// Direction of force and displacement; wheel and contact are vertical only.
-    #[arg(long, value_enum, default_value_t = DirectionArgument::Vertical)]
-    pub(crate) direction: DirectionArgument,
-
-    /// Matrices of track and wheel along all axes x, y, z of the track, at the contact under study.
-    #[arg(long, conflicts_with = "direction")]
-    pub(crate) matrix: bool,
-
-    /// Frequencies of --matrix, separated by commas, in Hz or with their unit, in place of --from, --to and --points.
-    #[arg(long, value_name = "LIST", value_delimiter = ',', requires = "matrix", conflicts_with_all = ["from", "to", "points"])]
-    pub(crate) frequencies: Vec<Asked<Frequency>>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
-}
-
-#[derive(Args)]
 #[command(after_help = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json")]
 pub(crate) struct Wheelset {
     #[command(flatten)]
@@ -503,17 +321,6 @@ pub(crate) struct Wheelset {
 
     #[command(flatten)]
     pub(crate) results: ResultsArguments,
-}
-
-/// Direction of force and displacement.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum DirectionArgument {
-    /// Downward.
-    Vertical,
-    /// Across the track.
-    Lateral,
-    /// Along the rail.
-    Longitudinal,
 }
 
 #[derive(Args)]
@@ -541,95 +348,6 @@ pub(crate) struct Contact {
     /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
     #[arg(long, value_name = "X,Y,Z", requires = "stress")]
     pub(crate) stress_at: Vec<PointInRail>,
-
-    #[command(flatten)]
-    pub(crate) results: ResultsArguments,
-}
-
-/// By what a profile is laid on the nominal one.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Alignment {
-    /// A wheel by its flange back and the tip of its flange.
-    Flange,
-    /// A rail by its field side, which wheels do not touch.
-    FieldSide,
-    /// By nothing.
-    AsWritten,
-}
-
-/// How coordinates of profiles stand.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum Orientation {
-    /// As the shape tells.
-    Found,
-    /// x to the field side, y upward.
-    AsWritten,
-    /// x to the gauge side.
-    Mirrored,
-    /// y downward.
-    UpsideDown,
-    /// x to the gauge side, y downward.
-    Turned,
-}
-
-#[derive(Args)]
-#[command(
-    after_help = "Examples:\n  riffel profile S1002 60E1\n  riffel profile wheel.whl --against S1002\n  riffel profile case.toml --wheelset --yaw \"5 mrad\" --lateral-shift \"-3 mm,0 mm,3 mm\"\n  riffel profile case.toml --wheelset --load \"60 kN\""
-)]
-pub(crate) struct Profile {
-    /// Nominal names, or files: two columns x, y, or of MiniProf, Simpack or Vampire; with --wheelset a case file.
-    #[arg(value_name = "FILE", required = true)]
-    pub(crate) files: Vec<PathBuf>,
-
-    /// Wear against a nominal profile or an earlier file.
-    #[arg(long, value_name = "NAME", conflicts_with = "wheelset")]
-    pub(crate) against: Option<String>,
-
-    /// By what profiles are laid on the nominal one [default: flange of wheels, field-side of rails].
-    #[arg(long, value_enum, value_name = "PART", requires = "against")]
-    pub(crate) align: Option<Alignment>,
-
-    /// Inclination of the rail in its coordinates, as in 1:40 [default: none].
-    #[arg(long, value_name = "SLOPE", requires = "against")]
-    pub(crate) inclination: Option<String>,
-
-    /// Depth below the nominal crown at which wear of the gauge face is measured [default: 14 mm].
-    #[arg(long, value_name = "LENGTH", requires = "against")]
-    pub(crate) gauge_height: Option<Quantity<Length>>,
-
-    /// How coordinates of files stand [default: as-written in columns, found in other formats].
-    #[arg(long, value_enum, value_name = "WAY", conflicts_with = "wheelset")]
-    pub(crate) orientation: Option<Orientation>,
-
-    /// Smooth the points of files, which scatter with this standard deviation across the profile.
-    #[arg(long, value_name = "LENGTH", conflicts_with = "wheelset")]
-    pub(crate) scatter: Option<Quantity<Length>>,
-
-    /// Where the wheelset of a case touches its track, and its equivalent conicity.
-    #[arg(long)]
-    pub(crate) wheelset: bool,
-
-    /// Yaw of the wheelset, in rad or with its unit.
-    #[arg(long, value_name = "ANGLE", requires = "wheelset")]
-    pub(crate) yaw: Option<Quantity<Angle>>,
-
-    /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm every 0.1 mm].
-    #[arg(
-        long,
-        value_name = "LIST",
-        value_delimiter = ',',
-        requires = "wheelset"
-    )]
-    pub(crate) lateral_shift: Vec<Quantity<Length>>,
-
-    /// Normal force on each wheel, in N or with its unit: patch, pressure and stiffness of both contacts, at the shift 0 or those
-    /// of --lateral-shift.
-    #[arg(long, value_name = "FORCE", requires = "wheelset")]
-    pub(crate) load: Option<Quantity<Force>>,
-
-    /// Override a value of the case, as in --set "profiles.gauge=1432 mm"; may be repeated.
-    #[arg(long = "set", value_name = "KEY=VALUE", requires = "wheelset")]
-    pub(crate) overrides: Vec<String>,
 
     #[command(flatten)]
     pub(crate) results: ResultsArguments,
@@ -704,29 +422,6 @@ pub(crate) struct Validate {
     /// Seed of the samples.
     #[arg(long, value_name = "S", requires = "field", default_value_t = 1)]
     pub(crate) seed: u64,
-}
-
-#[derive(Args)]
-#[command(after_help = "Example: riffel figures --model non-steady -o figures")]
-pub(crate) struct Figures {
-    /// Folder for the figures, made if need be.
-    #[arg(short, long, value_name = "DIR", default_value = "figures")]
-    pub(crate) output: PathBuf,
-
-    /// How the contact answers to oscillations.
-    #[arg(long, value_enum, default_value_t = ModelArgument::QuasiStatic)]
-    pub(crate) model: ModelArgument,
-}
-
-/// How the contact answers to oscillations.
-#[derive(Clone, Copy, PartialEq, Eq, ValueEnum)]
-pub(crate) enum ModelArgument {
-    /// At once, by the paper's creep law: the figures as printed.
-    QuasiStatic,
-    /// By a spring and a dashpot in series, with the paper's creep law.
-    SpringDashpot,
-    /// By the exact theory of non-steady rolling.
-    NonSteady,
 }
 
 impl From<ModelArgument> for Model {
