@@ -1,5 +1,11 @@
 //! A case, with everything that is computed of it alone.
 
+mod patch;
+mod points;
+mod portable;
+mod ridge;
+mod work;
+
 use std::path::PathBuf;
 use std::sync::Arc;
 use std::sync::atomic::{AtomicBool, Ordering};
@@ -7,26 +13,27 @@ use std::sync::atomic::{AtomicBool, Ordering};
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray2};
 use pyo3::prelude::*;
-use pyo3::types::{PyDict, PyTuple, PyType};
-use rayon::prelude::*;
-use riffel::contact::KalkerCoefficients;
+use pyo3::types::PyDict;
 use riffel::growth::Bay;
 use riffel::receptance::DecayRate;
 use riffel::tile::TILE;
-use riffel::{Axis, Direction, GrowthMap, Ridge};
-use riffel_answers::WearLimitDocument;
+use riffel::{Direction, GrowthMap};
 use riffel_answers::contact::{CreepCurves, FrequencyResponse, RollingTheories, SteadyDocument};
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
-use riffel_case::{CaseContact, DamagePoint, DrawnSupports, Point, PointValue};
-use riffel_keys::CaseError;
-use serde_json::Value;
+use riffel_case::{CaseContact, DrawnSupports};
 
 use crate::array::owned;
-use crate::errors::{of_case, of_physics, wrong};
+use crate::errors::{of_case, wrong};
 use crate::given::{self, CallableReceptance};
 use crate::interrupt::{interruptible, interruptible_while};
 use crate::tables;
+use patch::patch;
+use points::{Column, columns};
+use ridge::over_speed;
+use work::ends;
+
+pub(crate) use portable::PortableCase;
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 type Complex<'py> = Bound<'py, PyArray1<Complex64>>;
@@ -45,45 +52,6 @@ pub(crate) struct Case {
     pub(crate) case: Arc<riffel_case::Case>,
     /// Receptances that are asked in Python, for their failures.
     pub(crate) callables: Vec<Arc<CallableReceptance>>,
-}
-
-/// What makes a case anew elsewhere: it is pickled as the strings that it is made of.
-#[pyclass(frozen, module = "riffel._riffel")]
-pub(crate) struct PortableCase(riffel_case::PortableCase);
-
-#[pymethods]
-impl PortableCase {
-    #[new]
-    fn new(
-        name: String,
-        text: String,
-        keys: String,
-        overrides: Vec<(String, String)>,
-        folder: Option<PathBuf>,
-    ) -> Self {
-        Self(riffel_case::PortableCase {
-            name,
-            text,
-            keys,
-            overrides,
-            folder,
-        })
-    }
-
-    fn __reduce__<'py>(
-        &self,
-        py: Python<'py>,
-    ) -> PyResult<(Bound<'py, PyType>, Bound<'py, PyTuple>)> {
-        let written = self.0.clone();
-        let arguments = (
-            written.name,
-            written.text,
-            written.keys,
-            written.overrides,
-            written.folder.map(PathBuf::into_os_string),
-        );
-        Ok((py.get_type::<Self>(), arguments.into_pyobject(py)?))
-    }
 }
 
 /// Overrides `key=value` of a dict of dotted keys.
@@ -109,114 +77,11 @@ pub(crate) fn direction(name: &str) -> PyResult<Direction> {
     }
 }
 
-/// The first failure of callables. Those of all are taken, so that none is left for the next computation.
-fn take_failure(callables: &[Arc<CallableReceptance>]) -> Option<PyErr> {
-    let failures = callables.iter().map(|callable| callable.take_failure());
-    failures.fold(None, Option::or)
-}
-
-/// Smallest and largest value.
-fn ends(values: &[f64]) -> (f64, f64) {
-    let fold = |fold: fn(f64, f64) -> f64| values.iter().copied().fold(values[0], fold);
-    (fold(f64::min), fold(f64::max))
-}
-
 impl Case {
     fn new(case: riffel_case::Case) -> Self {
         Self {
             case: Arc::new(case),
             callables: Vec::new(),
-        }
-    }
-
-    /// What a callable of the case raised goes before any result.
-    pub(crate) fn unless_callable_failed<T>(&self, result: T) -> PyResult<T> {
-        match take_failure(&self.callables) {
-            Some(error) => Err(error),
-            None => Ok(result),
-        }
-    }
-
-    /// Long work on the case, without the interpreter.
-    pub(crate) fn compute<T: Send + 'static>(
-        &self,
-        py: Python<'_>,
-        work: impl FnOnce(&riffel_case::Case) -> T + Send + 'static,
-    ) -> PyResult<T> {
-        let case = self.case.clone();
-        let result = interruptible(py, move || work(&case));
-        self.unless_callable_failed(result?)
-    }
-
-    /// The case on wavelengths and speeds that may leave its window.
-    fn over(
-        &self,
-        py: Python<'_>,
-        wavelengths: &[f64],
-        speeds: &[f64],
-    ) -> PyResult<Arc<riffel_case::Case>> {
-        let ((shortest, longest), (slowest, fastest)) = (ends(wavelengths), ends(speeds));
-        self.case
-            .check_points([shortest, longest], [slowest, fastest])
-            .map_err(of_case)?;
-        if self.case.wavelength.min() <= shortest && longest <= self.case.wavelength.max() {
-            return Ok(self.case.clone());
-        }
-        let covering = self.compute(py, move |case| case.covering(shortest, longest))?;
-        Ok(Arc::new(covering.map_err(of_case)?))
-    }
-
-    /// The ridge at any speeds, with the case on which it was searched.
-    fn search_ridge(
-        &self,
-        py: Python<'_>,
-        (shortest, longest, points): (f64, f64, usize),
-        speeds: &PyReadonlyArray1<'_, f64>,
-    ) -> PyResult<(Arc<riffel_case::Case>, Ridge)> {
-        let axis = Axis::new(shortest, longest, points).map_err(of_physics)?;
-        let speeds = owned(speeds);
-        let case = self.over(py, &[shortest, longest], &speeds)?;
-        let searched = case.clone();
-        let ridge = interruptible(py, move || {
-            Ridge::search_at(&searched.feedback, axis, &speeds)
-        })?;
-        Ok((case, self.unless_callable_failed(ridge)?))
-    }
-
-    fn with_given(
-        &self,
-        py: Python<'_>,
-        given: &Bound<'_, PyAny>,
-        what: &'static str,
-        put: fn(
-            &riffel_case::Case,
-            riffel_case::GivenReceptance,
-        ) -> Result<riffel_case::Case, CaseError>,
-    ) -> PyResult<Self> {
-        let (receptance, callable) = given::extract(given, what)?;
-        let mut callables: Vec<_> = self
-            .callables
-            .iter()
-            .filter(|callable| !callable.is_of(what))
-            .cloned()
-            .collect();
-        callables.extend(callable);
-        let case = self.case.clone();
-        let built = interruptible(py, move || put(&case, receptance))?;
-        Self::built(built, callables)
-    }
-
-    /// A case that was built with callables, whose failure explains any other.
-    fn built(
-        built: Result<riffel_case::Case, CaseError>,
-        callables: Vec<Arc<CallableReceptance>>,
-    ) -> PyResult<Self> {
-        match take_failure(&callables) {
-            Some(error) => Err(error),
-            None => Ok(Self {
-                case: Arc::new(built.map_err(of_case)?),
-                callables,
-            }),
         }
     }
 }
@@ -384,82 +249,12 @@ impl Case {
         py: Python<'py>,
         wavelengths: PyReadonlyArray1<'py, f64>,
         speeds: PyReadonlyArray1<'py, f64>,
-    ) -> PyResult<Vec<(String, &'static str, &'static str, Bound<'py, PyAny>)>> {
+    ) -> PyResult<Vec<Column<'py>>> {
         let (wavelengths, speeds) = (owned(&wavelengths), owned(&speeds));
         let case = self.over(py, &wavelengths, &speeds)?;
-        /// From here on the wait may be worth interrupting.
-        const MANY: usize = 1000;
-        let at = move |wavelength: f64, speed: f64| {
-            let state = case.feedback.at(wavelength, speed);
-            let wear = case.feedback.mean_wear();
-            let limit = WearLimitDocument::new(wear, Some(state.growth_rate));
-            (Point::new(&case, &state), limit)
-        };
-        let points: Vec<(Point, WearLimitDocument)> = if wavelengths.len() < MANY {
-            let pairs = wavelengths.iter().zip(&speeds);
-            py.detach(|| {
-                pairs
-                    .map(|(&wavelength, &speed)| at(wavelength, speed))
-                    .collect()
-            })
-        } else {
-            interruptible(py, move || {
-                let pairs = wavelengths.par_iter().zip(&speeds);
-                pairs
-                    .map(|(&wavelength, &speed)| at(wavelength, speed))
-                    .collect()
-            })?
-        };
+        let points = points::at(py, case, wavelengths, speeds)?;
         let points = self.unless_callable_failed(points)?;
-        let columns = points[0].0.quantities.iter().enumerate();
-        let columns = columns.map(|(index, (quantity, _))| {
-            let values = || points.iter().map(|point| point.0.quantities[index].1);
-            let reals: Option<Vec<f64>> = values()
-                .map(|value| match value {
-                    PointValue::Real(value) => Some(value),
-                    PointValue::Complex(_) => None,
-                })
-                .collect();
-            let array = match reals {
-                Some(reals) => reals.into_pyarray(py).into_any(),
-                None => values()
-                    .map(|value| match value {
-                        PointValue::Real(value) => value.into(),
-                        PointValue::Complex(value) => value,
-                    })
-                    .collect::<Vec<Complex64>>()
-                    .into_pyarray(py)
-                    .into_any(),
-            };
-            let key = quantity.key().to_owned();
-            (key, quantity.unit(), quantity.name(), array)
-        });
-        let limits = |value: fn(&WearLimitDocument) -> f64| {
-            let values = points.iter().map(|point| value(&point.1));
-            values.collect::<Vec<f64>>().into_pyarray(py).into_any()
-        };
-        let wear = limits(|limit| limit.mean_wear_mm_per_100_mgt);
-        let amplitude = limits(|limit| limit.amplitude_limit_m.unwrap_or(f64::NAN));
-        let beside = [
-            (
-                "mean_wear_mm_per_100_mgt".to_owned(),
-                "mm",
-                "mean wear under 100 MGT",
-                wear,
-            ),
-            (
-                "amplitude_limit_m".to_owned(),
-                "m",
-                "amplitude beyond which the rate cannot last",
-                amplitude,
-            ),
-        ];
-        let damage = points.iter().map(|(point, _)| point.damage.as_ref());
-        let damage = match damage.collect::<Option<Vec<_>>>() {
-            Some(damage) => damage_columns(py, &damage)?,
-            None => Vec::new(),
-        };
-        Ok(columns.chain(damage).chain(beside).collect())
+        columns(py, &points)
     }
 
     /// Write Ŵ₁ to `values`, a row for each speed, filled up to whole tiles. While it is computed `meanwhile` is called
@@ -530,22 +325,8 @@ impl Case {
         speeds: PyReadonlyArray1<'py, f64>,
     ) -> PyResult<([Real<'py>; 4], Bound<'py, PyArray1<bool>>, Option<f64>)> {
         let (_, ridge) = self.search_ridge(py, wavelength, &speeds)?;
-        let column = |value: fn(&riffel::growth::RidgePoint) -> f64| {
-            ridge
-                .points
-                .iter()
-                .map(value)
-                .collect::<Vec<_>>()
-                .into_pyarray(py)
-        };
-        let columns = [
-            column(|point| point.wavelength),
-            column(|point| point.frequency),
-            column(|point| point.normalized_dissipation),
-            column(|point| point.growth_rate),
-        ];
-        let edges: Vec<bool> = ridge.points.iter().map(|point| point.at_edge).collect();
-        Ok((columns, edges.into_pyarray(py), best_fit_frequency(&ridge)))
+        let (columns, edges) = over_speed(py, &ridge.points);
+        Ok((columns, edges, best_fit_frequency(&ridge)))
     }
 
     /// Of each branch of the ridge, the strongest first: its frequency, highest growth rate and mechanism; speed,
@@ -573,22 +354,12 @@ impl Case {
                 known.set_item("growth_rate", document.highest_growth_rate_per_passage)?;
                 known.set_item("mechanism", document.mechanism)?;
                 let points = branch.points();
-                let column = |value: fn(&riffel::growth::RidgePoint) -> f64| {
-                    points
-                        .iter()
-                        .map(value)
-                        .collect::<Vec<_>>()
-                        .into_pyarray(py)
-                };
-                let columns = [
-                    column(|point| point.speed),
-                    column(|point| point.wavelength),
-                    column(|point| point.frequency),
-                    column(|point| point.normalized_dissipation),
-                    column(|point| point.growth_rate),
-                ];
-                let edges: Vec<bool> = points.iter().map(|point| point.at_edge).collect();
-                Ok((known, columns, edges.into_pyarray(py)))
+                let speeds: Vec<f64> = points.iter().map(|point| point.speed).collect();
+                let (columns, edges) = over_speed(py, points);
+                let [wavelength, frequency, dissipation, rate] = columns;
+                let speeds = speeds.into_pyarray(py);
+                let columns = [speeds, wavelength, frequency, dissipation, rate];
+                Ok((known, columns, edges))
             })
             .collect()
     }
@@ -714,84 +485,8 @@ impl Case {
     /// The contact patch by the keys of `riffel contact --json`.
     fn contact<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
         let laws = self.case.creep_laws().map_err(of_case)?;
-        let KalkerCoefficients { c11, c22, c23, c33 } = laws.kalker;
-        let hertz = self.case.hertz;
-        let contact = PyDict::new(py);
-        for (key, value) in [
-            ("semi_axis_longitudinal_m", hertz.semi_axis_longitudinal()),
-            ("semi_axis_lateral_m", hertz.semi_axis_lateral()),
-            ("approach_m", hertz.approach()),
-            ("peak_pressure_pa", hertz.peak_pressure()),
-            ("stiffness_n_per_m", hertz.stiffness()),
-        ] {
-            contact.set_item(key, value)?;
-        }
-        let kalker = PyDict::new(py);
-        for (key, value) in [("c11", c11), ("c22", c22), ("c23", c23), ("c33", c33)] {
-            kalker.set_item(key, value)?;
-        }
-        contact.set_item("kalker", kalker)?;
         let steady = self.compute(py, |case| CaseContact::of(case)?.steady())?;
         let steady = SteadyDocument::new(&steady.map_err(of_case)?);
-        let document = PyDict::new(py);
-        document.set_item("force_n", steady.force_n.to_vec())?;
-        document.set_item("spin_moment_nm", steady.spin_moment_nm)?;
-        document.set_item("dissipation_j_per_m", steady.dissipation_j_per_m)?;
-        contact.set_item("steady", document)?;
-        Ok(contact)
-    }
-}
-
-/// A key with its unit, what it is and its values.
-type Column<'py> = (String, &'static str, &'static str, Bound<'py, PyAny>);
-
-/// The object `damage` of points, a column for each of its numbers, `damage.growth_by_law.flow` for one inside.
-fn damage_columns<'py>(py: Python<'py>, points: &[&DamagePoint]) -> PyResult<Vec<Column<'py>>> {
-    let mut columns: Vec<(String, Vec<Value>)> = Vec::new();
-    for (index, point) in points.iter().enumerate() {
-        let value = serde_json::to_value(point)
-            .map_err(|error| pyo3::exceptions::PyValueError::new_err(error.to_string()))?;
-        let mut leaves = Vec::new();
-        collect_numbers("damage", &value, &mut leaves);
-        for (place, (key, value)) in leaves.into_iter().enumerate() {
-            match index {
-                0 => columns.push((key, vec![value])),
-                // Every point of a case has the same numbers.
-                _ => columns[place].1.push(value),
-            }
-        }
-    }
-    let number = |value: &Value| value.as_f64().unwrap_or(f64::NAN);
-    let columns = columns.into_iter().map(|(key, values)| {
-        let array = match values[0].is_array() {
-            false => {
-                let values: Vec<f64> = values.iter().map(number).collect();
-                values.into_pyarray(py).into_any()
-            }
-            true => {
-                let complex = |value: &Value| Complex64::new(number(&value[0]), number(&value[1]));
-                let values: Vec<Complex64> = values.iter().map(complex).collect();
-                values.into_pyarray(py).into_any()
-            }
-        };
-        // The unit is in the name of the quantity, `damage.depth_by_law_m.flow`.
-        let quantity = key.split('.').nth(1).unwrap_or_default();
-        let units = [("_pa", "Pa"), ("_m", "m"), ("_nm", "N m"), ("_deg", "deg")];
-        let unit = units.iter().find(|(ending, _)| quantity.ends_with(ending));
-        let unit = unit.map_or("1", |unit| unit.1);
-        (key, unit, "damage beside wear", array)
-    });
-    Ok(columns.collect())
-}
-
-/// The numbers of a document below a key, real or `[re, im]`, in its order.
-fn collect_numbers(key: &str, value: &Value, into: &mut Vec<(String, Value)>) {
-    match value {
-        Value::Object(map) => {
-            for (name, value) in map {
-                collect_numbers(&format!("{key}.{name}"), value, into);
-            }
-        }
-        value => into.push((key.to_owned(), value.clone())),
+        patch(py, &self.case.hertz, laws.kalker, &steady)
     }
 }
