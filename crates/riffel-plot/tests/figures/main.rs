@@ -1,8 +1,11 @@
 //! Whole figures: what is in them, what they survive, that they repeat.
 
+mod lines;
+mod pages;
+
 use riffel_plot::{
-    Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Mark,
-    Observation, Picture, PlotError, RidgeMark, Scale, Series, collisions, constant_frequency_rays,
+    Arrangement, BranchLine, LineFigure, LinePanel, LineStyle, MapFigure, MapPanel, Observation,
+    Picture, PlotError, RidgeMark, Scale, Series, collisions, constant_frequency_rays,
 };
 use roxmltree::Document;
 
@@ -178,26 +181,6 @@ fn map_names_its_axes_rays_and_marks() {
 }
 
 #[test]
-fn curves_name_their_series_and_decades() {
-    let words = words_of(&curves().picture().unwrap());
-    for expected in [
-        "frequency f [Hz]",
-        "free beam",
-        "two-layer track",
-        "measured",
-        "10⁻⁹",
-        "100",
-        "−90",
-        "(a)",
-    ] {
-        assert!(
-            words.iter().any(|word| word == expected),
-            "{expected} is not in {words:?}"
-        );
-    }
-}
-
-#[test]
 fn subscripts_are_small_and_low() {
     let svg = map(vec![panel(61, 56, growth)]).picture().unwrap().svg();
     let drawn = &svg[svg.find("</desc>").unwrap()..];
@@ -207,120 +190,6 @@ fn subscripts_are_small_and_low() {
     let page = map(vec![panel(23, 17, growth)]).html().unwrap();
     let page = &page[page.find("<main>").unwrap()..];
     assert!(page.contains("Ŵ\\u003csub>1\\u003c/sub>") && page.contains("P<sub>0</sub>"));
-}
-
-#[test]
-fn words_of_any_length_and_scale_stand_clear_of_each_other() {
-    let long = "a name much longer than anyone would write into a file of cases, line 12, track_1_left_rail_of_the_section ";
-    let arrangements = [
-        Arrangement::SideBySide,
-        Arrangement::Stacked,
-        Arrangement::Strips,
-    ];
-    let mut arrangements = arrangements.into_iter().cycle();
-    for (low, high) in [
-        (0.44, 8.2),
-        (3.1, 2040.0),
-        (12_400.1, 12_412.1),
-        (12.400_1, 12.412_1),
-        (1e-13, 1e-3),
-        (51.0, 58.0),
-    ] {
-        for scale in [Scale::Linear, Scale::Log] {
-            let x = even(low, high, 50);
-            let series = |label: &str, y: Vec<f64>| Series {
-                label: label.to_owned(),
-                x: x.clone(),
-                y,
-                ..Series::default()
-            };
-            let mark = |share: f64, label: &str| Mark {
-                x: low + share * (high - low),
-                label: label.to_owned(),
-            };
-            let panel = LinePanel {
-                subtitle: long.trim().to_owned(),
-                x_label: "position along the rail [km]".to_owned(),
-                y_label: "growth rate per passage over all wheels [-]".to_owned(),
-                x_scale: scale,
-                y_scale: scale,
-                series: vec![
-                    series("P₁/P₀", x.clone()),
-                    series(&long.repeat(2), x.iter().rev().copied().collect()),
-                ],
-                marks: vec![
-                    mark(0.3, "P₂ 51 Hz"),
-                    mark(0.31, "full-track"),
-                    mark(0.33, "rail on pad"),
-                    mark(1.0, "end"),
-                ],
-                ..LinePanel::default()
-            };
-            let figure = LineFigure {
-                title: long.repeat(2),
-                caption: format!("{}: m_w = 350 kg", "file_name".repeat(30)),
-                panels: vec![
-                    panel.clone(),
-                    LinePanel {
-                        subtitle: String::new(),
-                        ..panel
-                    },
-                ],
-                arrangement: arrangements.next().unwrap(),
-            };
-            let words = words_of(&figure.picture().unwrap());
-            for expected in ["P1/P0", "P2 51 Hz", "full-track", "rail on pad", "end"] {
-                assert!(
-                    words.iter().any(|word| word == expected),
-                    "{expected} is not in {words:?}"
-                );
-            }
-        }
-    }
-}
-
-#[test]
-fn a_series_without_samples_has_no_name() {
-    let series = |label: &str, y: f64| Series {
-        label: label.to_owned(),
-        x: vec![1.0, 2.0],
-        y: vec![y; 2],
-        ..Series::default()
-    };
-    let panel = LinePanel {
-        series: vec![series("30 mm", 1.0), series("10 mm", f64::NAN)],
-        ..LinePanel::default()
-    };
-    let figure = LineFigure {
-        panels: vec![panel],
-        ..LineFigure::default()
-    };
-    let words = words_of(&figure.picture().unwrap());
-    assert!(words.contains(&"30 mm".to_owned()) && !words.contains(&"10 mm".to_owned()));
-}
-
-#[test]
-fn missing_sample_breaks_the_line() {
-    let line = |y: Vec<f64>| LineFigure {
-        panels: vec![LinePanel {
-            series: vec![Series {
-                x: even(0.0, 4.0, 5),
-                y,
-                ..Series::default()
-            }],
-            y_range: Some((0.0, 3.0)),
-            ..LinePanel::default()
-        }],
-        ..LineFigure::default()
-    };
-    let pieces = |figure: LineFigure| {
-        let svg = figure.picture().unwrap().svg();
-        svg.matches("stroke-width=\"1.4\"").count()
-    };
-    assert_eq!(pieces(line(vec![1.0, 2.0, 1.0, 2.0, 1.0])), 1);
-    assert_eq!(pieces(line(vec![1.0, 2.0, f64::NAN, 2.0, 1.0])), 2);
-    // A line that leaves the frame and returns is cut in two as well.
-    assert_eq!(pieces(line(vec![1.0, 2.0, 99.0, 2.0, 1.0])), 2);
 }
 
 /// Width and height in the header of a PNG file.
@@ -366,81 +235,6 @@ fn png_has_the_size_of_the_sheet_and_shows_growth_in_blue() {
     );
     assert!(white > 0.3 && white < 0.9, "{white}");
     assert!(blue > 0.05 && blue < 0.5, "{blue}");
-}
-
-#[test]
-fn pages_load_nothing() {
-    let pages = [
-        map(vec![panel(61, 56, growth), panel(30, 30, growth)]).html(),
-        curves().html(),
-    ];
-    for page in pages {
-        let page = page.unwrap();
-        assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"en\">"));
-        assert!(page.contains("<meta charset=\"utf-8\">") && page.contains("name=\"viewport\""));
-        assert!(page.contains("default-src 'none'"));
-        // plotly.js is the first script; what surrounds it is ours and mentions no address at all.
-        let start = page.find("<script").unwrap();
-        let end = start + page[start..].find("</script>").unwrap();
-        let ours = [&page[..start], &page[end..]].concat();
-        for address in [
-            "http:", "https:", "src=", "href=", "@import", "url(", "import(",
-        ] {
-            assert!(!ours.contains(address), "{address}");
-        }
-        assert!(!page[start..end].contains("<script src"));
-        assert!(ours.contains("\"data\"") && ours.contains("Plotly.react"));
-    }
-}
-
-#[test]
-fn page_carries_the_map_and_its_marks() {
-    let page = map(vec![panel(61, 56, growth)]).html().unwrap();
-    let start = page.find("<script type=\"application/json\"").unwrap();
-    let start = start + page[start..].find('>').unwrap() + 1;
-    let figure: serde_json::Value =
-        serde_json::from_str(&page[start..start + page[start..].find("</script>").unwrap()])
-            .unwrap();
-    let panel = &figure[0]["panels"][0];
-    let data = panel["data"].as_array().unwrap();
-    let map = data.iter().find(|trace| trace["name"] == "map").unwrap();
-    assert_eq!(
-        (
-            map["z"].as_array().unwrap().len(),
-            map["z"][0].as_array().unwrap().len()
-        ),
-        (56, 61)
-    );
-    assert_eq!(
-        (map["x"][0].as_f64(), map["y"][55].as_f64()),
-        (Some(20.0), Some(216.0))
-    );
-    assert_eq!(
-        (
-            map["contours"]["end"].as_f64(),
-            map["colorscale"].as_array().unwrap().len()
-        ),
-        (Some(0.0), 11)
-    );
-    assert!(
-        map["hovertemplate"]
-            .as_str()
-            .unwrap()
-            .contains("growth rate per passage")
-    );
-    assert_eq!(panel["hover"].as_array().unwrap().len(), 56);
-    let names: Vec<&str> = data
-        .iter()
-        .filter_map(|trace| trace["name"].as_str())
-        .collect();
-    for name in [
-        "constant frequency of the strongest branch",
-        "strongest growth at each speed",
-        "BR survey (1911)",
-        "Harrison (1979)",
-    ] {
-        assert!(names.contains(&name), "{name} is not in {names:?}");
-    }
 }
 
 #[test]
@@ -559,50 +353,6 @@ fn panels_share_a_scale() {
         .iter()
         .filter(|label| label.replace('−', "-") == least);
     assert_eq!(of_scale.count(), 3, "{least} {labels:?}");
-}
-
-#[test]
-fn strange_curves_are_drawn() {
-    for y in [
-        vec![],
-        vec![f64::NAN; 3],
-        vec![0.0; 3],
-        vec![-1.0, 1.0, f64::INFINITY],
-        vec![1e308, -1e308, 1e-308],
-    ] {
-        for scale in [Scale::Linear, Scale::Log] {
-            for style in [
-                LineStyle::Solid,
-                LineStyle::Dashed,
-                LineStyle::Dotted,
-                LineStyle::Markers,
-            ] {
-                let x = (0..y.len()).map(|k| k as f64).collect();
-                let series = Series {
-                    x,
-                    y: y.clone(),
-                    style,
-                    ..Series::default()
-                };
-                let panel = LinePanel {
-                    y_scale: scale,
-                    x_scale: scale,
-                    series: vec![series],
-                    ..LinePanel::default()
-                };
-                for arrangement in [Arrangement::SideBySide, Arrangement::Stacked] {
-                    let panels = vec![panel.clone(), LinePanel::default(), LinePanel::default()];
-                    let figure = LineFigure {
-                        panels,
-                        arrangement,
-                        ..LineFigure::default()
-                    };
-                    read(&figure.picture().unwrap().svg());
-                    assert!(figure.html().is_ok());
-                }
-            }
-        }
-    }
 }
 
 #[test]
