@@ -119,7 +119,7 @@ pub(super) const LEFT: &[(&str, &[&str])] = &[
     ("riffel-wasm/src/lib.rs", &["a name that"]),
     // Words of another reader, which are put into our own.
     (
-        "riffel-keys/src/key_file.rs",
+        "riffel-keys/src/key_file/mod.rs",
         &[
             "missing field",
             "unknown field",
@@ -135,7 +135,10 @@ pub(super) const LEFT: &[(&str, &[&str])] = &[
         &["Wheel of EN", "Cone of 1:40"],
     ),
     // Titles of schemas.
-    ("riffel-case/src/file/curving.rs", &["case file of curving"]),
+    (
+        "riffel-case/src/file/curving/mod.rs",
+        &["case file of curving"],
+    ),
     ("riffel-case/src/file/mod.rs", &["Riffel case file"]),
     (
         "riffel-case/src/traffic/traffic_file.rs",
@@ -155,7 +158,7 @@ pub(super) const LEFT: &[(&str, &[&str])] = &[
         &["RMS of roughness in a band"],
     ),
     (
-        "riffel-study/src/outputs/mod.rs",
+        "riffel-study/src/outputs/variable.rs",
         &[
             "that the strongest branch of the ridge follows",
             "growth rate per passage",
@@ -237,7 +240,6 @@ pub(super) const IN_ENGLISH: &[&str] = &[
     // Where the ends of ranges come from: for the documentation.
     "riffel-keys/src/range/table.rs",
     // Help with its examples.
-    "riffel-cli/src/arguments",
     "riffel-cli/src/arguments",
     // Drawings, and names of the columns of tables.
     "riffel-answers/src/axlebox/figure.rs",
