@@ -216,8 +216,8 @@ fn fastsim(across: usize) -> Result<(f64, f64), Failure> {
     Ok((begun.elapsed().as_secs_f64() / REPEATS as f64, sum))
 }
 
-/// The section of the report.
-pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
+/// Median time of each task \[ms\], and that of the table of a case with the geometry of the wave over that without.
+fn measured(riffel: &mut Contestant) -> Result<([f64; 11], f64), Failure> {
     let tasks = [
         ("steady", ACROSS),
         ("step", ACROSS),
@@ -242,7 +242,12 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         .zip(&times[4])
         .map(|(waves, flat)| waves / flat)
         .collect();
-    let on_waves_costs = median(ratios);
+    Ok((times.map(|times| 1e3 * median(times)), median(ratios)))
+}
+
+/// The section of the report.
+pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), Failure> {
+    let (times, on_waves_costs) = measured(riffel)?;
     let [
         steady,
         step,
@@ -255,7 +260,7 @@ pub(crate) fn report(text: &mut String, riffel: &mut Contestant) -> Result<(), F
         fastsim,
         stress,
         stress_partial,
-    ] = times.map(|times| 1e3 * median(times));
+    ] = times;
     writeln!(
         text,
         "\n## Rolling contact, half-space theory, one thread\n"

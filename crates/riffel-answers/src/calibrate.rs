@@ -1,6 +1,8 @@
 //! What a calibration tells of each value, and of values together.
 
-use riffel_calibrate::{Chains, Correlation, Direction, Identifiability, Plan, Summary};
+use riffel_calibrate::{
+    Chains, Correlation, Direction, Identifiability, Marginal, Parameter, Plan, Summary,
+};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 
@@ -99,6 +101,88 @@ pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
     pairs.collect()
 }
 
+/// Name and unit of a value.
+fn axis(parameter: &Parameter) -> String {
+    match &*parameter.unit {
+        "" => parameter.name.clone(),
+        unit => format!("{} [{unit}]", parameter.name),
+    }
+}
+
+/// The distribution of a value after and before the data.
+fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePanel {
+    let prior = &parameter.prior;
+    let [low, .., high] = found.quantiles;
+    let ends = [1e-3, 1.0 - 1e-3].map(|share| prior.quantile(share));
+    let from = (low - 0.7 * (high - low)).max(ends[0].min(low));
+    let to = (high + 0.7 * (high - low)).min(ends[1].max(high));
+    let width = (to - from) / BINS as f64;
+    let middle = |bin: usize| from + (bin as f64 + 0.5) * width;
+    let after = (0..BINS).map(|bin| {
+        let is_in = |x: &&f64| (**x - middle(bin)).abs() <= 0.5 * width;
+        values.iter().filter(is_in).count() as f64 / values.len() as f64 / width
+    });
+    let after: Vec<f64> = after.collect();
+    let highest = after.iter().copied().fold(0.0, f64::max);
+    // Density of the prior: shares over the distances of its quantiles.
+    let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
+    let ends: Vec<f64> = ends.map(|share| prior.quantile(share)).collect();
+    let before = ends
+        .windows(2)
+        .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
+    let before = before.filter(|(x, _)| (from..=to).contains(x));
+    let (x, y): (Vec<f64>, Vec<f64>) = before.map(|(x, density)| (x, density / highest)).unzip();
+    LinePanel {
+        x_label: axis(parameter),
+        y_label: "density, relative".to_owned(),
+        x_range: Some((from, to)),
+        series: vec![
+            Series {
+                label: "after".to_owned(),
+                x: (0..BINS).map(middle).collect(),
+                y: after.iter().map(|density| density / highest).collect(),
+                ..Series::default()
+            },
+            Series {
+                label: "before".to_owned(),
+                x,
+                y,
+                style: LineStyle::Dashed,
+                ..Series::default()
+            },
+        ],
+        ..LinePanel::default()
+    }
+}
+
+/// Draws of two values together.
+fn pair(plan: &Plan, chains: &Chains, pair: &Correlation) -> Option<LinePanel> {
+    let parameters = plan.posterior.parameters();
+    let place = |name: &String| {
+        parameters
+            .iter()
+            .position(|parameter| parameter.name == *name)
+    };
+    let (one, other) = (place(&pair.names[0])?, place(&pair.names[1])?);
+    let [x, y] = [one, other].map(|place| {
+        let values = chains.values(plan, place);
+        let step = values.len().div_ceil(SHOWN);
+        values.into_iter().step_by(step).collect::<Vec<f64>>()
+    });
+    Some(LinePanel {
+        subtitle: format!("r = {:.2}", pair.correlation),
+        x_label: axis(&parameters[one]),
+        y_label: axis(&parameters[other]),
+        series: vec![Series {
+            x,
+            y,
+            style: LineStyle::Markers,
+            ..Series::default()
+        }],
+        ..LinePanel::default()
+    })
+}
+
 /// Marginal distributions after and before the data, and pairs: those that the data do not part, or else the closest.
 pub fn figure(
     plan: &Plan,
@@ -106,88 +190,13 @@ pub fn figure(
     summary: &Summary,
     told: &Identifiability,
 ) -> LineFigure {
-    let parameters = plan.posterior.parameters();
-    let axis = |place: usize| {
-        let parameter = &parameters[place];
-        match &*parameter.unit {
-            "" => parameter.name.clone(),
-            unit => format!("{} [{unit}]", parameter.name),
-        }
-    };
-    let marginal = |place: usize| {
-        let values = chains.values(plan, place);
-        let [low, .., high] = summary.marginals[place].quantiles;
-        let ends = [1e-3, 1.0 - 1e-3].map(|share| parameters[place].prior.quantile(share));
-        let from = (low - 0.7 * (high - low)).max(ends[0].min(low));
-        let to = (high + 0.7 * (high - low)).min(ends[1].max(high));
-        let width = (to - from) / BINS as f64;
-        let middle = |bin: usize| from + (bin as f64 + 0.5) * width;
-        let after = (0..BINS).map(|bin| {
-            let is_in = |x: &&f64| (**x - middle(bin)).abs() <= 0.5 * width;
-            values.iter().filter(is_in).count() as f64 / values.len() as f64 / width
-        });
-        let after: Vec<f64> = after.collect();
-        let highest = after.iter().copied().fold(0.0, f64::max);
-        // Density of the prior: shares over the distances of its quantiles.
-        let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
-        let ends: Vec<f64> = ends
-            .map(|share| parameters[place].prior.quantile(share))
-            .collect();
-        let before = ends
-            .windows(2)
-            .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
-        let before = before.filter(|(x, _)| (from..=to).contains(x));
-        let (x, y): (Vec<f64>, Vec<f64>) =
-            before.map(|(x, density)| (x, density / highest)).unzip();
-        LinePanel {
-            x_label: axis(place),
-            y_label: "density, relative".to_owned(),
-            x_range: Some((from, to)),
-            series: vec![
-                Series {
-                    label: "after".to_owned(),
-                    x: (0..BINS).map(middle).collect(),
-                    y: after.iter().map(|density| density / highest).collect(),
-                    ..Series::default()
-                },
-                Series {
-                    label: "before".to_owned(),
-                    x,
-                    y,
-                    style: LineStyle::Dashed,
-                    ..Series::default()
-                },
-            ],
-            ..LinePanel::default()
-        }
-    };
-    let pair = |pair: &&Correlation| {
-        let place = |name: &String| {
-            parameters
-                .iter()
-                .position(|parameter| parameter.name == *name)
-        };
-        let (one, other) = (place(&pair.names[0])?, place(&pair.names[1])?);
-        let [x, y] = [one, other].map(|place| {
-            let values = chains.values(plan, place);
-            let step = values.len().div_ceil(SHOWN);
-            values.into_iter().step_by(step).collect::<Vec<f64>>()
-        });
-        Some(LinePanel {
-            subtitle: format!("r = {:.2}", pair.correlation),
-            x_label: axis(one),
-            y_label: axis(other),
-            series: vec![Series {
-                x,
-                y,
-                style: LineStyle::Markers,
-                ..Series::default()
-            }],
-            ..LinePanel::default()
-        })
-    };
     let pairs = closest_first(told);
-    let panels = (0..parameters.len()).map(marginal);
+    let parameters = plan.posterior.parameters();
+    let marginals = parameters.iter().zip(&summary.marginals).enumerate();
+    let panels = marginals
+        .map(|(place, (parameter, found))| marginal(parameter, &chains.values(plan, place), found));
+    let shown = pairs.iter().take(PAIRS);
+    let shown = shown.filter_map(|correlation| pair(plan, chains, correlation));
     let together = close_pairs(told);
     let mut caption = "Distributions after and before the data, over their highest; below the closest pairs of values.".to_owned();
     for sentence in &together {
@@ -200,9 +209,7 @@ pub fn figure(
             .clone()
             .unwrap_or_else(|| "Calibration".to_owned()),
         caption,
-        panels: panels
-            .chain(pairs.iter().take(PAIRS).filter_map(pair))
-            .collect(),
+        panels: panels.chain(shown).collect(),
         ..LineFigure::default()
     }
 }

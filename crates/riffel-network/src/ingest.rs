@@ -5,6 +5,7 @@ use std::fs::{self, File};
 use std::io::Write;
 use std::path::Path;
 
+use jiff::civil::Date;
 use riffel_arrays::{Array, Values, whole_file};
 use riffel_rail::read_date;
 use serde::Serialize;
@@ -54,28 +55,8 @@ impl Store {
         progress: &dyn Fn(usize),
     ) -> Result<Ingested, NetworkError> {
         let line = line.trim();
-        let value = |what, value: String, rule: &str| {
-            Err(NetworkError::Value {
-                what,
-                value,
-                rule: rule.to_owned(),
-            })
-        };
-        if line.is_empty() || line.len() > 80 || line.chars().any(char::is_control) {
-            return value(
-                "the line",
-                format!("\"{line}\""),
-                "a name of up to 80 bytes",
-            );
-        }
-        let day = match read_date(date) {
-            // A later survey than all others is the state of its line: a year mistyped would stay so.
-            Ok(day) if !(1950..=2100).contains(&day.year()) => {
-                return value("the date", day.to_string(), "a day between 1950 and 2100");
-            }
-            Ok(day) => day,
-            Err(sentence) => return Err(NetworkError::Date(sentence)),
-        };
+        check_line(line)?;
+        let day = day_of(date)?;
         let _held = self.lock()?;
         self.check_writable(line)?;
         let network = self.begin(&file.bands(), file.usual_block)?;
@@ -116,32 +97,7 @@ impl Store {
         if let Some(error) = broken.filter(|_| !replace) {
             return Err(error);
         }
-        let resolution = network.resolution_m;
-        let first = (file.ends[0] / resolution + 1e-6).floor();
-        let cells = (file.ends[1] / resolution - 1e-6).ceil() - first;
-        if cells > MOST_CELLS {
-            return value(
-                "the length of the line",
-                format!("{:.0} km", 1e-3 * cells * resolution),
-                "at most 10⁸ cells of the store",
-            );
-        }
-        let mut survey = SurveyRecord {
-            line: line.to_owned(),
-            date: day,
-            source: file.name(),
-            sha256: file.sha256.clone(),
-            folder: arrays_name(day, &file.sha256),
-            start_m: first * resolution,
-            cells: cells as u64,
-            rails: (file.rails.iter().enumerate())
-                .map(|(index, name)| RailRecord {
-                    name: name.clone(),
-                    array: array_name(name, index),
-                    measured: 0,
-                })
-                .collect(),
-        };
+        let mut survey = record(line, day, file, network.resolution_m)?;
         fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
         let recorded = there.map_or("", |survey| &survey.folder);
         Self::sweep(&folder, day, recorded)?;
@@ -157,6 +113,69 @@ impl Store {
         Self::sweep(&folder, day, &survey.folder)?;
         Ok(done(&survey, false))
     }
+}
+
+fn value(what: &'static str, value: String, rule: &str) -> NetworkError {
+    NetworkError::Value {
+        what,
+        value,
+        rule: rule.to_owned(),
+    }
+}
+
+fn check_line(line: &str) -> Result<(), NetworkError> {
+    if line.is_empty() || line.len() > 80 || line.chars().any(char::is_control) {
+        let written = format!("\"{line}\"");
+        return Err(value("the line", written, "a name of up to 80 bytes"));
+    }
+    Ok(())
+}
+
+/// The day of a survey.
+fn day_of(date: &str) -> Result<Date, NetworkError> {
+    let day = read_date(date).map_err(NetworkError::Date)?;
+    // A later survey than all others is the state of its line: a year mistyped would stay so.
+    match (1950..=2100).contains(&day.year()) {
+        true => Ok(day),
+        false => {
+            let rule = "a day between 1950 and 2100";
+            Err(value("the date", day.to_string(), rule))
+        }
+    }
+}
+
+/// What the store keeps of a survey beside its cells, none of which is measured yet.
+fn record(
+    line: &str,
+    day: Date,
+    file: &SurveyFile,
+    resolution: f64,
+) -> Result<SurveyRecord, NetworkError> {
+    let first = (file.ends[0] / resolution + 1e-6).floor();
+    let cells = (file.ends[1] / resolution - 1e-6).ceil() - first;
+    if cells > MOST_CELLS {
+        return Err(value(
+            "the length of the line",
+            format!("{:.0} km", 1e-3 * cells * resolution),
+            "at most 10⁸ cells of the store",
+        ));
+    }
+    Ok(SurveyRecord {
+        line: line.to_owned(),
+        date: day,
+        source: file.name(),
+        sha256: file.sha256.clone(),
+        folder: arrays_name(day, &file.sha256),
+        start_m: first * resolution,
+        cells: cells as u64,
+        rails: (file.rails.iter().enumerate())
+            .map(|(index, name)| RailRecord {
+                name: name.clone(),
+                array: array_name(name, index),
+                measured: 0,
+            })
+            .collect(),
+    })
 }
 
 /// Letters and digits of a name, small.

@@ -9,7 +9,7 @@ use riffel::forecast::{Forecast, Reach, SpeedDistribution};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
-use riffel_case::traffic::{Line, Traffic, UsualTraffic, bands_of};
+use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
 use riffel_rail::{GroundRail, Layout};
@@ -101,6 +101,34 @@ fn in_words(remarks: &[Message]) -> Vec<String> {
     remarks.iter().map(ToString::to_string).collect()
 }
 
+/// Passages after which levels are asked for, by one of three measures; those of a year if none is given.
+fn passages_of(
+    on: &TrafficOnCase,
+    passages: Option<PyReadonlyArray1<'_, f64>>,
+    mgt: Option<PyReadonlyArray1<'_, f64>>,
+    months: Option<PyReadonlyArray1<'_, f64>>,
+) -> PyResult<Vec<f64>> {
+    Ok(match (passages, mgt, months) {
+        (Some(passages), None, None) => owned(&passages),
+        (None, Some(mgt), None) => owned(&mgt)
+            .iter()
+            .map(|&mgt| on.growth.passages(mgt))
+            .collect(),
+        (None, None, months) => {
+            let per_month = on.passages_per_month().ok_or_else(|| {
+                wrong(
+                    "months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt",
+                )
+            })?;
+            let months = months.map_or_else(|| vec![12.0], |months| owned(&months));
+            months.iter().map(|months| per_month * months).collect()
+        }
+        _ => {
+            return Err(wrong("give only one of passages, mgt and months"));
+        }
+    })
+}
+
 /// The bands of a forecast with all that is said of them.
 #[pyfunction]
 pub(crate) fn forecast<'py>(
@@ -123,25 +151,7 @@ pub(crate) fn forecast<'py>(
     })?;
     let on = on.map_err(of_case)?;
     let forecast = Forecast::new(&spectrum, on.growth.clone()).map_err(of_physics)?;
-    let passages = match (passages, mgt, months) {
-        (Some(passages), None, None) => owned(&passages),
-        (None, Some(mgt), None) => owned(&mgt)
-            .iter()
-            .map(|&mgt| on.growth.passages(mgt))
-            .collect(),
-        (None, None, months) => {
-            let per_month = on.passages_per_month().ok_or_else(|| {
-                wrong(
-                    "months needs traffic with passages_per_day or mgt_per_year under [line]; give passages or mgt",
-                )
-            })?;
-            let months = months.map_or_else(|| vec![12.0], |months| owned(&months));
-            months.iter().map(|months| per_month * months).collect()
-        }
-        _ => {
-            return Err(wrong("give only one of passages, mgt and months"));
-        }
-    };
+    let passages = passages_of(&on, passages, mgt, months)?;
     let bands = forecast.bands();
     let column = |value: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| -> Real<'py> {
         bands.iter().map(value).collect::<Vec<_>>().into_pyarray(py)

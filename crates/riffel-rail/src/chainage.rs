@@ -78,84 +78,10 @@ impl Chainage {
             );
         }
         let uneven = unevenness.is_uneven();
-        let longest_step = if uneven {
-            (LONGEST_FILLED / median).max(2.5)
-        } else {
-            1.5
-        };
         let mut builder = Builder::default();
-        let mut last: Option<(usize, f64)> = None;
-        let (mut even, mut even_sum) = (0usize, 0.0);
-        for (row, &position) in positions.iter().enumerate() {
-            if !position.is_finite() {
-                builder.missing.count(row);
-                continue;
-            }
-            let Some((_, before)) = last else {
-                builder.begin(row, position);
-                last = Some((row, position));
-                continue;
-            };
-            let steps = sign * (position - before) / median;
-            if uneven && (-1.0..=0.0).contains(&steps) {
-                let kind = if steps == 0.0 {
-                    &mut builder.repeated
-                } else {
-                    &mut builder.overtaken
-                };
-                kind.count(row);
-                continue;
-            }
-            if !uneven && steps.abs() < 0.5 {
-                builder.repeated.count(row);
-                continue;
-            }
-            if (0.0..longest_step).contains(&steps) {
-                even += 1;
-                even_sum += steps * median;
-                builder.go_on(row, 0);
-            } else if steps > 0.0 {
-                let absent = steps.round() - 1.0;
-                if absent * median <= LONGEST_FILLED {
-                    builder.filled.count(row);
-                    builder.go_on(row, absent as usize);
-                } else {
-                    builder.gaps.count(row);
-                    builder.gap_length += (steps - 1.0) * median;
-                    builder.begin(row, position);
-                }
-            } else {
-                builder.back.count(row);
-                builder.begin(row, position);
-            }
-            last = Some((row, position));
-        }
-        let rows = positions.len() as f64;
-        for (defects, what) in [
-            (&builder.missing, "have no position"),
-            (&builder.repeated, "repeat the position of the row before"),
-            (&builder.filled, "come after a step of more than one sample"),
-            (&builder.gaps, "come after a gap or jump of the position"),
-            (&builder.back, "go back against the direction of the others"),
-        ] {
-            if defects.rows as f64 > MOST_DEFECTS * rows {
-                let share = 100.0 * defects.rows as f64 / rows;
-                let message = format!(
-                    "{} rows ({share:.1} %) {what}, this one first; up to {:.0} % are put right",
-                    defects.rows,
-                    100.0 * MOST_DEFECTS
-                );
-                return refuse(defects.first, message);
-            }
-        }
+        let (mut even, even_sum) = builder.divide(positions, sign, median, uneven);
+        builder.check_shares(positions.len() as f64)?;
         let overtaken = builder.overtaken.rows;
-        if overtaken as f64 > MOST_OVERTAKEN * rows {
-            let share = 100.0 * overtaken as f64 / rows;
-            let message = format!(
-                "{overtaken} rows ({share:.1} %) lie behind the row before, this one first"
-            );
-            return refuse(builder.overtaken.first, message);
-        }
         // The steps of rows that were left out are in those of others.
         even += overtaken;
         // Positions are rounded by whoever wrote them: no more digits than they can have.
@@ -309,6 +235,98 @@ struct Builder {
 }
 
 impl Builder {
+    /// Take up rows by their positions; the number of even steps, and their sum \[m\].
+    fn divide(&mut self, positions: &[f64], sign: f64, step: f64, uneven: bool) -> (usize, f64) {
+        let longest_step = if uneven {
+            (LONGEST_FILLED / step).max(2.5)
+        } else {
+            1.5
+        };
+        let mut last: Option<(usize, f64)> = None;
+        let (mut even, mut even_sum) = (0usize, 0.0);
+        for (row, &position) in positions.iter().enumerate() {
+            if !position.is_finite() {
+                self.missing.count(row);
+                continue;
+            }
+            let Some((_, before)) = last else {
+                self.begin(row, position);
+                last = Some((row, position));
+                continue;
+            };
+            let steps = sign * (position - before) / step;
+            if uneven && (-1.0..=0.0).contains(&steps) {
+                let kind = if steps == 0.0 {
+                    &mut self.repeated
+                } else {
+                    &mut self.overtaken
+                };
+                kind.count(row);
+                continue;
+            }
+            if !uneven && steps.abs() < 0.5 {
+                self.repeated.count(row);
+                continue;
+            }
+            if (0.0..longest_step).contains(&steps) {
+                even += 1;
+                even_sum += steps * step;
+                self.go_on(row, 0);
+            } else if steps > 0.0 {
+                let absent = steps.round() - 1.0;
+                if absent * step <= LONGEST_FILLED {
+                    self.filled.count(row);
+                    self.go_on(row, absent as usize);
+                } else {
+                    self.gaps.count(row);
+                    self.gap_length += (steps - 1.0) * step;
+                    self.begin(row, position);
+                }
+            } else {
+                self.back.count(row);
+                self.begin(row, position);
+            }
+            last = Some((row, position));
+        }
+        (even, even_sum)
+    }
+
+    /// Refuse a record of which too many rows are defective.
+    fn check_shares(&self, rows: f64) -> Result<(), Defect> {
+        for (defects, what) in [
+            (&self.missing, "have no position"),
+            (&self.repeated, "repeat the position of the row before"),
+            (&self.filled, "come after a step of more than one sample"),
+            (&self.gaps, "come after a gap or jump of the position"),
+            (&self.back, "go back against the direction of the others"),
+        ] {
+            if defects.rows as f64 > MOST_DEFECTS * rows {
+                let share = 100.0 * defects.rows as f64 / rows;
+                let message = format!(
+                    "{} rows ({share:.1} %) {what}, this one first; up to {:.0} % are put right",
+                    defects.rows,
+                    100.0 * MOST_DEFECTS
+                );
+                return Err(Defect {
+                    row: defects.first,
+                    message,
+                });
+            }
+        }
+        let overtaken = self.overtaken.rows;
+        if overtaken as f64 > MOST_OVERTAKEN * rows {
+            let share = 100.0 * overtaken as f64 / rows;
+            let message = format!(
+                "{overtaken} rows ({share:.1} %) lie behind the row before, this one first"
+            );
+            return Err(Defect {
+                row: self.overtaken.first,
+                message,
+            });
+        }
+        Ok(())
+    }
+
     fn begin(&mut self, row: usize, position: f64) {
         self.stretches.push(Stretch {
             start: position,

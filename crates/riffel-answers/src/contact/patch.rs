@@ -7,23 +7,58 @@ use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Seri
 
 use super::{RollingTheories, line, parameters};
 
+const TO_MILLIMETRES: f64 = 1e3;
+const TO_MEGAPASCALS: f64 = 1e-6;
+
 pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
-    const TO_MILLIMETRES: f64 = 1e3;
-    const TO_MEGAPASCALS: f64 = 1e-6;
     /// Height of a panel over its width, so that the ellipse keeps its shape.
     const HEIGHT_OVER_WIDTH: f64 = 200.0 / 450.0;
     const AIR: f64 = 1.12;
-    /// Elements over a diameter that can be told apart.
-    const MOST_MARKS: u64 = 40;
-    /// Number of marks from which a zone is wide.
-    const WIDE_ZONE: usize = 150;
-    let a = TO_MILLIMETRES * patch.hertz.semi_axis_longitudinal();
-    let b = TO_MILLIMETRES * patch.hertz.semi_axis_lateral();
+    let [a, b] = semi_axes(patch);
     let half_width = AIR * a.max(b / HEIGHT_OVER_WIDTH);
     let x_range = Some((-half_width, half_width));
     let half_height = half_width * HEIGHT_OVER_WIDTH;
     let x_label = "x along the rail, in the direction of rolling [mm]".to_owned();
+    let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
+    LineFigure {
+        title: "Contact patch in steady rolling".to_owned(),
+        caption: format!(
+            "Half-space theory; material enters on the right, at x = +a. {}",
+            parameters(patch)
+        ),
+        panels: vec![
+            LinePanel {
+                subtitle: "tractions on the centre line".to_owned(),
+                x_label: x_label.clone(),
+                y_label: "traction [MPa]".to_owned(),
+                x_range,
+                y_range: Some((0.0, 1.25 * highest)),
+                series: tractions(patch),
+                ..LinePanel::default()
+            },
+            LinePanel {
+                subtitle: "where the surfaces stick and slip".to_owned(),
+                x_label,
+                y_label: "y across the rail [mm]".to_owned(),
+                x_range,
+                y_range: Some((-half_height, half_height)),
+                series: stick_and_slip(patch),
+                ..LinePanel::default()
+            },
+        ],
+        arrangement: Arrangement::Stacked,
+    }
+}
 
+/// Semi-axes along and across the rail \[mm\].
+fn semi_axes(patch: &RollingTheories) -> [f64; 2] {
+    let hertz = &patch.hertz;
+    [hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral()].map(|axis| TO_MILLIMETRES * axis)
+}
+
+/// Bound and traction of the row of elements beside the centre line.
+fn tractions(patch: &RollingTheories) -> Vec<Series> {
+    let [a, _] = semi_axes(patch);
     // The number of rows is even: the one just beside the centre line.
     let beside = patch
         .elements()
@@ -57,8 +92,19 @@ pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
         true => |element| element.traction.0,
         false => |element| element.traction.0.hypot(element.traction.1),
     };
-    let highest = TO_MEGAPASCALS * patch.friction * patch.hertz.peak_pressure();
+    vec![
+        stress("bound μp", LineStyle::Dashed, |element| element.bound),
+        stress("traction", LineStyle::Solid, traction),
+    ]
+}
 
+/// The elements that stick and those that slip, and the outline of the patch.
+fn stick_and_slip(patch: &RollingTheories) -> Vec<Series> {
+    /// Elements over a diameter that can be told apart.
+    const MOST_MARKS: u64 = 40;
+    /// Number of marks from which a zone is wide.
+    const WIDE_ZONE: usize = 150;
+    let [a, b] = semi_axes(patch);
     let outline: (Vec<f64>, Vec<f64>) = (0..=180)
         .map(|step| std::f64::consts::TAU * f64::from(step) / 180.0)
         .map(|angle| (a * angle.cos(), b * angle.sin()))
@@ -94,46 +140,16 @@ pub(super) fn figure(patch: &RollingTheories) -> LineFigure {
             color: Some(OKABE_ITO[color]),
         }
     };
-    LineFigure {
-        title: "Contact patch in steady rolling".to_owned(),
-        caption: format!(
-            "Half-space theory; material enters on the right, at x = +a. {}",
-            parameters(patch)
-        ),
-        panels: vec![
-            LinePanel {
-                subtitle: "tractions on the centre line".to_owned(),
-                x_label: x_label.clone(),
-                y_label: "traction [MPa]".to_owned(),
-                x_range,
-                y_range: Some((0.0, 1.25 * highest)),
-                series: vec![
-                    stress("bound μp", LineStyle::Dashed, |element| element.bound),
-                    stress("traction", LineStyle::Solid, traction),
-                ],
-                ..LinePanel::default()
-            },
-            LinePanel {
-                subtitle: "where the surfaces stick and slip".to_owned(),
-                x_label,
-                y_label: "y across the rail [mm]".to_owned(),
-                x_range,
-                y_range: Some((-half_height, half_height)),
-                series: vec![
-                    marks("stick", false, 1),
-                    marks("slip", true, 2),
-                    Series {
-                        x: outline.0,
-                        y: outline.1,
-                        color: Some(OKABE_ITO[0]),
-                        ..Series::default()
-                    },
-                ],
-                ..LinePanel::default()
-            },
-        ],
-        arrangement: Arrangement::Stacked,
-    }
+    vec![
+        marks("stick", false, 1),
+        marks("slip", true, 2),
+        Series {
+            x: outline.0,
+            y: outline.1,
+            color: Some(OKABE_ITO[0]),
+            ..Series::default()
+        },
+    ]
 }
 
 /// Values in ascending order, each once.

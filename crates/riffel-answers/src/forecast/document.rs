@@ -3,10 +3,11 @@
 use riffel_keys::Message;
 use std::io::{self, Write};
 
-use riffel::forecast::{Reach, VehicleGrowth};
+use riffel::forecast::{Forecast, ForecastBand, Reach};
 use riffel_case::Case;
 use riffel_case::file::CaseFile;
-use riffel_case::traffic::TrafficFile;
+use riffel_case::traffic::{SpreadEffect, TrafficFile};
+use riffel_rail::LimitTable;
 use serde::Serialize;
 
 use super::{
@@ -189,34 +190,15 @@ pub(super) fn document<'a>(
     let traffic = answer.growth();
     let crossings = answer.crossings(rail);
     let first = crossings.first();
-    let linear = forecast.linear_range(forecast.bands());
-    let rates = |rate: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| {
-        let bands = forecast.bands().iter();
-        bands
-            .map(|band| Rate {
-                wavelength_m: band.now.band.wavelength(),
-                growth_rate_per_passage: rate(band),
-            })
-            .collect()
+    let now = |band: &ForecastBand| Level {
+        wavelength_m: band.now.band.wavelength(),
+        level_db: band.now.level,
     };
-    let vehicle = |(index, vehicle): (usize, &'a VehicleGrowth)| VehicleDocument {
-        name: &vehicle.name,
-        share: vehicle.share,
-        wheel_load_n: vehicle.wheel_load,
-        mean_speed_m_per_s: vehicle.speeds.mean(),
-        speed_deviation_m_per_s: vehicle.speeds.deviation(),
-        growth_rate_per_passage: rates(&|band| forecast.vehicle_rate(band, index)),
-        spreads: (answer
-            .spreads
-            .iter()
-            .filter(|spread| spread.vehicle == vehicle.name))
-        .map(|spread| SpreadDocument {
-            what: &spread.what,
-            reduction: spread.reduction,
-        })
-        .collect(),
+    let then = |band: &ForecastBand| Then {
+        wavelength_m: band.now.band.wavelength(),
+        level_db: forecast.level(band, answer.passages),
     };
-    let valid_to = linear.passages;
+    let valid_to = forecast.linear_range(forecast.bands()).passages;
     let months_to_limit = first.and_then(|first| answer.months(first.passages));
     let fastest = answer
         .fastest()
@@ -229,47 +211,21 @@ pub(super) fn document<'a>(
     remarks.extend(answer.on.remarks.iter().cloned());
     ForecastDocument {
         riffel_version: env!("CARGO_PKG_VERSION"),
-        inputs: Inputs {
-            case: &case.file,
-            traffic: &answer.traffic.file,
-            spectrum: spectrum.filter(|_| answer.ground.is_none()),
-            records: answer.survey.as_ref().map(|survey| survey.records.len()),
-            ground: answer.ground.as_ref().map(|ground| ground.words.as_str()),
-            date: answer.date.map(|date| date.to_string()),
-        },
-        horizon: Amount {
-            passages: answer.passages,
-            mgt: traffic.mgt(answer.passages),
-            months: answer.months(answer.passages),
-            date: answer
-                .date_after(answer.passages)
-                .map(|date| date.to_string()),
-        },
+        inputs: Inputs::of(answer, case, spectrum),
+        horizon: Amount::of(answer),
         rail: rail.name(),
-        rails: answer.rails.iter().map(|rail| of(answer, rail)).collect(),
-        spectrum_now: forecast
-            .bands()
-            .iter()
-            .map(|band| Level {
-                wavelength_m: band.now.band.wavelength(),
-                level_db: band.now.level,
-            })
+        rails: (answer.rails.iter())
+            .map(|rail| RailDocument::of(answer, rail))
             .collect(),
-        spectrum_then: forecast
-            .bands()
-            .iter()
-            .map(|band| Then {
-                wavelength_m: band.now.band.wavelength(),
-                level_db: forecast.level(band, answer.passages),
-            })
-            .collect(),
+        spectrum_now: forecast.bands().iter().map(now).collect(),
+        spectrum_then: forecast.bands().iter().map(then).collect(),
         valid_to_passages: valid_to,
         valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
         valid_to_months: valid_to.and_then(|passages| answer.months(passages)),
         valid_to_date: valid_to
             .and_then(|passages| answer.date_after(passages))
             .map(|date| date.to_string()),
-        growth_rate_per_passage: rates(&|band| forecast.growth_rate(band)),
+        growth_rate_per_passage: rates(forecast, &|band| forecast.growth_rate(band)),
         growth_rate_error: traffic.rate_error(),
         wear_limit: WearLimitDocument::new(
             traffic.mean_wear(),
@@ -280,11 +236,7 @@ pub(super) fn document<'a>(
         months_to_limit_band_80: months_to_limit
             .zip(answer.wear_spread)
             .map(|(months, spread)| spread.band_80(months)),
-        limit: LimitDocument {
-            name: &answer.table.name,
-            edition: &answer.table.edition,
-            source: &answer.table.source,
-        },
+        limit: LimitDocument::of(&answer.table),
         reach: ReachDocument::new(
             Some(forecast.grinding_interval(&answer.limit).name()),
             first.map(|first| first.passages),
@@ -295,61 +247,142 @@ pub(super) fn document<'a>(
             .and_then(|first| answer.date_after(first.passages))
             .map(|date| date.to_string()),
         wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
-        linear_range: LinearDocument {
-            force_ratio_now: linear.force_ratio,
-            passages: linear.passages,
-            mgt: linear.passages.map(|passages| traffic.mgt(passages)),
-            vehicle: &traffic.vehicles()[linear.vehicle].name,
-        },
+        linear_range: LinearDocument::of(forecast),
         bands: bands(answer, rail),
         hardening: HardenedWave::all(forecast),
         cracks: answer.cracks(),
-        bands_left_out: rail
-            .measured
-            .spectrum
-            .levels()
-            .iter()
-            .filter(|level| {
-                !forecast
-                    .bands()
-                    .iter()
-                    .any(|band| band.now.band == level.band)
-            })
-            .map(|level| Level {
-                wavelength_m: level.band.wavelength(),
-                level_db: level.level,
-            })
-            .collect(),
-        traffic: TrafficDocument {
-            passages_per_day: answer.on.passages_per_day,
-            axle_mass_kg: traffic.axle_mass(),
-            vehicles: traffic.vehicles().iter().enumerate().map(vehicle).collect(),
-        },
+        bands_left_out: bands_left_out(rail),
+        traffic: TrafficDocument::of(answer, forecast),
         wear_fit: answer.wear.as_ref().map(WearReport::document),
         findings: answer.findings(),
         remarks,
     }
 }
 
-fn of<'a>(answer: &'a ForecastAnswer, rail: &'a RailForecast) -> RailDocument<'a> {
-    let crossings = answer.crossings(rail);
-    let first = crossings.first();
-    let passages_to_limit = first.map(|first| first.passages);
-    RailDocument {
-        rail: rail.name(),
-        reach: ReachDocument::new(
-            rail.reach.map(Reach::name),
-            passages_to_limit,
-            answer.growth(),
-            |passages| answer.months(passages),
-        ),
-        date_of_limit: passages_to_limit
-            .and_then(|passages| answer.date_after(passages))
-            .map(|date| date.to_string()),
-        wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
-        valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
-        bands: bands(answer, rail),
+impl<'a> Inputs<'a> {
+    fn of(answer: &'a ForecastAnswer, case: &'a Case, spectrum: Option<String>) -> Self {
+        Self {
+            case: &case.file,
+            traffic: &answer.traffic.file,
+            spectrum: spectrum.filter(|_| answer.ground.is_none()),
+            records: answer.survey.as_ref().map(|survey| survey.records.len()),
+            ground: answer.ground.as_ref().map(|ground| ground.words.as_str()),
+            date: answer.date.map(|date| date.to_string()),
+        }
     }
+}
+
+impl Amount {
+    /// Of the whole forecast.
+    fn of(answer: &ForecastAnswer) -> Self {
+        let end = answer.date_after(answer.passages);
+        Self {
+            passages: answer.passages,
+            mgt: answer.growth().mgt(answer.passages),
+            months: answer.months(answer.passages),
+            date: end.map(|date| date.to_string()),
+        }
+    }
+}
+
+impl<'a> LimitDocument<'a> {
+    fn of(table: &'a LimitTable) -> Self {
+        Self {
+            name: &table.name,
+            edition: &table.edition,
+            source: &table.source,
+        }
+    }
+}
+
+impl<'a> LinearDocument<'a> {
+    fn of(forecast: &'a Forecast) -> Self {
+        let linear = forecast.linear_range(forecast.bands());
+        let traffic = forecast.traffic();
+        Self {
+            force_ratio_now: linear.force_ratio,
+            passages: linear.passages,
+            mgt: linear.passages.map(|passages| traffic.mgt(passages)),
+            vehicle: &traffic.vehicles()[linear.vehicle].name,
+        }
+    }
+}
+
+impl<'a> TrafficDocument<'a> {
+    fn of(answer: &'a ForecastAnswer, forecast: &Forecast) -> Self {
+        let traffic = answer.growth();
+        let vehicles = traffic.vehicles().iter().enumerate();
+        let vehicles = vehicles.map(|(index, vehicle)| {
+            let own = |spread: &&SpreadEffect| spread.vehicle == vehicle.name;
+            let spreads = answer.spreads.iter().filter(own);
+            VehicleDocument {
+                name: &vehicle.name,
+                share: vehicle.share,
+                wheel_load_n: vehicle.wheel_load,
+                mean_speed_m_per_s: vehicle.speeds.mean(),
+                speed_deviation_m_per_s: vehicle.speeds.deviation(),
+                growth_rate_per_passage: rates(forecast, &|band| {
+                    forecast.vehicle_rate(band, index)
+                }),
+                spreads: spreads
+                    .map(|spread| SpreadDocument {
+                        what: &spread.what,
+                        reduction: spread.reduction,
+                    })
+                    .collect(),
+            }
+        });
+        Self {
+            passages_per_day: answer.on.passages_per_day,
+            axle_mass_kg: traffic.axle_mass(),
+            vehicles: vehicles.collect(),
+        }
+    }
+}
+
+impl<'a> RailDocument<'a> {
+    fn of(answer: &'a ForecastAnswer, rail: &'a RailForecast) -> Self {
+        let crossings = answer.crossings(rail);
+        let first = crossings.first();
+        let passages_to_limit = first.map(|first| first.passages);
+        Self {
+            rail: rail.name(),
+            reach: ReachDocument::new(
+                rail.reach.map(Reach::name),
+                passages_to_limit,
+                answer.growth(),
+                |passages| answer.months(passages),
+            ),
+            date_of_limit: passages_to_limit
+                .and_then(|passages| answer.date_after(passages))
+                .map(|date| date.to_string()),
+            wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
+            valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
+            bands: bands(answer, rail),
+        }
+    }
+}
+
+/// A rate of each band.
+fn rates(forecast: &Forecast, rate: &dyn Fn(&ForecastBand) -> f64) -> Vec<Rate> {
+    let bands = forecast.bands().iter();
+    let rates = bands.map(|band| Rate {
+        wavelength_m: band.now.band.wavelength(),
+        growth_rate_per_passage: rate(band),
+    });
+    rates.collect()
+}
+
+/// Levels that were measured on a rail outside the wavelengths of the case.
+fn bands_left_out(rail: &RailForecast) -> Vec<Level> {
+    let computed = rail.forecast.bands().iter().map(|band| band.now.band);
+    let levels = rail.measured.spectrum.levels().iter();
+    let left_out = levels.filter(|level| !computed.clone().any(|band| band == level.band));
+    let left_out = left_out.map(|level| Level {
+        wavelength_m: level.band.wavelength(),
+        level_db: level.level,
+    });
+    left_out.collect()
 }
 
 fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {

@@ -27,7 +27,7 @@ use crate::AnswerError;
 use crate::capital;
 use crate::compare::CompareAnswer;
 use crate::diagnose::Diagnosis;
-use crate::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
+use crate::forecast::{ForecastAnswer, PosteriorForecast};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer};
@@ -41,6 +41,22 @@ const TITLE: &str = "Rail roughness and corrugation";
 const NO_CASE: &str = "no case was given.";
 const NO_ROUGHNESS: &str = "no roughness was given.";
 const NO_DIAGNOSIS: &str = "the roughness was not diagnosed.";
+
+/// Headings of the sections on the roughness, and on the case.
+const OF_ROUGHNESS: [&str; 5] = [
+    "Profile",
+    "Moving RMS along the line",
+    "Spectrum and limits",
+    "Wavelength bands",
+    "What to grind",
+];
+const OF_CASE: [&str; 5] = [
+    "Growth map",
+    "Diagnosis",
+    "Forecast",
+    "What-if",
+    "Rolling noise",
+];
 
 /// What the report says of the roughness of a rail.
 pub struct MeasuredRail<'a> {
@@ -122,6 +138,74 @@ fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> 
     Some(crate::capital(&found.to_string()))
 }
 
+/// What fills the page below its head: sections, sentences for those in a hurry, and warnings.
+#[derive(Default)]
+struct Body {
+    sections: Vec<Section>,
+    brief: Vec<String>,
+    warnings: Vec<String>,
+}
+
+impl Body {
+    fn leave_out(&mut self, headings: &[&'static str], why: &'static str) {
+        let sections = headings.iter();
+        self.sections
+            .extend(sections.map(|heading| Section::left_out(heading, why)));
+    }
+
+    fn put(&mut self, outlook: Outlook) {
+        self.sections.push(outlook.section);
+        self.brief.extend(outlook.brief);
+        self.warnings.extend(outlook.warnings);
+    }
+
+    /// The growth map, and what made the wavelengths that were measured, or why that is left out.
+    fn put_mechanism(
+        &mut self,
+        case: &Case,
+        map: &MapAnswer,
+        diagnosis: Result<(&Path, &Diagnosis), &'static str>,
+    ) -> Result<(), PlotError> {
+        let found = diagnosis.ok().map(|(_, diagnosis)| diagnosis);
+        let map = mechanism::growth_map(case, map, found)?;
+        match diagnosis {
+            // What the map says in brief, the diagnosis says of the wavelengths that were measured.
+            Ok((path, diagnosis)) => {
+                let file = path.display().to_string();
+                self.sections.push(map.section);
+                self.sections.push(mechanism::diagnosis(&file, diagnosis)?);
+                self.brief.extend(labelled("Since when", since(diagnosis)));
+                self.brief
+                    .extend(labelled("Why, and how sure", dominant(diagnosis)));
+                self.warnings.extend(diagnosis.warnings.iter().cloned());
+            }
+            Err(why) => {
+                self.put(map);
+                self.sections.push(Section::left_out("Diagnosis", why));
+            }
+        }
+        Ok(())
+    }
+
+    /// What comes, what helps and what is heard, with a doubt of the growth they follow from.
+    fn put_outlooks(&mut self, outlooks: [(&str, Outlook); 3], doubt: Option<String>) {
+        for (label, mut outlook) in outlooks {
+            outlook.brief = labelled(label, outlook.brief);
+            // No dates of a growth that nobody has seen.
+            if doubt.is_some() {
+                outlook.brief.clear();
+            }
+            self.put(outlook);
+        }
+        let no_dates = "Dates, times and what measures would save are therefore left out here; below they stand as the model has them.";
+        let doubt = doubt.map(|doubt| {
+            let doubt = page::escape(&doubt);
+            format!("<b>Not plausible:</b> {doubt}. {no_dates}")
+        });
+        self.brief.splice(0..0, doubt);
+    }
+}
+
 /// The report as a page of HTML that loads nothing and prints on A4.
 ///
 /// # Errors
@@ -139,7 +223,7 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         noise,
         inputs,
     } = request;
-    let (mut sections, mut brief, mut warnings) = (Vec::new(), Vec::new(), Vec::new());
+    let mut body = Body::default();
     let (mut map, mut to_grind, mut interval) = (String::new(), None, None);
     let mut diagnosis = Err(NO_ROUGHNESS);
     match rail {
@@ -151,101 +235,37 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 to_grind = Some(answer.line_to_grind().0).filter(|length| *length > 0.0);
             }
             let (own, words) = measured(rail.path, rail.roughness, limits)?;
-            sections.extend(own);
-            brief.extend(labelled("How bad, and where", words));
-            warnings.extend_from_slice(rail.warnings);
+            body.sections.extend(own);
+            body.brief.extend(labelled("How bad, and where", words));
+            body.warnings.extend_from_slice(rail.warnings);
         }
-        None => {
-            let all = [
-                "Profile",
-                "Moving RMS along the line",
-                "Spectrum and limits",
-                "Wavelength bands",
-                "What to grind",
-            ];
-            sections.extend(all.map(|heading| Section::left_out(heading, NO_ROUGHNESS)));
-        }
+        None => body.leave_out(&OF_ROUGHNESS, NO_ROUGHNESS),
     }
     match case {
         Some((case, map)) => {
-            let found = diagnosis.ok().map(|(_, diagnosis)| diagnosis);
-            let map = mechanism::growth_map(case, map, found)?;
-            match diagnosis {
-                // What the map says in brief, the diagnosis says of the wavelengths that were measured.
-                Ok((path, diagnosis)) => {
-                    let file = path.display().to_string();
-                    sections.push(map.section);
-                    sections.push(mechanism::diagnosis(&file, diagnosis)?);
-                    brief.extend(labelled("Since when", since(diagnosis)));
-                    brief.extend(labelled("Why, and how sure", dominant(diagnosis)));
-                    warnings.extend(diagnosis.warnings.iter().cloned());
-                }
-                Err(why) => {
-                    map.put(&mut sections, &mut brief, &mut warnings);
-                    sections.push(Section::left_out("Diagnosis", why));
-                }
-            }
-            warnings.extend(case.remarks.iter().map(ToString::to_string));
-            let of_growth = doubt(forecast.ok(), compare.ok());
-            let forecast_by_measured = forecast
-                .is_ok_and(|answer| answer.wear.as_ref().is_some_and(WearReport::is_unexplained));
+            body.put_mechanism(case, map, diagnosis)?;
+            let remarks = case.remarks.iter().map(ToString::to_string);
+            body.warnings.extend(remarks);
+            let doubt = doubt(forecast.ok(), compare.ok());
             interval = forecast
                 .ok()
-                .and_then(ForecastAnswer::months_between_grindings);
-            interval = interval.filter(|_| of_growth.is_none());
-            let forecast = match forecast {
-                Ok(answer) => outlook::forecast(case, answer)?,
-                Err(why) => Outlook::left_out("Forecast", why),
-            };
-            let mut what_if = match compare {
-                Ok(answer) => outlook::what_if(case, answer)?,
-                Err(why) => Outlook::left_out("What-if", why),
-            };
-            let mut noise = match noise {
-                Ok(answer) => noise::heard(answer)?,
-                Err(why) => Outlook::left_out("Rolling noise", why),
-            };
-            // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
-            if forecast_by_measured {
-                let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
-                what_if.brief = vec![unknown.to_owned()];
-                noise.brief.truncate(1);
-            }
-            let doubt =
-                of_growth.map(|doubt| format!("<b>Not plausible:</b> {}.", page::escape(&doubt)));
+                .and_then(ForecastAnswer::months_between_grindings)
+                .filter(|_| doubt.is_none());
             if let Some(answer) = posterior_forecast {
                 let mut over = outlook::of_answer("Forecast over the calibration", answer)?;
                 over.brief = labelled("What comes", over.brief);
-                over.put(&mut sections, &mut brief, &mut warnings);
+                body.put(over);
             }
-            let outlooks = [
-                ("What comes", forecast),
-                ("What helps", what_if),
-                ("What is heard", noise),
-            ];
-            for (label, mut outlook) in outlooks {
-                outlook.brief = labelled(label, outlook.brief);
-                // No dates of a growth that nobody has seen.
-                if doubt.is_some() {
-                    outlook.brief.clear();
-                }
-                outlook.put(&mut sections, &mut brief, &mut warnings);
-            }
-            let no_dates = "Dates, times and what measures would save are therefore left out here; below they stand as the model has them.";
-            let doubt = doubt.map(|doubt| format!("{doubt} {no_dates}"));
-            brief.splice(0..0, doubt);
+            let outlooks = outlook::all(case, forecast, compare, noise)?;
+            body.put_outlooks(outlooks, doubt);
         }
-        None => {
-            let all = [
-                "Growth map",
-                "Diagnosis",
-                "Forecast",
-                "What-if",
-                "Rolling noise",
-            ];
-            sections.extend(all.map(|heading| Section::left_out(heading, NO_CASE)));
-        }
+        None => body.leave_out(&OF_CASE, NO_CASE),
     }
+    let Body {
+        mut sections,
+        mut brief,
+        mut warnings,
+    } = body;
     if let (Some(cost), Some(length)) = (&site.cost, to_grind) {
         let words = escape(&cost.words(length, interval));
         brief.extend(labelled("What it costs", vec![words]));

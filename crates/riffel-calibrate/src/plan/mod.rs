@@ -7,7 +7,7 @@ mod parameter;
 use std::path::{Path, PathBuf};
 
 use riffel::STANDARD_GRAVITY;
-use riffel_case::traffic::{DAYS_PER_YEAR, Traffic};
+use riffel_case::traffic::{DAYS_PER_YEAR, Line, Traffic};
 use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, KeyFile, text_file};
 use riffel_study::Distribution;
@@ -132,21 +132,8 @@ impl Plan {
             remarks,
             ..
         } = reading;
-        let axle_mass = vehicles.iter().map(|vehicle| {
-            let own = vehicle.number(&VehicleKey::OfCase("contact.normal_load".to_owned(), 1.0));
-            let load = own
-                .or(case.number("contact.normal_load"))
-                .unwrap_or(f64::NAN);
-            2.0 * vehicle.share * load / STANDARD_GRAVITY
-        });
-        let axle_mass: f64 = axle_mass.sum();
         let line = traffic.as_ref().map(|traffic| traffic.file.line);
-        let passages_per_day = line.and_then(|line| {
-            let of_mgt = line
-                .mgt_per_year
-                .map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);
-            line.passages_per_day.or(of_mgt)
-        });
+        let passages_per_day = line.and_then(|line| passages_per_day(&line, &vehicles, &case));
         let model = Model {
             parameters,
             views,
@@ -166,25 +153,31 @@ impl Plan {
             trains,
             source,
         };
-        // Before minutes of sampling.
-        if plan.file.cost.is_some() || !plan.file.action.is_empty() {
-            let choices = plan.choices()?;
-            let levels = plan
-                .posterior
-                .blocks
-                .iter()
-                .find_map(|named| named.block.as_levels());
-            for changes in choices
-                .actions
-                .iter()
-                .filter_map(|action| action.changes.as_ref())
-            {
-                if let Some(levels) = levels {
-                    plan.posterior.model.changed(levels.view(), changes)?;
-                }
+        plan.check_actions()?;
+        Ok(plan)
+    }
+
+    /// Compute what actions change, before minutes of sampling.
+    fn check_actions(&self) -> Result<(), CaseError> {
+        if self.file.cost.is_none() && self.file.action.is_empty() {
+            return Ok(());
+        }
+        let choices = self.choices()?;
+        let levels = self
+            .posterior
+            .blocks
+            .iter()
+            .find_map(|named| named.block.as_levels());
+        for changes in choices
+            .actions
+            .iter()
+            .filter_map(|action| action.changes.as_ref())
+        {
+            if let Some(levels) = levels {
+                self.posterior.model.changed(levels.view(), changes)?;
             }
         }
-        Ok(plan)
+        Ok(())
     }
 
     /// The text that draws follow from: without the keys of decisions.
@@ -193,6 +186,22 @@ impl Plan {
         OF_OTHERS.iter().for_each(|key| source.remove(key));
         source.table().to_string()
     }
+}
+
+/// Axle passages of a day on a line, if it says how many there are.
+fn passages_per_day(line: &Line, vehicles: &[Vehicle], case: &Case) -> Option<f64> {
+    let axle_mass = vehicles.iter().map(|vehicle| {
+        let own = vehicle.number(&VehicleKey::OfCase("contact.normal_load".to_owned(), 1.0));
+        let load = own
+            .or(case.number("contact.normal_load"))
+            .unwrap_or(f64::NAN);
+        2.0 * vehicle.share * load / STANDARD_GRAVITY
+    });
+    let axle_mass: f64 = axle_mass.sum();
+    let of_mgt = line
+        .mgt_per_year
+        .map(|mgt| 1e9 * mgt / axle_mass / DAYS_PER_YEAR);
+    line.passages_per_day.or(of_mgt)
 }
 
 fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {

@@ -15,87 +15,27 @@ impl Reading<'_> {
         index: usize,
         written: &UncertainFile,
     ) -> Result<Parameter, CaseError> {
-        let vehicles = self.vehicles;
         let at = format!("parameter[{index}]");
         let place = |key: &str| format!("{at}.{key}");
-        let wrong =
-            |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
         for (number, name) in written.in_data.iter().flatten().enumerate() {
             let known = |data: &DataFile| name_of(data) == name;
             if !self.file.data.iter().any(known) {
                 let rule = format!("is \"{name}\", but no [[data]] has this name or kind");
-                return Err(wrong(&format!("in_data[{number}]"), &rule, ""));
+                let key = place(&format!("in_data[{number}]"));
+                return Err(self.source.invalid(&key, &rule, ""));
             }
         }
-        let (key, role, name) = match (&written.key, &written.multiplies) {
-            (Some(_), Some(_)) => {
-                let rule = format!("and `{}` exclude each other", place("key"));
-                return Err(wrong("multiplies", &rule, "give one of the two"));
-            }
-            (None, None) => {
-                let help = "give the key of the case, or multiplies = \"…\" with a name";
-                return Err(self.source.missing(&place("key"), help));
-            }
-            (None, Some(key)) => {
-                let name = written.name.clone().ok_or_else(|| {
-                    self.source.missing(
-                        &place("name"),
-                        "name the factor, as in \"preload_stiffening\"",
-                    )
-                })?;
-                (key, Role::Multiplies(key.clone()), name)
-            }
-            (Some(key), None) => match key.strip_prefix("vehicle.") {
-                Some(rest) => {
-                    let vehicle = self.vehicle(&at, written)?;
-                    let of = VehicleKey::of(rest).ok_or_else(|| {
-                        let rule = format!("is \"{key}\", which a vehicle does not have or which cannot be uncertain");
-                        wrong("key", &rule, "take speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius or set.… after vehicle.")
-                    })?;
-                    let several = vehicles.len() > 1;
-                    let name = match several {
-                        true => format!("{key} ({})", vehicles[vehicle].name),
-                        false => key.clone(),
-                    };
-                    (key, Role::Vehicle(vehicle, of), name)
-                }
-                None => (
-                    key,
-                    Role::Key(key.clone()),
-                    written.name.clone().unwrap_or_else(|| key.clone()),
-                ),
-            },
-        };
+        let (key, role, name) = self.role(&at, written)?;
         let of_key = match &role {
             Role::Vehicle(_, VehicleKey::OfCase(of, _)) if key.starts_with("vehicle.set.") => of,
             _ => key,
         };
-        let quantity = match (key.strip_prefix("vehicle."), PhysicalRange::of(of_key)) {
-            (Some(_), Some(range)) => Some(range.kind),
-            (Some("traction_share"), None) => Some(quantity::Kind::of::<Ratio>()),
-            _ => match CaseKey::find_with_curving(of_key) {
-                Some(known) => known.quantity,
-                None => {
-                    let rule = format!("is \"{key}\", but the case file has no such key");
-                    let help = format!("did you mean {}?", CaseKey::nearest(of_key));
-                    let which = if written.key.is_some() {
-                        "key"
-                    } else {
-                        "multiplies"
-                    };
-                    return Err(wrong(which, &rule, &help));
-                }
-            },
+        let which = match written.key {
+            Some(_) => "key",
+            None => "multiplies",
         };
-        let which = if written.key.is_some() {
-            "key"
-        } else {
-            "multiplies"
-        };
-        let quantity = quantity.ok_or_else(|| {
-            let rule = format!("is \"{key}\", which takes a choice, a name or a whole number");
-            wrong(which, &rule, "only quantities can be uncertain")
-        })?;
+        let quantity = quantity_of(key, of_key)
+            .map_err(|(rule, help)| self.source.invalid(&place(which), &rule, &help))?;
         let multiplies = matches!(role, Role::Multiplies(_));
         let kind = match multiplies {
             true => quantity::Kind::of::<Ratio>(),
@@ -119,22 +59,7 @@ impl Reading<'_> {
             );
             self.source.invalid(&at, &rule, "")
         })?;
-        let own = match &role {
-            Role::Multiplies(_) => None,
-            Role::Vehicle(vehicle, of) => vehicles[*vehicle].number(of),
-            _ => self.case.number(key),
-        };
-        if let Some(own) = own
-            && excludes(&prior, own)
-        {
-            let rule = format!(
-                "excludes {}, the value of the case for `{key}`: it lies beyond the ends or four standard deviations of the prior",
-                Quantity::<Ratio>::new(own)
-            );
-            return Err(self
-                .source
-                .invalid(&at, &rule, "widen the prior, or correct the case"));
-        }
+        self.check_own_value(&at, key, &role, &prior)?;
         Ok(Parameter {
             name,
             unit: kind.unit.to_owned(),
@@ -143,6 +68,84 @@ impl Reading<'_> {
             role,
             in_data: written.in_data.clone(),
         })
+    }
+
+    /// The key of the case or of a vehicle, what the value does to it, and its name.
+    fn role<'w>(
+        &self,
+        at: &str,
+        written: &'w UncertainFile,
+    ) -> Result<(&'w String, Role, String), CaseError> {
+        let vehicles = self.vehicles;
+        let place = |key: &str| format!("{at}.{key}");
+        let wrong =
+            |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
+        Ok(match (&written.key, &written.multiplies) {
+            (Some(_), Some(_)) => {
+                let rule = format!("and `{}` exclude each other", place("key"));
+                return Err(wrong("multiplies", &rule, "give one of the two"));
+            }
+            (None, None) => {
+                let help = "give the key of the case, or multiplies = \"…\" with a name";
+                return Err(self.source.missing(&place("key"), help));
+            }
+            (None, Some(key)) => {
+                let name = written.name.clone().ok_or_else(|| {
+                    self.source.missing(
+                        &place("name"),
+                        "name the factor, as in \"preload_stiffening\"",
+                    )
+                })?;
+                (key, Role::Multiplies(key.clone()), name)
+            }
+            (Some(key), None) => match key.strip_prefix("vehicle.") {
+                Some(rest) => {
+                    let vehicle = self.vehicle(at, written)?;
+                    let of = VehicleKey::of(rest).ok_or_else(|| {
+                        let rule = format!("is \"{key}\", which a vehicle does not have or which cannot be uncertain");
+                        wrong("key", &rule, "take speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius or set.… after vehicle.")
+                    })?;
+                    let several = vehicles.len() > 1;
+                    let name = match several {
+                        true => format!("{key} ({})", vehicles[vehicle].name),
+                        false => key.clone(),
+                    };
+                    (key, Role::Vehicle(vehicle, of), name)
+                }
+                None => (
+                    key,
+                    Role::Key(key.clone()),
+                    written.name.clone().unwrap_or_else(|| key.clone()),
+                ),
+            },
+        })
+    }
+
+    /// Refuse a prior that excludes the value of the case.
+    fn check_own_value(
+        &self,
+        at: &str,
+        key: &str,
+        role: &Role,
+        prior: &Prior,
+    ) -> Result<(), CaseError> {
+        let own = match role {
+            Role::Multiplies(_) => None,
+            Role::Vehicle(vehicle, of) => self.vehicles[*vehicle].number(of),
+            _ => self.case.number(key),
+        };
+        if let Some(own) = own
+            && excludes(prior, own)
+        {
+            let rule = format!(
+                "excludes {}, the value of the case for `{key}`: it lies beyond the ends or four standard deviations of the prior",
+                Quantity::<Ratio>::new(own)
+            );
+            return Err(self
+                .source
+                .invalid(at, &rule, "widen the prior, or correct the case"));
+        }
+        Ok(())
     }
 
     /// The vehicle that a parameter is of.
@@ -172,6 +175,26 @@ impl Reading<'_> {
                 }),
         }
     }
+}
+
+/// The quantity of a key, where that of the case is `of_key`; or the rule that it breaks, and help.
+fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (String, String)> {
+    let quantity = match (key.strip_prefix("vehicle."), PhysicalRange::of(of_key)) {
+        (Some(_), Some(range)) => Some(range.kind),
+        (Some("traction_share"), None) => Some(quantity::Kind::of::<Ratio>()),
+        _ => match CaseKey::find_with_curving(of_key) {
+            Some(known) => known.quantity,
+            None => {
+                let rule = format!("is \"{key}\", but the case file has no such key");
+                let help = format!("did you mean {}?", CaseKey::nearest(of_key));
+                return Err((rule, help));
+            }
+        },
+    };
+    quantity.ok_or_else(|| {
+        let rule = format!("is \"{key}\", which takes a choice, a name or a whole number");
+        (rule, "only quantities can be uncertain".to_owned())
+    })
 }
 
 impl Vehicle {

@@ -298,6 +298,47 @@ impl CheckedKeys {
             return Ok(None);
         }
         let on_supports = model != TrackModel::FreeBeam;
+        let [across, along] = self.axes_of_track(keys, on_supports, remarks);
+        let spatial = SpatialRail {
+            vertical: self.beam(steel, Direction::Vertical)?,
+            lateral: across
+                .then(|| self.beam(steel, Direction::Lateral))
+                .transpose()?,
+            twist: match &keys.twist {
+                Some(twist) if across => Some(self.twist_of(twist, steel)?),
+                Some(_) => {
+                    return Err(self.text.keys.invalid(
+                        "rail.torsion_constant",
+                        "is given, but the rail does not move across the track",
+                        "give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out",
+                    ));
+                }
+                None => None,
+            },
+            longitudinal: along.then(|| self.bar(steel)).transpose()?,
+        };
+        let track = match on_supports {
+            true => self.spatial_on_supports(spatial)?,
+            false => SpatialTrack::free(spatial),
+        };
+        let height = keys.twist.map_or(0.0, |twist| twist.head_height);
+        let track = points.iter().fold(track, |track, &(rail, lateral_offset)| {
+            let point = ContactPoint {
+                height,
+                lateral_offset,
+            };
+            track.with_contact(rail, point)
+        });
+        Ok(Some(track))
+    }
+
+    /// Whether the track moves across and along itself, with remarks on keys that it lacks.
+    fn axes_of_track(
+        &self,
+        keys: &GeneralKeys,
+        on_supports: bool,
+        remarks: &mut Vec<Message>,
+    ) -> [bool; 2] {
         let all_axes = keys.wheelset.is_some() || keys.twist.is_some();
         let has = |rail: bool, pad: bool| all_axes && rail && (pad || !on_supports);
         let pad = self.file.track.pad.as_ref();
@@ -338,54 +379,30 @@ impl CheckedKeys {
                 }
             }
         }
-        let spatial = SpatialRail {
-            vertical: self.beam(steel, Direction::Vertical)?,
-            lateral: across
-                .then(|| self.beam(steel, Direction::Lateral))
-                .transpose()?,
-            twist: match &keys.twist {
-                Some(twist) if across => Some(self.twist_of(twist, steel)?),
-                Some(_) => {
-                    return Err(self.text.keys.invalid(
-                        "rail.torsion_constant",
-                        "is given, but the rail does not move across the track",
-                        "give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out",
-                    ));
-                }
-                None => None,
-            },
-            longitudinal: along.then(|| self.bar(steel)).transpose()?,
+        [across, along]
+    }
+
+    /// A rail on its supports, along the axes that the rail has.
+    fn spatial_on_supports(&self, rail: SpatialRail) -> Result<SpatialTrack, CaseError> {
+        let model = self.file.track.model;
+        let (across, along) = (rail.lateral.is_some(), rail.longitudinal.is_some());
+        let two_layers = matches!(model, TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic);
+        let support =
+            |has: bool, direction| has.then(|| self.support(two_layers, direction)).transpose();
+        let (down, spacing) = self.support(two_layers, Direction::Vertical)?;
+        let supports = Supports {
+            vertical: Some(down),
+            lateral: support(across, Direction::Lateral)?.map(|(support, _)| support),
+            longitudinal: support(along, Direction::Longitudinal)?.map(|(support, _)| support),
         };
-        let track = if on_supports {
-            let two_layers = matches!(model, TrackModel::TwoLayer | TrackModel::TwoLayerPeriodic);
-            let support =
-                |has: bool, direction| has.then(|| self.support(two_layers, direction)).transpose();
-            let (down, spacing) = self.support(two_layers, Direction::Vertical)?;
-            let supports = Supports {
-                vertical: Some(down),
-                lateral: support(across, Direction::Lateral)?.map(|(support, _)| support),
-                longitudinal: support(along, Direction::Longitudinal)?.map(|(support, _)| support),
-            };
-            if model.is_periodic() {
-                let track = SpatialTrack::discrete(spatial, supports, spacing);
-                self.physics("track.support_spacing", track)?
-            } else {
-                let supports = supports.per_metre(spacing);
-                let supports = self.physics("track.support_spacing", supports)?;
-                SpatialTrack::continuous(spatial, supports)
-            }
+        if model.is_periodic() {
+            let track = SpatialTrack::discrete(rail, supports, spacing);
+            self.physics("track.support_spacing", track)
         } else {
-            SpatialTrack::free(spatial)
-        };
-        let height = keys.twist.map_or(0.0, |twist| twist.head_height);
-        let track = points.iter().fold(track, |track, &(rail, lateral_offset)| {
-            let point = ContactPoint {
-                height,
-                lateral_offset,
-            };
-            track.with_contact(rail, point)
-        });
-        Ok(Some(track))
+            let supports = supports.per_metre(spacing);
+            let supports = self.physics("track.support_spacing", supports)?;
+            Ok(SpatialTrack::continuous(rail, supports))
+        }
     }
 
     fn twist_of(&self, keys: &TwistKeys, steel: ElasticMaterial) -> Result<Twist, CaseError> {

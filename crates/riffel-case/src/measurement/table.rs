@@ -18,26 +18,7 @@ pub(super) struct Table {
 
 /// Read a table below the names of its columns.
 pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, MeasurementError> {
-    let example = "frequency_hz,real,imaginary";
-    let in_parts = find(
-        text,
-        example,
-        |header| Columns::find(header, measurement),
-        Columns::all,
-    );
-    let layout = match in_parts {
-        Ok(layout) => layout,
-        // Whole numbers may be complex where names tell of no parts.
-        Err(reason) => {
-            let columns = |header: &[String]| Columns::complex(header, measurement);
-            let whole = find(text, example, columns, Columns::all).ok();
-            let is_complex = |layout: &Layout<'_, Columns>| {
-                let mut rows = layout.rows();
-                rows.any(|row| row.is_complex(layout.columns.values.first()))
-            };
-            whole.filter(is_complex).ok_or(reason)?
-        }
-    };
+    let layout = layout(text, measurement)?;
     let units = Units::new(&layout, measurement)?;
     let Columns {
         frequency,
@@ -99,32 +80,71 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
         response.places.push(row.place);
     }
     for (column, written) in values.all().into_iter().zip(&written) {
-        if let Some(marked) = marks(written) {
-            let (place, name) = (&table.response.places[marked.first], &layout.names[column]);
-            let message = format!(
-                "{place}: column `{name}` is {}, which marks a missing value: leave the line out",
-                marked.mark
-            );
-            return Err(MeasurementError::file(message));
-        }
+        check_marks(written, &layout.names[column], &table.response.places)?;
     }
-    // Half a turn and rounding: no phase of a rail stays within 3.2 degrees.
-    const HALF_A_TURN: f64 = 3.2;
+    let is_course = table.response.values.len() > 1;
     if let Parts::Polar([_, phase]) = values
         && !units.phase_is_known
-        && table.response.values.len() > 1
-        && largest_phase <= HALF_A_TURN
+        && is_course
     {
-        return Err(MeasurementError::new(
-            "phase_unit",
-            format!(
-                "is left out, and column `{}` stays within ±{largest_phase:.2}: write \"radians\", or \"degrees\" if it \
-                 is so",
-                layout.names[phase]
-            ),
-        ));
+        check_phase(&layout.names[phase], largest_phase)?;
     }
     Ok(table)
+}
+
+/// The columns: those of parts by their names, or whole complex numbers.
+fn layout<'a>(
+    text: &'a str,
+    measurement: &Measurement,
+) -> Result<Layout<'a, Columns>, MeasurementError> {
+    let example = "frequency_hz,real,imaginary";
+    let in_parts = find(
+        text,
+        example,
+        |header| Columns::find(header, measurement),
+        Columns::all,
+    );
+    match in_parts {
+        Ok(layout) => Ok(layout),
+        // Whole numbers may be complex where names tell of no parts.
+        Err(reason) => {
+            let columns = |header: &[String]| Columns::complex(header, measurement);
+            let whole = find(text, example, columns, Columns::all).ok();
+            let is_complex = |layout: &Layout<'_, Columns>| {
+                let mut rows = layout.rows();
+                rows.any(|row| row.is_complex(layout.columns.values.first()))
+            };
+            whole.filter(is_complex).ok_or(reason)
+        }
+    }
+}
+
+/// Refuse a number that stands for a missing one.
+fn check_marks(written: &[f64], column: &str, places: &[String]) -> Result<(), MeasurementError> {
+    let Some(marked) = marks(written) else {
+        return Ok(());
+    };
+    let message = format!(
+        "{}: column `{column}` is {}, which marks a missing value: leave the line out",
+        places[marked.first], marked.mark
+    );
+    Err(MeasurementError::file(message))
+}
+
+/// Refuse phases of an unknown unit that may be radians.
+fn check_phase(column: &str, largest: f64) -> Result<(), MeasurementError> {
+    // Half a turn and rounding: no phase of a rail stays within 3.2 degrees.
+    const HALF_A_TURN: f64 = 3.2;
+    if largest > HALF_A_TURN {
+        return Ok(());
+    }
+    Err(MeasurementError::new(
+        "phase_unit",
+        format!(
+            "is left out, and column `{column}` stays within ±{largest:.2}: write \"radians\", or \"degrees\" if it \
+             is so"
+        ),
+    ))
 }
 
 /// What makes SI of the numbers.

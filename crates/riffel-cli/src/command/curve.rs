@@ -1,13 +1,14 @@
 //! `riffel curve`
 
 use riffel::contact::{CreepForces, Creepages};
+use riffel::curving::VehicleState;
 use riffel_answers::curve::CurveAnswer;
 use riffel_case::CurvingCase;
 
 use crate::arguments::Curve;
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{json, table};
+use crate::output::{Table, json, table};
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
@@ -72,15 +73,46 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         "{title}\nuncompensated acceleration {:.2} m/s2, frictional power {:.0} W\n",
         state.uncompensated_acceleration, state.frictional_power
     );
-    let mut wheelsets = table(&["wheelset", "shift mm", "yaw mrad", "angle of attack mrad"]);
+    text += &format!(
+        "{}\n{}\nlargest residual {:.0e} of the load of a wheel",
+        wheelsets(state),
+        wheels(state),
+        state.residual
+    );
+    text += &match state.continuation.len() {
+        0 => "; straight track does not lead here, other starts do\n".to_owned(),
+        steps => format!(", in {steps} steps from straight track\n"),
+    };
+    for wheel in &state.wheels {
+        if let Some(second) = &wheel.second_contact {
+            let rail = wheel.rail.name();
+            let share = 100.0 * second.normal_force / (wheel.normal_force + second.normal_force);
+            text += &format!(
+                "wheelset {} stands on two points of the {rail} wheel, {share:.0} % of their normal forces on the second\n",
+                wheel.wheelset
+            );
+        }
+    }
+    text += &others(&answer.others);
+    text
+}
+
+/// Shift and yaw of each wheelset.
+fn wheelsets(state: &VehicleState) -> Table {
+    let mut rows = table(&["wheelset", "shift mm", "yaw mrad", "angle of attack mrad"]);
     for (index, wheelset) in state.wheelsets.iter().enumerate() {
-        wheelsets.add_row([
+        rows.add_row([
             (index + 1).to_string(),
             format!("{:.3}", 1e3 * wheelset.lateral_shift),
             format!("{:.3}", 1e3 * wheelset.yaw),
             format!("{:.3}", 1e3 * wheelset.angle_of_attack),
         ]);
     }
+    rows
+}
+
+/// Creepages and forces of each wheel, and of its second contact.
+fn wheels(state: &VehicleState) -> Table {
     let head = [
         "wheel",
         "creepage along %",
@@ -93,14 +125,14 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
         "|Q|/μP",
         "Tγ N",
     ];
-    let mut wheels = table(&head);
+    let mut rows = table(&head);
     let mut row = |wheel: String,
                    creepages: Creepages,
                    angle: f64,
                    force: f64,
                    creep: CreepForces,
                    shares: [f64; 2]| {
-        wheels.add_row([
+        rows.add_row([
             wheel,
             format!("{:.4}", 100.0 * creepages.longitudinal),
             format!("{:.4}", 100.0 * creepages.lateral),
@@ -137,39 +169,22 @@ fn readable(case: &CurvingCase, answer: &CurveAnswer) -> String {
             );
         }
     }
-    text += &format!(
-        "{wheelsets}\n{wheels}\nlargest residual {:.0e} of the load of a wheel",
-        state.residual
-    );
-    text += &match state.continuation.len() {
-        0 => "; straight track does not lead here, other starts do\n".to_owned(),
-        steps => format!(", in {steps} steps from straight track\n"),
-    };
-    for wheel in &state.wheels {
-        if let Some(second) = &wheel.second_contact {
-            let rail = wheel.rail.name();
-            let share = 100.0 * second.normal_force / (wheel.normal_force + second.normal_force);
-            text += &format!(
-                "wheelset {} stands on two points of the {rail} wheel, {share:.0} % of their normal forces on the second\n",
-                wheel.wheelset
-            );
-        }
+    rows
+}
+
+/// Equilibria beside the one that straight track leads to.
+fn others(others: &[VehicleState]) -> String {
+    if others.is_empty() {
+        return "no other equilibrium found\n".to_owned();
     }
-    text += &match &answer.others[..] {
-        [] => "no other equilibrium found\n".to_owned(),
-        others => {
-            let shifts = others.iter().map(|other| {
-                let wheelsets = other.wheelsets.iter();
-                let shifts =
-                    wheelsets.map(|wheelset| format!("{:.3}", 1e3 * wheelset.lateral_shift));
-                format!("{} mm", shifts.collect::<Vec<_>>().join(" and "))
-            });
-            let shifts: Vec<String> = shifts.collect();
-            format!(
-                "other equilibria, wheelsets shifted by {}\n",
-                shifts.join("; ")
-            )
-        }
-    };
-    text
+    let shifts = others.iter().map(|other| {
+        let wheelsets = other.wheelsets.iter();
+        let shifts = wheelsets.map(|wheelset| format!("{:.3}", 1e3 * wheelset.lateral_shift));
+        format!("{} mm", shifts.collect::<Vec<_>>().join(" and "))
+    });
+    let shifts: Vec<String> = shifts.collect();
+    format!(
+        "other equilibria, wheelsets shifted by {}\n",
+        shifts.join("; ")
+    )
 }

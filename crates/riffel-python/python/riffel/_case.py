@@ -10,19 +10,17 @@ import numpy as np
 import numpy.typing as npt
 import xarray as xr
 
-from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _passage, _riffel, _track
+from riffel import _contact, _datasets, _diagnosis, _forecast, _growth, _passage, _points, _riffel, _track
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._quantities import Floats, Quantities, Quantity, array, is_scalar, scalar, spaced
 from riffel._receptance import GivenReceptance, checked_receptance
 from riffel._records import Date, Levels, RailRecord, checked_levels
 from riffel._spectra import levels_of
 from riffel._speeds import Speeds
+from riffel._traffic import Traffic, file_or_keys, plain_keys, traffic_or_speed
 
 Overrides: TypeAlias = "Mapping[str, Any]"
 """Values by dotted key, as in ``{"contact.friction": 0.3}``."""
-
-Traffic: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
-"""A traffic file, or its keys."""
 
 
 class Case:
@@ -105,7 +103,7 @@ class Case:
         >>> case.to_dict()["wheel"]["mass"]
         '350 kg'
         """
-        return cls(_riffel.Case.from_dict(_plain(keys)))
+        return cls(_riffel.Case.from_dict(plain_keys(keys)))
 
     def with_(self, overrides: Overrides | None = None, /, **more: Any) -> Case:
         """The case with other values.
@@ -226,24 +224,13 @@ class Case:
         """
         if is_scalar(wavelength) and is_scalar(speed):
             pair = np.array([scalar(wavelength, "wavelength", "length")]), np.array([scalar(speed, "speed", "speed")])
-            found: dict[str, Any] = {}
-            for key, _, _, values in self._case.points(*pair):
-                *tables, name = key.split(".")
-                table = found
-                for part in tables:
-                    table = table.setdefault(part, {})
-                table[name] = values[0].item()
-            return found
+            return _points.one(self._case.points(*pair))
         speeds, wavelengths = xr.broadcast(
-            _as_data_array(speed, "speed", "speed", _datasets.SPEED),
-            _as_data_array(wavelength, "wavelength", "length", _datasets.WAVELENGTH),
+            _points.as_data_array(speed, "speed", "speed", _datasets.SPEED),
+            _points.as_data_array(wavelength, "wavelength", "length", _datasets.WAVELENGTH),
         )
         flat = [np.ascontiguousarray(values.values.ravel()) for values in (wavelengths, speeds)]
-        columns = {
-            key: (speeds.dims, values.reshape(speeds.shape), {"units": unit, "long_name": name})
-            for key, unit, name, values in self._case.points(*flat)
-        }
-        return xr.Dataset(columns, speeds.coords | wavelengths.coords, _datasets.attributes(self.title))
+        return _points.many(self._case.points(*flat), speeds, wavelengths, self.title)
 
     def sensitivity(self, *, wavelength: Quantity, speed: Quantity) -> xr.Dataset:
         """What the growth rate at one wavelength and speed answers to.
@@ -269,18 +256,7 @@ class Case:
         1.0
         """
         point = scalar(wavelength, "wavelength", "length"), scalar(speed, "speed", "speed")
-        keys, units, values, derivatives, elasticities, errors = zip(*self._case.sensitivities(*point), strict=True)
-        return xr.Dataset(
-            {
-                "value": ("key", list(values), {"long_name": "value in SI"}),
-                "unit": ("key", list(units), {"long_name": "SI unit of the value"}),
-                "derivative": ("key", list(derivatives), {"long_name": "derivative of the growth rate per passage"}),
-                "elasticity": ("key", list(elasticities), {"units": "1", "long_name": "elasticity of the growth rate"}),
-                "error": ("key", list(errors), {"units": "1", "long_name": "error of the elasticity"}),
-            },
-            {"key": list(keys)},
-            _datasets.attributes(self.title),
-        )
+        return _points.sensitivity(self._case.sensitivities(*point), self.title)
 
     def growth_on_irregular_supports(
         self,
@@ -320,21 +296,8 @@ class Case:
         """
         point = scalar(wavelength, "wavelength", "length"), scalar(speed, "speed", "speed")
         deviation = scalar(spacing_deviation, "spacing_deviation", "length")
-        places, along, even, stand = self._case.growth_on_irregular_supports(point, deviation, supports, seed)
-        growth = {"units": "1", "long_name": "growth rate per passage"}
-        shares = np.arange(len(even)) / len(even)
-        return xr.Dataset(
-            {
-                "growth_rate": ("position", along, growth),
-                "even_growth_rate": ("place_in_bay", even, {**growth, "long_name": "the same on equal supports"}),
-                "support_position": ("support", stand, {"units": "m", "long_name": "where a support stands"}),
-            },
-            {
-                "position": ("position", places, {"units": "m", "long_name": "place of the wheel"}),
-                "place_in_bay": ("place_in_bay", shares, {"units": "1", "long_name": "place over the support spacing"}),
-            },
-            _datasets.attributes(self.title),
-        )
+        found = self._case.growth_on_irregular_supports(point, deviation, supports, seed)
+        return _growth.on_irregular_supports(found, self.title)
 
     def growth_map(self, *, wavelength: Quantities | None = None, speed: Quantities | None = None) -> xr.Dataset:
         """Growth over wavelength and speed.
@@ -638,21 +601,15 @@ class Case:
         >>> met.attrs["grinding_interval_passages"]
         0.0
         """
-        horizon = {"passages": passages, "mgt": mgt, "months": months}
-        given = {name: _numbers(value, name) for name, value in horizon.items() if value is not None}
-        if len(given) > 1:
-            raise ValueError(f"{' and '.join(given)} exclude each other: give one of them")
-        # The wheel of the case alone does not say how often it comes.
-        if not given and traffic is None:
-            raise ValueError("passages, mgt or months is missing: say how far to look ahead")
+        horizon = _forecast.horizon(passages, mgt, months, traffic is not None)
         found = _riffel.forecast(
             self._case,
             None if spectrum is None else levels_of(spectrum, "spectrum"),
-            _ground(ground, from_limit),
-            self._traffic(traffic, speed, speed_deviation),
-            given.get("passages"),
-            given.get("mgt"),
-            given.get("months"),
+            _forecast.ground_in_words(ground, from_limit),
+            traffic_or_speed(traffic, speed, speed_deviation),
+            horizon.get("passages"),
+            horizon.get("mgt"),
+            horizon.get("months"),
             limit,
         )
         return _forecast.forecast(found, limit, self.title)
@@ -678,7 +635,7 @@ class Case:
         >>> growth["usual_traffic_of"], [round(3.6 * speed) for speed in growth["speeds_m_per_s"]]
         ('metro', [40, 70])
         """
-        return _riffel.line_growth(self._case, None if traffic is None else _file_or_keys(traffic))
+        return _riffel.line_growth(self._case, None if traffic is None else file_or_keys(traffic))
 
     def compare(
         self,
@@ -733,13 +690,13 @@ class Case:
         force shorter
         """
         measured = None if spectrum is None else levels_of(spectrum, "spectrum")
-        changes = [_file_or_keys(variant) for variant in variants]
+        changes = [file_or_keys(variant) for variant in variants]
         wavelengths, nominal, outcomes = _riffel.compare(
             self._case,
             changes,
-            self._traffic(traffic, speed, speed_deviation),
+            traffic_or_speed(traffic, speed, speed_deviation),
             measured,
-            _ground(ground, from_limit),
+            _forecast.ground_in_words(ground, from_limit),
             hold,
             limit,
         )
@@ -804,7 +761,7 @@ class Case:
             checked_levels(later, "later"),
             given.get("passages"),
             given.get("days"),
-            self._traffic(traffic, speed, speed_deviation),
+            traffic_or_speed(traffic, speed, speed_deviation),
         )
 
     def diagnose(
@@ -902,7 +859,7 @@ class Case:
             spacing=spacing,
             earlier=earlier,
             dates=dates,
-            traffic=None if traffic is None else _file_or_keys(traffic),
+            traffic=None if traffic is None else file_or_keys(traffic),
             speed=speed,
             torsion=torsion,
             bending=bending,
@@ -1107,7 +1064,7 @@ class Case:
             self._case,
             _passage.checked_surface(profile, spacing, sinusoid),
             periodic,
-            self._traffic(traffic, speed, speed_deviation),
+            traffic_or_speed(traffic, speed, speed_deviation),
             int(passages),
             None if step is None else scalar(step, "step", "length"),
             contact_filter,
@@ -1303,7 +1260,7 @@ class Case:
             None if transfer is None else (os.fspath(transfer[0]), os.fspath(transfer[1])),
             rails,
             limit,
-            None if traffic is None else _file_or_keys(traffic),
+            None if traffic is None else file_or_keys(traffic),
             (months, limit_dba),
         )
 
@@ -1312,54 +1269,7 @@ class Case:
             return self._case.wavelengths() if value is None else array(value, name, "length")
         return self._case.speeds() if value is None else array(value, name, "speed")
 
-    def _traffic(
-        self, traffic: Traffic | None, speed: Quantity | None, deviation: Quantity | None
-    ) -> str | dict[str, Any] | tuple[float, float] | None:
-        if traffic is not None:
-            if speed is not None or deviation is not None:
-                raise ValueError("traffic and speed exclude each other: give one of the two")
-            return _file_or_keys(traffic)
-        if speed is None:
-            if deviation is not None:
-                raise ValueError("speed_deviation needs speed, about which speeds scatter")
-            return None
-        least = -np.finfo(np.float64).tiny
-        scatter = 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
-        return scalar(speed, "speed", "speed"), scatter
-
 
 def _restored(portable: _riffel.PortableCase, given: dict[str, Any]) -> Case:
     """A pickled case."""
     return Case(_riffel.Case.restore(portable, given.get("track"), given.get("wheel")), given)
-
-
-def _numbers(value: Any, name: str) -> Floats:
-    return array(value, name, "ratio", least=-np.finfo(np.float64).tiny)
-
-
-def _ground(ground: str | None, from_limit: str | float | None) -> tuple[str | None, str | None]:
-    """What a rail will be ground to, as words."""
-    return ground, None if from_limit is None else str(from_limit)
-
-
-def _file_or_keys(given: str | os.PathLike[str] | Mapping[str, Any]) -> str | dict[str, Any]:
-    """The name of a file, or its keys in its place."""
-    return _plain(given) if isinstance(given, Mapping) else os.fspath(given)
-
-
-def _plain(keys: Mapping[str, Any]) -> dict[str, Any]:
-    """Mappings of any kind as dicts, all the way down."""
-    return {key: _plain(value) if isinstance(value, Mapping) else value for key, value in keys.items()}
-
-
-def _as_data_array(value: Any, name: str, kind: Any, attributes: Mapping[str, str]) -> xr.DataArray:
-    """Quantities with dimensions: those of the user, or one of their own name."""
-    if isinstance(value, xr.DataArray):
-        if value.size == 0:
-            raise ValueError(f"{name} is empty, but must have a value")
-        si = array(xr.DataArray(np.ravel(value.values), attrs=value.attrs), name, kind)
-        return value.copy(data=si.reshape(value.shape)).assign_attrs(attributes)
-    values = array(value, name, kind)
-    if is_scalar(value):
-        return xr.DataArray(values[0], {name: values[0]}, attrs=attributes)
-    return xr.DataArray(values, {name: (name, values, dict(attributes))}, (name,), attrs=attributes)

@@ -12,8 +12,9 @@ import numpy as np
 import xarray as xr
 
 from riffel import _riffel
-from riffel._case import Case, _plain
+from riffel._case import Case
 from riffel._quantities import Quantities, Quantity, array, scalar, signed
+from riffel._traffic import plain_keys
 
 GivenCase: TypeAlias = "Case | str | os.PathLike[str] | Mapping[str, Any]"
 """A case, a file with the tables of curving, or its keys."""
@@ -407,7 +408,7 @@ def _given(case: GivenCase) -> _riffel.Case | dict[str, Any] | str:
     if isinstance(case, Case):
         return case._case
     if isinstance(case, Mapping):
-        return _plain(case)
+        return plain_keys(case)
     return os.fspath(case)
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _datasets
-from riffel._quantities import Floats
+from riffel._quantities import Floats, array
 
 
 def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Dataset:
@@ -125,3 +125,21 @@ def comparison(
         },
         attributes,
     )
+
+
+def horizon(passages: Any, mgt: Any, months: Any, with_traffic: bool) -> dict[str, Floats]:
+    """How far to look ahead, by one measure; none where the traffic alone says it."""
+    measures = {"passages": passages, "mgt": mgt, "months": months}
+    least = -np.finfo(np.float64).tiny
+    given = {name: array(value, name, "ratio", least=least) for name, value in measures.items() if value is not None}
+    if len(given) > 1:
+        raise ValueError(f"{' and '.join(given)} exclude each other: give one of them")
+    # The wheel of the case alone does not say how often it comes.
+    if not given and not with_traffic:
+        raise ValueError("passages, mgt or months is missing: say how far to look ahead")
+    return given
+
+
+def ground_in_words(ground: str | None, from_limit: str | float | None) -> tuple[str | None, str | None]:
+    """What a rail will be ground to, as words."""
+    return ground, None if from_limit is None else str(from_limit)

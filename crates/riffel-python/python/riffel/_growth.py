@@ -126,3 +126,22 @@ def ridge_branches(found: Sequence[Any], speeds: Floats, title: str | None) -> x
         },
         _datasets.attributes(title),
     )
+
+
+def on_irregular_supports(found: Sequence[list[float]], title: str | None) -> xr.Dataset:
+    """Growth on supports at drawn distances, beside that on equal ones."""
+    places, along, even, stand = found
+    growth = {"units": "1", "long_name": "growth rate per passage"}
+    shares = np.arange(len(even)) / len(even)
+    return xr.Dataset(
+        {
+            "growth_rate": ("position", along, growth),
+            "even_growth_rate": ("place_in_bay", even, {**growth, "long_name": "the same on equal supports"}),
+            "support_position": ("support", stand, {"units": "m", "long_name": "where a support stands"}),
+        },
+        {
+            "position": ("position", places, {"units": "m", "long_name": "place of the wheel"}),
+            "place_in_bay": ("place_in_bay", shares, {"units": "1", "long_name": "place over the support spacing"}),
+        },
+        _datasets.attributes(title),
+    )

@@ -10,8 +10,9 @@ import numpy as np
 import xarray as xr
 
 from riffel import _riffel
-from riffel._case import Case, Traffic, _file_or_keys
+from riffel._case import Case
 from riffel._quantities import Quantity, scalar
+from riffel._traffic import Traffic, file_or_keys
 
 _UNITS = {
     "from_m": ("from", "m", "first place of the section"),
@@ -269,7 +270,7 @@ def _expected(
         if traffic is not None or line is not None:
             raise ValueError("traffic and line belong to a case: give case, too")
         return None
-    return line, case._case, None if traffic is None else _file_or_keys(traffic)
+    return line, case._case, None if traffic is None else file_or_keys(traffic)
 
 
 def _count(most: int) -> int:

@@ -1,7 +1,7 @@
 //! Records of heights.
 
 use jiff::civil::Date;
-use riffel::diagnosis::{CleanRail, Course, CoursePoint, LocatedWavelength, WINDOW};
+use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWavelength, WINDOW};
 use riffel_keys::{CaseError, decimal};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
@@ -37,44 +37,9 @@ pub(super) fn history(
         let left_out = defects_in_words(&rail.name, clean.defects(), DefectsAre::LeftOut);
         warnings.extend(left_out.map(|said| said.to_string()));
     }
-    let mut found: Vec<(usize, Vec<LocatedWavelength>)> = Vec::new();
-    for (index, rail) in clean.iter().enumerate() {
-        found.push((index, rail.dominant().map_err(wrong)?));
-    }
-    // The rail with the highest of all levels leads.
-    let highest = |peaks: &[LocatedWavelength]| {
-        let levels = peaks.iter().map(|one| one.peak.level);
-        levels.fold(f64::NEG_INFINITY, f64::max)
-    };
-    found.sort_by(|a, b| highest(&b.1).total_cmp(&highest(&a.1)));
-    let mut curves = Vec::new();
-    for (index, peaks) in &found {
-        let name = &rails[*index].name;
-        curves.push((name.clone(), clean[*index].spectrum().map_err(wrong)?));
-        // The place of the peak that stands out most, if it has one.
-        let local = peaks.iter().find(|one| !one.all_along);
-        curves.extend(local.and_then(|one| {
-            let place = one.places.first()?;
-            let label = format!("{name}, {}–{:.0} m", decimal(place.from, 0), place.to);
-            Some((label, clean[*index].spectrum_between(place.from, place.to)?))
-        }));
-    }
-    let words = format!(
-        "profile, {} of {:.1} m{}, {} segments of {:.2} m averaged{}",
-        counted(rails.len(), "rail", "rails"),
-        rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
-        if clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW) {
-            format!(", whole and in windows of {WINDOW:.0} m")
-        } else {
-            String::new()
-        },
-        curves[0].1.segments(),
-        curves[0].1.segment_length(),
-        match earlier.len() {
-            0 => String::new(),
-            count => format!("; {}", counted(count, "earlier record", "earlier records")),
-        }
-    );
+    let found = FoundWavelengths::of(&clean).map_err(wrong)?;
+    let curves = found.curves(rails, &clean).map_err(wrong)?;
+    let words = in_words(rails, &clean, &curves[0].1, earlier.len());
     let records = || earlier.iter().chain([present]);
     let dates = dates(records()).unwrap_or_default();
     let labels: Vec<String> = if dates.is_empty() {
@@ -85,66 +50,20 @@ pub(super) fn history(
         dates.iter().map(Date::to_string).collect()
     };
     let (times, unit) = times(labels.len(), &dates);
-    let mut points: Vec<Vec<CoursePoint>> = Vec::new();
-    points.resize_with(found.iter().map(|rail| rail.1.len()).sum(), Vec::new);
-    let mut point = |finding: usize, record: usize, rail: &CleanRail, one: &LocatedWavelength| {
-        let level = level_at(rail, one);
-        points[finding].extend(level.map(|(level, scatter)| CoursePoint {
-            label: labels[record].clone(),
-            time: times[record],
-            level,
-            scatter: Some(scatter),
-        }));
-        level.is_some()
-    };
-    let all = || {
-        let rails = found.iter();
-        rails.flat_map(|(index, peaks)| peaks.iter().map(move |one| (*index, one)))
-    };
-    for (place, record) in earlier.iter().enumerate() {
-        let RailRoughness::Profile {
-            rails: past,
-            warnings: remarks,
-        } = record.roughness
-        else {
-            return Err(CaseError::data(
-                record.name,
-                format!(
-                    "is a table of levels, but {} is a profile; both must be the same",
-                    present.name.display()
-                ),
-            ));
-        };
-        let name = record.name.display();
-        warnings.extend(remarks.iter().map(|remark| format!("{name}: {remark}")));
-        for (index, rail) in rails.iter().enumerate() {
-            let findings = || all().enumerate().filter(move |(_, (own, _))| *own == index);
-            if findings().next().is_none() {
-                continue;
-            }
-            let Some(same) = same_rail(past, rails, index) else {
-                warnings.push(format!(
-                    "{name}: has no rail {}, whose course is not known",
-                    rail.name
-                ));
-                continue;
-            };
-            let same = clean_rail(same, choice);
-            for (finding, (_, one)) in findings() {
-                if !point(finding, place, &same, one) {
-                    let place = one.places[0];
-                    warnings.push(format!(
-                        "{name}: rail {} was not measured from {:.1} m to {:.1} m, so that its course there is not known",
-                        rail.name, place.from, place.to
-                    ));
-                }
-            }
-        }
+    let mut points = found.earlier_levels(present, rails, earlier, choice, &mut warnings)?;
+    for ((index, one), levels) in found.all().zip(&mut points) {
+        let level = level_at(&clean[index], one);
+        levels.extend(level.map(|level| (earlier.len(), level)));
     }
-    for (finding, (index, one)) in all().enumerate() {
-        point(finding, earlier.len(), &clean[index], one);
-    }
-    let measured = all().zip(points).map(|((index, one), points)| {
+    let measured = found.all().zip(points).map(|((index, one), levels)| {
+        let points = levels
+            .into_iter()
+            .map(|(record, (level, scatter))| CoursePoint {
+                label: labels[record].clone(),
+                time: times[record],
+                level,
+                scatter: Some(scatter),
+            });
         let levels = clean
             .iter()
             .zip(rails)
@@ -155,7 +74,7 @@ pub(super) fn history(
             places: one.places.clone(),
             all_along: one.all_along,
             peak: one.peak.clone(),
-            course: Course::new(points, unit).ok(),
+            course: Course::new(points.collect(), unit).ok(),
             energy_levels: None,
             rails: if rails.len() > 1 {
                 levels.collect()
@@ -171,6 +90,137 @@ pub(super) fn history(
         defects,
         warnings,
     })
+}
+
+/// What the record is, in words.
+fn in_words(
+    rails: &[Rail],
+    clean: &[CleanRail],
+    spectrum: &FineSpectrum,
+    earlier: usize,
+) -> String {
+    format!(
+        "profile, {} of {:.1} m{}, {} segments of {:.2} m averaged{}",
+        counted(rails.len(), "rail", "rails"),
+        rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
+        if clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW) {
+            format!(", whole and in windows of {WINDOW:.0} m")
+        } else {
+            String::new()
+        },
+        spectrum.segments(),
+        spectrum.segment_length(),
+        match earlier {
+            0 => String::new(),
+            count => format!("; {}", counted(count, "earlier record", "earlier records")),
+        }
+    )
+}
+
+/// Dominant wavelengths of each rail, by its place in the record; the rail with the highest of all levels leads.
+struct FoundWavelengths(Vec<(usize, Vec<LocatedWavelength>)>);
+
+/// Level of a wavelength in a record, by its place among all, with its standard deviation by chance \[dB\].
+type LevelOfRecord = (usize, (f64, f64));
+
+impl FoundWavelengths {
+    fn of(rails: &[CleanRail]) -> Result<Self, riffel::Error> {
+        let mut found = Vec::new();
+        for (index, rail) in rails.iter().enumerate() {
+            found.push((index, rail.dominant()?));
+        }
+        let highest = |peaks: &[LocatedWavelength]| {
+            let levels = peaks.iter().map(|one| one.peak.level);
+            levels.fold(f64::NEG_INFINITY, f64::max)
+        };
+        found.sort_by(|a, b| highest(&b.1).total_cmp(&highest(&a.1)));
+        Ok(Self(found))
+    }
+
+    /// Every wavelength with the place of its rail.
+    fn all(&self) -> impl Iterator<Item = (usize, &LocatedWavelength)> {
+        let rails = self.0.iter();
+        rails.flat_map(|(index, peaks)| peaks.iter().map(move |one| (*index, one)))
+    }
+
+    /// Spectra of each rail, and of the place of the peak that stands out most, if it has one.
+    fn curves(
+        &self,
+        rails: &[Rail],
+        clean: &[CleanRail],
+    ) -> Result<Vec<(String, FineSpectrum)>, riffel::Error> {
+        let mut curves = Vec::new();
+        for (index, peaks) in &self.0 {
+            let name = &rails[*index].name;
+            curves.push((name.clone(), clean[*index].spectrum()?));
+            let local = peaks.iter().find(|one| !one.all_along);
+            curves.extend(local.and_then(|one| {
+                let place = one.places.first()?;
+                let label = format!("{name}, {}–{:.0} m", decimal(place.from, 0), place.to);
+                Some((label, clean[*index].spectrum_between(place.from, place.to)?))
+            }));
+        }
+        Ok(curves)
+    }
+
+    /// Levels of every wavelength in the earlier records, with a warning where one is not known.
+    fn earlier_levels(
+        &self,
+        present: &RailRecord<'_>,
+        rails: &[Rail],
+        earlier: &[RailRecord<'_>],
+        choice: SpectraChoice<'_>,
+        warnings: &mut Vec<String>,
+    ) -> Result<Vec<Vec<LevelOfRecord>>, CaseError> {
+        let mut levels = vec![Vec::new(); self.all().count()];
+        for (place, record) in earlier.iter().enumerate() {
+            let RailRoughness::Profile {
+                rails: past,
+                warnings: remarks,
+            } = record.roughness
+            else {
+                return Err(CaseError::data(
+                    record.name,
+                    format!(
+                        "is a table of levels, but {} is a profile; both must be the same",
+                        present.name.display()
+                    ),
+                ));
+            };
+            let name = record.name.display();
+            warnings.extend(remarks.iter().map(|remark| format!("{name}: {remark}")));
+            for (index, rail) in rails.iter().enumerate() {
+                let findings = || {
+                    self.all()
+                        .enumerate()
+                        .filter(move |(_, (own, _))| *own == index)
+                };
+                if findings().next().is_none() {
+                    continue;
+                }
+                let Some(same) = same_rail(past, rails, index) else {
+                    warnings.push(format!(
+                        "{name}: has no rail {}, whose course is not known",
+                        rail.name
+                    ));
+                    continue;
+                };
+                let same = clean_rail(same, choice);
+                for (finding, (_, one)) in findings() {
+                    let level = level_at(&same, one);
+                    levels[finding].extend(level.map(|level| (place, level)));
+                    if level.is_none() {
+                        let place = one.places[0];
+                        warnings.push(format!(
+                            "{name}: rail {} was not measured from {:.1} m to {:.1} m, so that its course there is not known",
+                            rail.name, place.from, place.to
+                        ));
+                    }
+                }
+            }
+        }
+        Ok(levels)
+    }
 }
 
 /// A rail with its welds, joints and squats, or without.

@@ -69,34 +69,15 @@ pub(super) fn history(
         }
     );
     let mut warnings = Vec::new();
-    let mut tables: Vec<RailTable> = Vec::new();
-    for rail in rails.iter().cloned() {
-        let mut groups = Vec::new();
-        for ((name, survey), &time) in records.iter().zip(&times) {
-            let of_rail = match (&rail, survey.rail_column()) {
-                (Some(rail), Some(_)) => {
-                    let mut rails = survey.by_rail().into_iter();
-                    rails
-                        .find(|(name, _)| name == rail)
-                        .map(|(_, survey)| survey)
-                }
-                (Some(_), None) if rails.len() > 1 => None,
-                _ => Some(survey.clone()),
-            };
-            match (of_rail, &rail) {
-                (Some(survey), _) => groups.push(Group {
-                    name: name.clone(),
-                    time,
-                    spectra: survey.spectra(),
-                }),
-                (None, Some(rail)) => warnings.push(format!(
-                    "{name}: has no rail {rail}, whose course is not known there"
-                )),
-                (None, None) => {}
-            }
-        }
-        tables.push(RailTable::new(rail, groups));
-    }
+    let records: Vec<(&str, f64, &Survey)> = (records.iter().zip(&times))
+        .map(|((name, survey), &time)| (name.as_str(), time, survey))
+        .collect();
+    let are_several = rails.len() > 1;
+    let tables = rails.into_iter().map(|rail| {
+        let groups = groups(&rail, are_several, &records, &mut warnings);
+        RailTable::new(rail, groups)
+    });
+    let mut tables: Vec<RailTable> = tables.collect();
     // The rail with the highest of all dominant levels leads.
     tables.sort_by(|a, b| b.highest().total_cmp(&a.highest()));
     let measured = tables
@@ -113,6 +94,40 @@ pub(super) fn history(
         defects: Vec::new(),
         warnings,
     })
+}
+
+/// The spectra of a rail in each record that has it, with a warning for those that have not.
+fn groups(
+    rail: &Option<String>,
+    are_several: bool,
+    records: &[(&str, f64, &Survey)],
+    warnings: &mut Vec<String>,
+) -> Vec<Group> {
+    let mut groups = Vec::new();
+    for &(name, time, survey) in records {
+        let of_rail = match (rail, survey.rail_column()) {
+            (Some(rail), Some(_)) => {
+                let mut rails = survey.by_rail().into_iter();
+                rails
+                    .find(|(name, _)| name == rail)
+                    .map(|(_, survey)| survey)
+            }
+            (Some(_), None) if are_several => None,
+            _ => Some(survey.clone()),
+        };
+        match (of_rail, rail) {
+            (Some(survey), _) => groups.push(Group {
+                name: name.to_owned(),
+                time,
+                spectra: survey.spectra(),
+            }),
+            (None, Some(rail)) => warnings.push(format!(
+                "{name}: has no rail {rail}, whose course is not known there"
+            )),
+            (None, None) => {}
+        }
+    }
+    groups
 }
 
 /// The spectra of a rail in one record.

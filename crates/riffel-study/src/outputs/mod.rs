@@ -1,6 +1,7 @@
 //! What is computed for each sample.
 
 mod band;
+mod variable;
 mod wave;
 
 use riffel::Complex64;
@@ -13,44 +14,9 @@ use crate::file::{MapQuantity, OutputsFile};
 
 pub use band::Band;
 use band::bands;
+use variable::RIDGE_FREQUENCY;
+pub use variable::{Dimension, Variable};
 pub use wave::WaveQuantity;
-
-/// An array of results: one value, or a table of values, for each sample.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Variable {
-    /// Its name.
-    pub name: String,
-    /// Dimensions after the sample, the last fastest.
-    pub dimensions: Vec<Dimension>,
-    /// Whether its values are complex.
-    pub complex: bool,
-    /// SI unit, `1` for none.
-    pub unit: &'static str,
-    /// What it is.
-    pub description: String,
-}
-
-/// A dimension of the results besides the sample.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Dimension {
-    /// Speeds of the map.
-    Speed,
-    /// Wavelengths of the map.
-    Wavelength,
-    /// Bands of wavelength.
-    Band,
-}
-
-impl Dimension {
-    /// Its name.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Speed => "speed",
-            Self::Wavelength => "wavelength",
-            Self::Band => "band",
-        }
-    }
-}
 
 /// What is computed for each sample of a study.
 #[derive(Debug, Clone)]
@@ -67,9 +33,6 @@ pub struct Outputs {
     /// Numbers of each variable in one sample.
     lengths: Vec<usize>,
 }
-
-/// The name of the output that may be missing where nothing grows.
-const RIDGE_FREQUENCY: &str = "ridge_frequency";
 
 impl Outputs {
     /// What a plan asks for on the window of its case, with what is to be asked about points that are not usual.
@@ -218,156 +181,28 @@ impl Outputs {
         file.ridge || self.has_axes()
     }
 
+    /// The arrays that are asked for, in their order.
     fn describe(&self) -> Vec<Variable> {
-        use Dimension::{Band, Speed, Wavelength};
         let file = &self.file;
-        let mut variables = Vec::new();
-        let mut add = |name: &str, dimensions: &[Dimension], unit, description: &str| {
-            variables.push(Variable {
-                name: name.to_owned(),
-                dimensions: dimensions.to_vec(),
-                complex: false,
-                unit,
-                description: description.to_owned(),
-            });
+        let asked = [
+            (file.ridge, variable::RIDGE),
+            (file.ridge_over_speed, variable::RIDGE_OVER_SPEED),
+            (file.growth_by_wavelength, variable::GROWTH_BY_WAVELENGTH),
+            (!self.bands.is_empty(), variable::GROWTH_BY_BAND),
+        ];
+        let asked = asked.into_iter().filter(|(is_asked, _)| *is_asked);
+        let on_window = asked.flat_map(|(_, rows)| rows.iter().map(Variable::of));
+        let maps = file.map.iter().map(Variable::of_map);
+        let traffic = match self.traffic {
+            Some(_) => variable::UNDER_TRAFFIC,
+            None => &[],
         };
-        if file.ridge {
-            add(
-                RIDGE_FREQUENCY,
-                &[],
-                "Hz",
-                "frequency that the strongest branch of the ridge follows, missing where nothing grows",
-            );
-            add(
-                "highest_growth_rate",
-                &[],
-                "1",
-                "highest growth rate per passage in the window",
-            );
-            add(
-                "highest_growth_wavelength",
-                &[],
-                "m",
-                "wavelength of the highest growth rate",
-            );
-            add(
-                "highest_growth_speed",
-                &[],
-                "m/s",
-                "speed of the highest growth rate",
-            );
-            add(
-                "highest_growth_frequency",
-                &[],
-                "Hz",
-                "frequency of the highest growth rate",
-            );
-            add(
-                "highest_growth_at_edge",
-                &[],
-                "1",
-                "1 where the highest growth sits at an end of the window, of wavelengths or of speeds, else 0",
-            );
-        }
-        if file.ridge_over_speed {
-            add(
-                "ridge_wavelength",
-                &[Speed],
-                "m",
-                "wavelength of highest growth at each speed",
-            );
-            add(
-                "ridge_growth_rate",
-                &[Speed],
-                "1",
-                "highest growth rate per passage at each speed",
-            );
-            add(
-                "ridge_at_edge",
-                &[Speed],
-                "1",
-                "1 where the ridge sits at an end of the window, else 0",
-            );
-        }
-        if file.growth_by_wavelength {
-            add(
-                "mean_growth_rate",
-                &[Wavelength],
-                "1",
-                "growth rate per passage in the mean over the speeds of the window",
-            );
-        }
-        if !self.bands.is_empty() {
-            add(
-                "band_growth_rate",
-                &[Band],
-                "1",
-                "highest growth rate per passage of the wavelengths of a band, in the mean over the speeds",
-            );
-        }
-        for quantity in &file.map {
-            match quantity {
-                MapQuantity::GrowthRate => {
-                    add(
-                        "growth_rate",
-                        &[Speed, Wavelength],
-                        "1",
-                        "growth rate per passage",
-                    );
-                }
-                MapQuantity::NormalizedDissipation => add(
-                    "normalized_dissipation",
-                    &[Speed, Wavelength],
-                    "1",
-                    "W1/(mu P0 V xi0), growth where its real part is negative",
-                ),
-            }
-        }
-        if self.traffic.is_some() {
-            add(
-                "traffic_growth_rate",
-                &[],
-                "1",
-                "highest growth rate per axle passage under the traffic",
-            );
-            add(
-                "traffic_growth_wavelength",
-                &[],
-                "m",
-                "wavelength of the highest growth rate under the traffic",
-            );
-            add(
-                "traffic_growth_at_edge",
-                &[],
-                "1",
-                "1 where the highest growth under the traffic sits at an end of the wavelengths, else 0",
-            );
-        }
-        if let Some(variable) = variables
-            .iter_mut()
-            .find(|v| v.name == "normalized_dissipation")
-        {
-            variable.complex = true;
-        }
+        let mut variables: Vec<Variable> = on_window.chain(maps).collect();
+        variables.extend(traffic.iter().map(Variable::of));
         for (index, point) in file.point.iter().enumerate() {
-            let name = point
-                .name
-                .clone()
-                .unwrap_or_else(|| format!("point_{}", index + 1));
-            for &quantity in &point.quantities {
-                variables.push(Variable {
-                    name: format!("{name}_{}", quantity.key()),
-                    dimensions: Vec::new(),
-                    complex: quantity.is_complex(),
-                    unit: quantity.unit(),
-                    description: format!(
-                        "{} at {} and {}",
-                        quantity.name(),
-                        point.wavelength,
-                        point.speed
-                    ),
-                });
-            }
+            let usual = || format!("point_{}", index + 1);
+            let name = point.name.clone().unwrap_or_else(usual);
+            variables.extend(point.variables(&name));
         }
         for (index, wave) in file.wave.iter().enumerate() {
             let usual = || format!("wave_{}", index + 1);

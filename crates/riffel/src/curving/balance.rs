@@ -29,6 +29,14 @@ pub(super) struct Rolling {
     wheels: [WheelOnRail; 2],
 }
 
+/// What the suspension does to a wheelset, and what the frame bears of it.
+struct Suspension {
+    lateral_force: f64,
+    yaw_moment: f64,
+    /// Force and moment; none on the frame of a lone wheelset, which has no equations.
+    on_frame: [f64; 2],
+}
+
 /// Forces and moments, and all they consist of.
 pub(super) struct Balanced {
     pub(super) residuals: Vec<f64>,
@@ -165,23 +173,11 @@ impl<'a> Balance<'a> {
         let outward = -vehicle.curve.side() * vehicle.outward_acceleration(self.fraction);
         let load = vehicle.static_load();
         let loads = vehicle.loads(self.fraction);
-        let (lateral_stiffness, yaw_stiffness) = (axle.lateral_stiffness(), axle.yaw_stiffness());
 
         let (mut frames, body) = self.frames(unknowns, outward, curvature);
         // What a frame's own forces, and below its wheelsets, leave of it.
-        let mut on_frames: Vec<[f64; 2]> = frames
-            .iter()
-            .map(|frame| {
-                let moment = vehicle
-                    .running_gear
-                    .bogie()
-                    .map_or(0.0, |bogie| bogie.yaw_moment);
-                [
-                    frame.inertial_lateral_force + frame.secondary_lateral_force,
-                    self.fraction * moment + frame.secondary_yaw_moment,
-                ]
-            })
-            .collect();
+        let mut on_frames: Vec<[f64; 2]> =
+            frames.iter().map(|frame| self.own_forces(frame)).collect();
         let mut residuals = vec![0.0; unknowns.len()];
         let mut wheels = Vec::with_capacity(2 * rolling.len());
         let mut wheelsets = Vec::with_capacity(rolling.len());
@@ -192,30 +188,14 @@ impl<'a> Balance<'a> {
             let lateral_shift = rolling.lateral_shift;
             let inertial = axle.wheelset_mass * outward;
             let flange = vehicle.kinematics.flange_force(lateral_shift);
-            let frame = &mut frames[of_frame];
-            let (suspension, suspension_moment) = match &vehicle.running_gear {
-                RunningGear::Wheelset(following) => {
-                    let force = match following.held_at {
-                        Some(held) => -lateral_stiffness * (lateral_shift - self.fraction * held),
-                        None => {
-                            let force = frame.inertial_lateral_force;
-                            frame.lateral_shift = lateral_shift + force / lateral_stiffness;
-                            force
-                        }
-                    };
-                    (force, -yaw_stiffness * (yaw - frame.yaw))
-                }
-                RunningGear::Bogie(bogie) | RunningGear::Vehicle { bogies: bogie, .. } => {
-                    // Ahead of the middle of the bogie.
-                    let ahead = [0.5, -0.5][own] * bogie.wheelbase;
-                    let force = -lateral_stiffness
-                        * (lateral_shift - frame.lateral_shift - ahead * frame.yaw);
-                    let moment = -yaw_stiffness * (yaw + ahead * curvature - frame.yaw);
-                    on_frames[of_frame][0] -= force;
-                    on_frames[of_frame][1] -= moment + ahead * force;
-                    (force, moment)
-                }
-            };
+            let link = self.suspension(own, lateral_shift, yaw, &mut frames[of_frame]);
+            let Suspension {
+                lateral_force: suspension,
+                yaw_moment: suspension_moment,
+                ..
+            } = link;
+            on_frames[of_frame][0] -= link.on_frame[0];
+            on_frames[of_frame][1] -= link.on_frame[1];
             let mut lateral = suspension + flange + inertial;
             let mut moment = 0.0;
             let mut torque = self.fraction * vehicle.drive_torque[index];
@@ -259,6 +239,58 @@ impl<'a> Balance<'a> {
             wheels,
             frames,
             body,
+        }
+    }
+
+    /// Lateral force and yaw moment on a frame without its wheelsets.
+    fn own_forces(&self, frame: &FrameState) -> [f64; 2] {
+        let bogie = self.vehicle.running_gear.bogie();
+        let moment = bogie.map_or(0.0, |bogie| bogie.yaw_moment);
+        [
+            frame.inertial_lateral_force + frame.secondary_lateral_force,
+            self.fraction * moment + frame.secondary_yaw_moment,
+        ]
+    }
+
+    /// What the suspension does to the wheelset of this number in its frame; the frame of a lone wheelset that is held nowhere follows.
+    fn suspension(
+        &self,
+        own: usize,
+        lateral_shift: f64,
+        yaw: f64,
+        frame: &mut FrameState,
+    ) -> Suspension {
+        let axle = &self.vehicle.axle;
+        let (lateral_stiffness, yaw_stiffness) = (axle.lateral_stiffness(), axle.yaw_stiffness());
+        match &self.vehicle.running_gear {
+            RunningGear::Wheelset(following) => {
+                let force = match following.held_at {
+                    Some(held) => -lateral_stiffness * (lateral_shift - self.fraction * held),
+                    None => {
+                        let force = frame.inertial_lateral_force;
+                        frame.lateral_shift = lateral_shift + force / lateral_stiffness;
+                        force
+                    }
+                };
+                Suspension {
+                    lateral_force: force,
+                    yaw_moment: -yaw_stiffness * (yaw - frame.yaw),
+                    on_frame: [0.0; 2],
+                }
+            }
+            RunningGear::Bogie(bogie) | RunningGear::Vehicle { bogies: bogie, .. } => {
+                let curvature = self.fraction / self.vehicle.curve.radius;
+                // Ahead of the middle of the bogie.
+                let ahead = [0.5, -0.5][own] * bogie.wheelbase;
+                let force =
+                    -lateral_stiffness * (lateral_shift - frame.lateral_shift - ahead * frame.yaw);
+                let moment = -yaw_stiffness * (yaw + ahead * curvature - frame.yaw);
+                Suspension {
+                    lateral_force: force,
+                    yaw_moment: moment,
+                    on_frame: [force, moment + ahead * force],
+                }
+            }
         }
     }
 

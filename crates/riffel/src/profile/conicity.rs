@@ -35,30 +35,18 @@ impl EquivalentConicity {
         contact_spacing: f64,
         rolling_radius: f64,
     ) -> Option<Self> {
-        /// Less \[m\] is no difference: profiles are not known to a nanometre.
-        const NO_DIFFERENCE: f64 = 1e-9;
-        let difference = rolling_radius_difference;
         let scale = contact_spacing * rolling_radius;
-        // The middle of the motion: as much work to either side.
-        let phases = || {
-            let step = PI / PIECES as f64;
-            (0..PIECES).map(move |index| (-FRAC_PI_2 + (index as f64 + 0.5) * step, step))
+        let motion = Swing {
+            difference: rolling_radius_difference,
+            amplitude,
         };
-        let work = |middle: f64| {
-            let piece = |(phase, step): (f64, f64)| {
-                difference(middle + amplitude * phase.sin()) * phase.cos() * step
-            };
-            phases().map(piece).sum::<f64>()
-        };
-        let (mut low, mut high) = (leftmost + amplitude, rightmost - amplitude);
+        let (low, high) = (leftmost + amplitude, rightmost - amplitude);
         // Ends of a table are steps of a rounded number.
         if high - low < -1e-9 {
             return None;
         }
         let is_between = low <= 0.0 && high >= 0.0;
-        let is_nought =
-            |(phase, _): (f64, f64)| difference(amplitude * phase.sin()).abs() < NO_DIFFERENCE;
-        if is_between && phases().all(is_nought) {
+        if is_between && motion.is_without_difference() {
             return Some(Self {
                 klingel: 0.0,
                 harmonic: 0.0,
@@ -66,29 +54,75 @@ impl EquivalentConicity {
                 wavelength: f64::INFINITY,
             });
         }
-        let (at_low, at_high) = (work(low), work(high));
-        let middle = if is_between && work(0.0).abs() <= 1e-12 * at_high.abs().max(at_low.abs()) {
-            0.0
-        } else {
-            if at_low > 0.0 || at_high < 0.0 {
-                return None;
-            }
-            for _ in 0..60 {
-                let middle = 0.5 * (low + high);
-                match work(middle) < 0.0 {
-                    true => low = middle,
-                    false => high = middle,
-                }
-            }
-            0.5 * (low + high)
+        let middle = motion.middle([low, high])?;
+        let wavelength = motion.wavelength(middle, scale)?;
+        Some(Self {
+            klingel: (PI / wavelength).powi(2) * 2.0 * scale,
+            harmonic: motion.harmonic(middle),
+            regression: motion.regression(middle),
+            wavelength,
+        })
+    }
+}
+
+/// y = middle + A sin τ under a rolling radius difference Δr(y) \[m\].
+struct Swing<F> {
+    difference: F,
+    /// A \[m\].
+    amplitude: f64,
+}
+
+/// Phases τ of half a wave at the midpoints of pieces.
+fn phases(pieces: usize) -> impl Iterator<Item = f64> {
+    let step = PI / pieces as f64;
+    (0..pieces).map(move |index| -FRAC_PI_2 + (index as f64 + 0.5) * step)
+}
+
+impl<F: Fn(f64) -> f64> Swing<F> {
+    /// Δr at a phase of the motion about a middle.
+    fn difference(&self, middle: f64, phase: f64) -> f64 {
+        (self.difference)(middle + self.amplitude * phase.sin())
+    }
+
+    fn is_without_difference(&self) -> bool {
+        /// Less \[m\] is no difference: profiles are not known to a nanometre.
+        const NO_DIFFERENCE: f64 = 1e-9;
+        phases(PIECES).all(|phase| self.difference(0.0, phase).abs() < NO_DIFFERENCE)
+    }
+
+    /// The middle of the motion between two ends: as much work to either side.
+    fn middle(&self, [mut low, mut high]: [f64; 2]) -> Option<f64> {
+        let step = PI / PIECES as f64;
+        let work = |middle: f64| {
+            let piece = |phase: f64| self.difference(middle, phase) * phase.cos() * step;
+            phases(PIECES).map(piece).sum::<f64>()
         };
+        let (at_low, at_high) = (work(low), work(high));
+        let is_between = low <= 0.0 && high >= 0.0;
+        if is_between && work(0.0).abs() <= 1e-12 * at_high.abs().max(at_low.abs()) {
+            return Some(0.0);
+        }
+        if at_low > 0.0 || at_high < 0.0 {
+            return None;
+        }
+        for _ in 0..60 {
+            let middle = 0.5 * (low + high);
+            match work(middle) < 0.0 {
+                true => low = middle,
+                false => high = middle,
+            }
+        }
+        Some(0.5 * (low + high))
+    }
+
+    /// Wavelength of the free motion \[m\], of e r₀ \[m²\]; none where it does not swing back.
+    fn wavelength(&self, middle: f64, scale: f64) -> Option<f64> {
+        let amplitude = self.amplitude;
         // y = middle + A sin τ from each end inward, as far as the speed grows: v² = 2∫ Δr/(e r₀) dy, time ∫ dy/v. From one end
         // alone, what a step of Δr costs the rule would be left at the other, where v is zero.
         let pieces = 2 * PIECES;
         let step = PI / pieces as f64;
-        let at = |phase: f64| {
-            difference(middle + amplitude * phase.sin()) * amplitude * phase.cos() / scale
-        };
+        let at = |phase: f64| self.difference(middle, phase) * amplitude * phase.cos() / scale;
         // Simpson's rule over either half of each piece.
         let halves = (0..pieces).map(|index| {
             let begin = -FRAC_PI_2 + index as f64 * step;
@@ -122,22 +156,25 @@ impl EquivalentConicity {
             let centre = -FRAC_PI_2 + (index as f64 + 0.5) * step;
             half_wave += amplitude * centre.cos() / (2.0 * energy).sqrt() * step;
         }
-        let wavelength = 2.0 * half_wave;
-        let mean = |value: &dyn Fn(f64) -> f64| {
-            let phases = (0..pieces).map(|index| -FRAC_PI_2 + (index as f64 + 0.5) * step);
-            phases.map(value).sum::<f64>() * step
-        };
-        let harmonic = mean(&|phase| difference(middle + amplitude * phase.sin()) * phase.sin())
-            / (PI * amplitude);
-        let moment = mean(&|phase| {
-            let y = amplitude * phase.sin();
-            y * difference(middle + y) * amplitude * phase.cos()
+        Some(2.0 * half_wave)
+    }
+
+    /// Integral over the phases of half a wave.
+    fn integral(&self, value: impl Fn(f64) -> f64) -> f64 {
+        let pieces = 2 * PIECES;
+        phases(pieces).map(value).sum::<f64>() * (PI / pieces as f64)
+    }
+
+    fn harmonic(&self, middle: f64) -> f64 {
+        let value = |phase: f64| self.difference(middle, phase) * phase.sin();
+        self.integral(value) / (PI * self.amplitude)
+    }
+
+    fn regression(&self, middle: f64) -> f64 {
+        let moment = self.integral(|phase| {
+            let y = self.amplitude * phase.sin();
+            y * (self.difference)(middle + y) * self.amplitude * phase.cos()
         });
-        Some(Self {
-            klingel: (PI / wavelength).powi(2) * 2.0 * scale,
-            harmonic,
-            regression: moment / (4.0 / 3.0 * amplitude.powi(3)),
-            wavelength,
-        })
+        moment / (4.0 / 3.0 * self.amplitude.powi(3))
     }
 }

@@ -122,20 +122,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
             .or(kind)
             .unwrap_or_else(|| orientation::kind_by_width(written.width())),
     };
-    let across = written.width();
-    if across > WIDEST_IN_METRES {
-        let message = format!(
-            "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
-        );
-        return Err(at_fault(None, message));
-    }
-    if across < NARROWEST && written.points.len() >= FEWEST {
-        let message = format!(
-            "the profile is {:.3} mm across, narrower than any wheel or rail: check its unit",
-            1e3 * across
-        );
-        return Err(at_fault(None, message));
-    }
+    check_width(&written).map_err(|message| at_fault(None, message))?;
     orientation::turn(&mut written, reading, kind).map_err(of_fault)?;
     let WrittenProfile {
         points,
@@ -162,24 +149,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         });
     };
     let smooth = SmoothedPoints::new(&points, scatter).map_err(refuse)?;
-    if let Some(&first) = smooth.dropped.first() {
-        let (count, line) = (smooth.dropped.len(), lines[first]);
-        remarks.push(say!(
-            outlying_points_left_out,
-            name = &name,
-            count = count,
-            line = line
-        ));
-    }
-    let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
-    let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
-    if let Some((_, error)) = nearest {
-        remarks.push(say!(
-            scatter_of_curvature,
-            name = &name,
-            error = fixed(*error, 2)
-        ));
-    }
+    remarks.extend(of_smoothing(&name, &smooth, &lines));
     // The line of a point that is left: dropped ones are not counted.
     let left: Vec<usize> = (0..points.len())
         .filter(|index| smooth.dropped.binary_search(index).is_err())
@@ -196,6 +166,49 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         kind,
         remarks,
     })
+}
+
+/// Why a profile is too wide or too narrow for a wheel or a rail, if it is.
+fn check_width(written: &WrittenProfile) -> Result<(), String> {
+    let across = written.width();
+    if across > WIDEST_IN_METRES {
+        let message = format!(
+            "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
+        );
+        return Err(message);
+    }
+    if across < NARROWEST && written.points.len() >= FEWEST {
+        let message = format!(
+            "the profile is {:.3} mm across, narrower than any wheel or rail: check its unit",
+            1e3 * across
+        );
+        return Err(message);
+    }
+    Ok(())
+}
+
+/// Points left out of a smooth curve, and how well its curvature is known.
+fn of_smoothing(name: &str, smooth: &SmoothedPoints, lines: &[usize]) -> Vec<Message> {
+    let mut remarks = Vec::new();
+    if let Some(&first) = smooth.dropped.first() {
+        let (count, line) = (smooth.dropped.len(), lines[first]);
+        remarks.push(say!(
+            outlying_points_left_out,
+            name = name,
+            count = count,
+            line = line
+        ));
+    }
+    let nearest = smooth.points.iter().zip(&smooth.curvature_errors);
+    let nearest = nearest.min_by(|one, other| one.0[0].abs().total_cmp(&other.0[0].abs()));
+    if let Some((_, error)) = nearest {
+        remarks.push(say!(
+            scatter_of_curvature,
+            name = name,
+            error = fixed(*error, 2)
+        ));
+    }
+    remarks
 }
 
 /// The points of a text, by its format.

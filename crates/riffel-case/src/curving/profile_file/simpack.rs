@@ -20,14 +20,72 @@ pub(super) fn is_first_line(line: &str) -> bool {
     line.starts_with("header.begin") || line.starts_with("spline.begin")
 }
 
+/// The keys of the sections with their values as text, and the lines they stand in.
+#[derive(Default)]
+struct Keys(BTreeMap<String, (String, usize)>);
+
+impl Keys {
+    fn number(&self, key: &str) -> Result<Option<f64>, Fault> {
+        match self.0.get(key) {
+            None => Ok(None),
+            Some((text, line)) => match number_in(text) {
+                Some(value) => Ok(Some(value)),
+                None => Err(Fault::at(
+                    *line,
+                    format!("{key} is \"{}\", but must be a number", clipped(text)),
+                )),
+            },
+        }
+    }
+
+    fn number_or(&self, key: &str, default: f64) -> Result<f64, Fault> {
+        Ok(self.number(key)?.unwrap_or(default))
+    }
+
+    /// Units of the file in a metre, of a profile of this width.
+    fn units_per_metre(&self, width: f64) -> Result<f64, Fault> {
+        let unit = self.0.get("spline.units.len");
+        Ok(match (self.number("spline.units.len.f")?, unit) {
+            (Some(per_metre), _) if per_metre > 0.0 => per_metre,
+            (Some(_), _) => {
+                let line = self.0["spline.units.len.f"].1;
+                return Err(Fault::at(
+                    line,
+                    "units.len.f must be above zero: how many of the file's units make a metre",
+                ));
+            }
+            (None, Some((unit, _))) if unit == "mm" => 1e3,
+            (None, Some((unit, _))) if unit == "m" => 1.0,
+            (None, _) if width > WIDEST_IN_METRES => 1e3,
+            (None, _) => 1.0,
+        })
+    }
+}
+
 pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
+    let (mut written, keys) = sections(text)?;
+    written.kind = keys.number("header.type")?.map(|kind| match kind {
+        0.0 => ProfileKind::Rail,
+        _ => ProfileKind::Wheel,
+    });
+    let per_metre = keys.units_per_metre(written.width())?;
+    transform(&mut written, &keys, per_metre)?;
+    let smoothing = keys.number("spline.approx.smooth")?;
+    if smoothing.is_some_and(|smooth| smooth > 0.0) {
+        written.remarks.push(say!(smoothing_of_file_left_out));
+    }
+    Ok(written)
+}
+
+/// The points as they are written, and the keys.
+fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
     let mut written = WrittenProfile {
         of_any_orientation: true,
         ..WrittenProfile::default()
     };
     // Sections that are open, with the lines of their beginnings.
     let mut open: Vec<(String, usize)> = Vec::new();
-    let mut keys: BTreeMap<String, (String, usize)> = BTreeMap::new();
+    let mut keys = Keys::default();
     for (index, line) in text.lines().enumerate() {
         let line = without_comment(line);
         let lower = line.to_lowercase();
@@ -65,7 +123,8 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         } else if let Some((key, value)) = line.split_once('=') {
             let section = open.last().map_or("", |(section, _)| section);
             let key = format!("{section}.{}", key.trim().to_lowercase());
-            keys.insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
+            keys.0
+                .insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
         } else {
             let message = format!("\"{}\" is neither key = value nor a section", clipped(line));
             return Err(Fault::at(index + 1, message));
@@ -77,38 +136,15 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
             format!("{section}.begin has no {section}.end: the file is cut short"),
         ));
     }
-    let value = |key: &str| match keys.get(key) {
-        None => Ok(None),
-        Some((text, line)) => match number_in(text) {
-            Some(value) => Ok(Some(value)),
-            None => Err(Fault::at(
-                *line,
-                format!("{key} is \"{}\", but must be a number", clipped(text)),
-            )),
-        },
-    };
-    written.kind = value("header.type")?.map(|kind| match kind {
-        0.0 => ProfileKind::Rail,
-        _ => ProfileKind::Wheel,
-    });
-    let per_metre = match (value("spline.units.len.f")?, keys.get("spline.units.len")) {
-        (Some(per_metre), _) if per_metre > 0.0 => per_metre,
-        (Some(_), _) => {
-            let line = keys["spline.units.len.f"].1;
-            return Err(Fault::at(
-                line,
-                "units.len.f must be above zero: how many of the file's units make a metre",
-            ));
-        }
-        (None, Some((unit, _))) if unit == "mm" => 1e3,
-        (None, Some((unit, _))) if unit == "m" => 1.0,
-        (None, _) if written.width() > WIDEST_IN_METRES => 1e3,
-        (None, _) => 1.0,
-    };
-    let or = |key: &str, default: f64| Ok(value(key)?.unwrap_or(default));
+    Ok((written, keys))
+}
+
+/// What the section `spline` asks for, and z upward.
+fn transform(written: &mut WrittenProfile, keys: &Keys, per_metre: f64) -> Result<(), Fault> {
+    let or = |key: &str, default: f64| keys.number_or(key, default);
     let apart = or("spline.point.dist.min", 0.0)?;
     if apart > 0.0 {
-        leave_out_near(&mut written, apart);
+        leave_out_near(written, apart);
     }
     let (shift_y, shift_z) = (or("spline.shift.y", 0.0)?, or("spline.shift.z", 0.0)?);
     let angle = or("spline.rotate", 0.0)? / or("spline.units.ang.f", 1.0)?;
@@ -132,15 +168,15 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         axes.all(|(value, [low, high])| low >= high || (low..=high).contains(&value))
     };
     let kept = written.points.iter().map(inside).collect::<Vec<bool>>();
-    keep(&mut written, &kept);
-    let mirrored = [value("spline.mirror.y")?, value("spline.mirror.z")?];
+    keep(written, &kept);
+    let mirrored = [
+        keys.number("spline.mirror.y")?,
+        keys.number("spline.mirror.z")?,
+    ];
     let [across, down] = mirrored.map(|key| if key == Some(1.0) { -1.0 } else { 1.0 });
     // z points downward.
     written.map(|[y, z]| [across * y / per_metre, -down * z / per_metre]);
-    if value("spline.approx.smooth")?.is_some_and(|smooth| smooth > 0.0) {
-        written.remarks.push(say!(smoothing_of_file_left_out));
-    }
-    Ok(written)
+    Ok(())
 }
 
 /// Leave out points nearer than this to the one kept before, across the profile.

@@ -6,7 +6,9 @@ use std::path::Path;
 use std::time::{Duration, Instant};
 
 use riffel_answers::forecast::{number, per_million};
-use riffel_answers::simulate::{EvolutionAnswer, EvolutionRequest, EvolutionRun};
+use riffel_answers::simulate::{
+    EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun,
+};
 use riffel_case::Case;
 use riffel_plot::html_of_stages;
 
@@ -14,7 +16,7 @@ use super::{results, without_contact};
 use crate::arguments::Simulate;
 use crate::error::CliError;
 use crate::messages::{complain, print_remarks, say};
-use crate::output::{Progress, json, table};
+use crate::output::{Progress, Table, json, table};
 use crate::staging::{Existing, INTERRUPTED, check_files, stop_on_interrupt, write_file};
 
 /// What a run that was stopped is gone on from, in the folder of its results.
@@ -160,6 +162,50 @@ fn keep(run: &EvolutionRun, folder: &Path, path: &Path) -> Result<(), CliError> 
 /// Bands for the terminal.
 fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
     let document = answer.document();
+    let vehicles = vehicles(&document);
+    let rows = bands(&document);
+    let saturated = saturated(&document);
+    let last = answer.stages.iter().rev().find_map(|stage| stage.extremes);
+    let forces = last.map_or_else(String::new, |passage| {
+        format!(
+            "last normal force {:.2} to {:.2} kN; {}\n",
+            1e-3 * passage.minimum_normal_force_n,
+            1e-3 * passage.maximum_normal_force_n,
+            without_contact(passage.contact_loss_fraction)
+        )
+    });
+    let lifts = document.first_contact_loss_passages;
+    let lifts = lifts.map_or_else(String::new, |passages| {
+        format!(
+            "the wheel leaves the rail from {} passages on\n",
+            number(passages as f64)
+        )
+    });
+    let supports = document.stages.support_pattern_level_db.as_ref();
+    let supports = supports.map_or_else(String::new, |levels| {
+        let [first, last] = [levels[0], levels[levels.len() - 1]].map(|level| match level {
+            level if level > NOTHING => format!("{level:.1} dB"),
+            _ => "nothing".to_owned(),
+        });
+        format!("waves that fit between two supports: from {first} to {last}\n")
+    });
+    format!(
+        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{lifts}{forces}worn off everywhere \
+         {} µm\n",
+        case.file
+            .title
+            .as_deref()
+            .unwrap_or("A rail under many wheels"),
+        number(document.passages as f64),
+        document.length_m,
+        3.6 * document.speed_m_per_s,
+        1e3 * document.step_m,
+        number(1e6 * document.mean_depth_m),
+    )
+}
+
+/// Level, growth and drift of each band.
+fn bands(document: &EvolutionDocument) -> Table {
     let mut rows = table(&[
         "wavelength mm",
         "level dB",
@@ -201,6 +247,11 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             drift(first, Some(band.linear_shift_m_per_passage)),
         ]);
     }
+    rows
+}
+
+/// The bands that have stopped growing.
+fn saturated(document: &EvolutionDocument) -> String {
     let saturated: Vec<String> = document
         .bands
         .iter()
@@ -212,35 +263,15 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             ))
         })
         .collect();
-    let saturated = match saturated.is_empty() {
+    match saturated.is_empty() {
         true => "no band has stopped growing".to_owned(),
         false => format!("stopped growing: {}", saturated.join(", ")),
-    };
-    let last = answer.stages.iter().rev().find_map(|stage| stage.extremes);
-    let forces = last.map_or_else(String::new, |passage| {
-        format!(
-            "last normal force {:.2} to {:.2} kN; {}\n",
-            1e-3 * passage.minimum_normal_force_n,
-            1e-3 * passage.maximum_normal_force_n,
-            without_contact(passage.contact_loss_fraction)
-        )
-    });
-    let lifts = document.first_contact_loss_passages;
-    let lifts = lifts.map_or_else(String::new, |passages| {
-        format!(
-            "the wheel leaves the rail from {} passages on\n",
-            number(passages as f64)
-        )
-    });
-    let supports = document.stages.support_pattern_level_db.as_ref();
-    let supports = supports.map_or_else(String::new, |levels| {
-        let [first, last] = [levels[0], levels[levels.len() - 1]].map(|level| match level {
-            level if level > NOTHING => format!("{level:.1} dB"),
-            _ => "nothing".to_owned(),
-        });
-        format!("waves that fit between two supports: from {first} to {last}\n")
-    });
-    let vehicles = match &document.vehicles[..] {
+    }
+}
+
+/// A line for each vehicle, where there is more than one wheel at one speed.
+fn vehicles(document: &EvolutionDocument) -> String {
+    match &document.vehicles[..] {
         [one] if one.speeds == 1 => String::new(),
         vehicles => vehicles
             .iter()
@@ -254,18 +285,5 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
                 )
             })
             .collect(),
-    };
-    format!(
-        "{}\n{} passages over {:.3} m at {:.1} km/h in steps of {:.3} mm\n{vehicles}{rows}\n{supports}{saturated}\n{lifts}{forces}worn off everywhere \
-         {} µm\n",
-        case.file
-            .title
-            .as_deref()
-            .unwrap_or("A rail under many wheels"),
-        number(document.passages as f64),
-        document.length_m,
-        3.6 * document.speed_m_per_s,
-        1e3 * document.step_m,
-        number(1e6 * document.mean_depth_m),
-    )
+    }
 }

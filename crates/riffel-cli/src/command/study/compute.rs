@@ -45,26 +45,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let folder = ResultFolder::begin(&study, &path)?;
     let _in_use = folder.occupy(shard)?;
     let states = folder.states(shard)?;
-    for (chunk, state) in &states {
-        if let ChunkState::Damaged(file) = state {
-            let file = file.display();
-            say(format_args!(
-                "note: {file} is damaged; chunk {chunk} is computed anew"
-            ));
-        }
-    }
-    let pending: Vec<u64> = states
-        .iter()
-        .filter(|(_, state)| *state != ChunkState::Finished)
-        .map(|(chunk, _)| *chunk)
-        .collect();
-    let kept = states.len() - pending.len();
-    if kept > 0 {
-        say(format_args!(
-            "{kept} of {} chunks are finished and kept",
-            states.len()
-        ));
-    }
+    let pending = pending(&states);
     let size = |chunk: &u64| {
         let samples = study.samples_of(*chunk);
         samples.end - samples.start
@@ -96,36 +77,23 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
         true => Statistics::of(&study, &folder)?,
         false => Vec::new(),
     };
-    if arguments.json {
-        print_json(&Document {
-            folder: path.display().to_string(),
-            fingerprint: &study.fingerprint,
-            parameters: study
-                .parameters()
-                .iter()
-                .map(|p| p.key.key.as_str())
-                .collect(),
-            summary: &summary,
-            samples_computed: samples,
-            seconds,
-            outputs,
-            remarks: &study.plan.remarks,
-        })?;
-    } else {
-        let title = study.plan.file.title.as_deref().unwrap_or("Study");
-        let left = match summary.chunks - summary.chunks_finished {
-            0 => String::new(),
-            left => format!(
-                "{left} of {} chunks are left to other shards\n",
-                summary.chunks
-            ),
-        };
-        print(&format!(
-            "{title}\n{}{}{left}{}: results.zarr plan.toml case.toml study.json\n",
-            table_of(&outputs),
-            super::failures(&summary),
-            path.display(),
-        ))?;
+    let document = Document {
+        folder: path.display().to_string(),
+        fingerprint: &study.fingerprint,
+        parameters: study
+            .parameters()
+            .iter()
+            .map(|p| p.key.key.as_str())
+            .collect(),
+        summary: &summary,
+        samples_computed: samples,
+        seconds,
+        outputs,
+        remarks: &study.plan.remarks,
+    };
+    match arguments.json {
+        true => print_json(&document)?,
+        false => print(&readable(&study, &document))?,
     }
     if samples > 0 {
         say(format_args!(
@@ -136,6 +104,50 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     }
     print_remarks(&study.plan.remarks);
     Ok(0)
+}
+
+/// The chunks that are to be computed, with a word on damaged and on finished ones.
+fn pending(states: &[(u64, ChunkState)]) -> Vec<u64> {
+    for (chunk, state) in states {
+        if let ChunkState::Damaged(file) = state {
+            let file = file.display();
+            say(format_args!(
+                "note: {file} is damaged; chunk {chunk} is computed anew"
+            ));
+        }
+    }
+    let pending: Vec<u64> = states
+        .iter()
+        .filter(|(_, state)| *state != ChunkState::Finished)
+        .map(|(chunk, _)| *chunk)
+        .collect();
+    let kept = states.len() - pending.len();
+    if kept > 0 {
+        say(format_args!(
+            "{kept} of {} chunks are finished and kept",
+            states.len()
+        ));
+    }
+    pending
+}
+
+/// Statistics for the terminal.
+fn readable(study: &Study, document: &Document<'_>) -> String {
+    let summary = document.summary;
+    let title = study.plan.file.title.as_deref().unwrap_or("Study");
+    let left = match summary.chunks - summary.chunks_finished {
+        0 => String::new(),
+        left => format!(
+            "{left} of {} chunks are left to other shards\n",
+            summary.chunks
+        ),
+    };
+    format!(
+        "{title}\n{}{}{left}{}: results.zarr plan.toml case.toml study.json\n",
+        table_of(&document.outputs),
+        super::failures(summary),
+        document.folder,
+    )
 }
 
 /// How large the study is.

@@ -143,29 +143,27 @@ impl EllipseStress {
             root(i) - 2.0 * p[i] * p[i] * twice(i, i) - p[o] * p[o] * twice(i, o) - z * first[i]
         };
         let phi_xy = -x * y * twice(0, 1);
-        let (f_iii, f_iij, f_ijj);
-        let (zphi_iii, zphi_iij, zphi_ijj);
-        f_iii = |i: usize| {
+        let f_iii = |i: usize| {
             3.0 * p[i] * (second(i, i) - z * twice(i, i)) - p[i] * p[i] * p[i] * edge_twice(i)
         };
-        f_iij = |i: usize| {
+        let f_iij = |i: usize| {
             let o = 1 - i;
             p[o] * (second(i, o) - z * twice(i, o)) - p[i] * p[i] * p[o] * edge(i)
         };
-        f_ijj = |i: usize| {
+        let f_ijj = |i: usize| {
             let o = 1 - i;
             p[i] * (second(i, o) - z * twice(i, o) - p[o] * p[o] * edge(o))
         };
-        zphi_iii = |i: usize| {
+        let zphi_iii = |i: usize| {
             -3.0 * p[i] * z * twice(i, i) - p[i] * p[i] * p[i] * edge_twice(i)
                 + p[i] * p[i] * by_place(i, i) * alpha(i)
         };
-        zphi_iij = |i: usize| {
+        let zphi_iij = |i: usize| {
             let o = 1 - i;
             -p[o] * z * twice(i, o) - p[i] * p[i] * p[o] * edge(i)
                 + p[i] * p[i] * by_place(o, i) * alpha(i)
         };
-        zphi_ijj = |i: usize| {
+        let zphi_ijj = |i: usize| {
             let o = 1 - i;
             -p[i] * z * twice(i, o) - p[i] * p[o] * p[o] * edge(o)
                 + p[i] * p[o] * by_place(o, i) * alpha(o)

@@ -70,11 +70,7 @@ pub(super) fn solve(
         for (gap, cosine) in gaps.iter_mut().zip(cosines) {
             *gap -= approach * cosine;
         }
-        let violation = pressures
-            .iter()
-            .zip(&gaps)
-            .map(|(&pressure, &gap)| if pressure > 0.0 { gap.abs() } else { -gap })
-            .fold(0.0, f64::max);
+        let violation = violation(&pressures, &gaps);
         residual = violation / largest.max(f64::MIN_POSITIVE);
         if residual <= TOLERANCE {
             if are_exact {
@@ -120,16 +116,7 @@ pub(super) fn solve(
         } else {
             influence.own().recip()
         };
-        let (mut overlaps, mut cuts) = (false, false);
-        for ((pressure, direction), &gap) in pressures.iter_mut().zip(&direction).zip(&gaps) {
-            let next = *pressure - length * direction;
-            cuts |= next < 0.0;
-            *pressure = next.max(0.0);
-            if *pressure == 0.0 && gap < 0.0 {
-                *pressure = -length * gap;
-                overlaps = true;
-            }
-        }
+        let (overlaps, cuts) = step(&mut pressures, &direction, &gaps, length);
         last_square = if overlaps { f64::INFINITY } else { square };
         let scale = match condition {
             Condition::PressureSum(wanted) => wanted / dot(&pressures, cosines),
@@ -148,6 +135,30 @@ pub(super) fn solve(
         }
     }
     Err(residual)
+}
+
+/// Largest gap under pressure, and largest overlap beside it.
+fn violation(pressures: &[f64], gaps: &[f64]) -> f64 {
+    pressures
+        .iter()
+        .zip(gaps)
+        .map(|(&pressure, &gap)| if pressure > 0.0 { gap.abs() } else { -gap })
+        .fold(0.0, f64::max)
+}
+
+/// A step of this length against the direction; whether overlapping elements came in, and whether pressures were cut off.
+fn step(pressures: &mut [f64], direction: &[f64], gaps: &[f64], length: f64) -> (bool, bool) {
+    let (mut overlaps, mut cuts) = (false, false);
+    for ((pressure, direction), &gap) in pressures.iter_mut().zip(direction).zip(gaps) {
+        let next = *pressure - length * direction;
+        cuts |= next < 0.0;
+        *pressure = next.max(0.0);
+        if *pressure == 0.0 && gap < 0.0 {
+            *pressure = -length * gap;
+            overlaps = true;
+        }
+    }
+    (overlaps, cuts)
 }
 
 /// The penetration of the rigid bodies as pressure, in the share that leaves the least energy; if the load is given, the

@@ -1,0 +1,362 @@
+//! Wheelsets from files: modes, measured receptances.
+
+mod modal;
+
+use std::f64::consts::TAU;
+use std::fs;
+
+use riffel::wheelset::Wheelset;
+use riffel_case::{Case, CaseWheelset};
+use riffel_keys::CaseError;
+use tempfile::TempDir;
+
+/// A rigid wheelset of 1100 kg on its suspension, creeping along and across the rail under a contact angle.
+const RIGID: &str = include_str!("../../general-loop/rigid-suspended.toml");
+
+const PORTS: [&str; 6] = [
+    "left_x", "left_y", "left_z", "right_x", "right_y", "right_z",
+];
+
+/// A flexible wheelset with two brake discs.
+const FLEXIBLE: &str = r#"model = "flexible"
+axle = { length = "2.2 m", diameter = "160 mm", loss_factor = 0.01 }
+discs = [
+    { position = "-0.75 m", mass = 330, polar_inertia = 38, diametral_inertia = 20 },
+    { position = "-0.35 m", mass = 110, polar_inertia = 5.5, diametral_inertia = 2.8 },
+    { position = "0.35 m", mass = 110, polar_inertia = 5.5, diametral_inertia = 2.8 },
+    { position = "0.75 m", mass = 330, polar_inertia = 38, diametral_inertia = 20 },
+]
+suspension = { longitudinal_stiffness = 12e6, lateral_stiffness = 6e6, vertical_stiffness = 1.1e6, vertical_damping = 20e3 }
+"#;
+
+const MODAL: &str = r#"model = "modal"
+mass = 1100
+roll_inertia = 620
+spin_inertia = 85
+file = "wheelset.csv"
+"#;
+
+const MEASURED: &str = "model = \"measured\"\nfile = \"wheelset.csv\"\n";
+
+/// The case on another wheelset, with a file beside it; its map lies within 50 to 500 Hz.
+fn case(wheelset: &str, file: &str) -> Result<Case, CaseError> {
+    let start = RIGID.find("[wheelset]").unwrap();
+    let end = RIGID.find("[corrugation]").unwrap();
+    let text = format!(
+        "{}[wheelset]\n{wheelset}\n{}\n[map]\nwavelength = {{ min = 0.04, max = 0.1, points = 3 }}\nspeed = {{ min = 5, max = 20, points = 3 }}\n",
+        &RIGID[..start],
+        &RIGID[end..]
+    );
+    let folder = TempDir::new().unwrap();
+    fs::write(folder.path().join("wheelset.csv"), file).unwrap();
+    let path = folder.path().join("case.toml");
+    fs::write(&path, text).unwrap();
+    Case::read(&path, &[])
+}
+
+fn error(wheelset: &str, file: &str) -> String {
+    case(wheelset, file)
+        .err()
+        .expect("must be refused")
+        .to_string()
+}
+
+fn wheelset(case: &Case) -> &CaseWheelset {
+    case.wheelset.as_deref().unwrap()
+}
+
+/// 40 frequencies from 20 to 600 Hz \[Hz\].
+fn lines() -> impl Iterator<Item = f64> {
+    (0..40).map(|step| 20.0 * 30f64.powf(f64::from(step) / 39.0))
+}
+
+/// Receptances of the flexible wheelset as it would be measured, with the entries on and above the diagonal.
+fn table(flexible: &Case) -> String {
+    let entries = || (0..6).flat_map(|row| (row..6).map(move |column| (row, column)));
+    let mut text = "frequency_hz".to_owned();
+    for (row, column) in entries() {
+        for part in ["re", "im"] {
+            text += &format!(",{}_{}_m_per_n_{part}", PORTS[row], PORTS[column]);
+        }
+    }
+    text += "\n";
+    for frequency in lines() {
+        let h = wheelset(flexible).receptances(TAU * frequency);
+        text += &frequency.to_string();
+        for (row, column) in entries() {
+            let h = h[row][column];
+            text += &format!(",{:e},{:e}", h.re, h.im);
+        }
+        text += "\n";
+    }
+    text
+}
+
+/// A wheelset that is measured at every entry is the one it was measured on, in its receptances to rounding and in the
+/// growth at a frequency of the table to that of the loop.
+#[test]
+fn a_measured_wheelset_is_the_one_that_was_measured() {
+    let flexible = case(FLEXIBLE, "").unwrap();
+    let measured = case(MEASURED, &table(&flexible)).unwrap();
+    let of_measurement = |remark: &&riffel_keys::Message| remark.id().contains("wheelset");
+    assert_eq!(measured.remarks.iter().find(of_measurement), None);
+    for frequency in lines() {
+        let [got, expected] =
+            [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
+        for (got, expected) in got.iter().flatten().zip(expected.iter().flatten()) {
+            assert!(
+                (got - expected).norm() < 1e-12 * expected.norm().max(1e-12),
+                "{got} {expected}"
+            );
+        }
+        let growth = |case: &Case| case.feedback.at(15.0 / frequency, 15.0).growth_rate;
+        let (got, expected) = (growth(&measured), growth(&flexible));
+        assert!(
+            (got / expected - 1.0).abs() < 1e-8,
+            "{frequency}: {got:e} {expected:e}"
+        );
+    }
+    assert!(
+        case(FLEXIBLE, "")
+            .unwrap()
+            .feedback
+            .at(0.05, 10.0)
+            .growth_rate
+            != 0.0
+    );
+}
+
+/// One wheel as mobilities in decibels with phases, separated by semicolons, is both wheels without what joins them.
+#[test]
+fn one_wheel_stands_for_both() {
+    let flexible = case(FLEXIBLE, "").unwrap();
+    let entries = [("xx", 3, 3), ("yy", 4, 4), ("zz", 5, 5), ("zy", 5, 4)];
+    let mut text = "f [kHz]".to_owned();
+    for (name, ..) in entries {
+        text += &format!(";|{name}| modulus [dB re 1 mm/s/kN];{name}_phase_deg");
+    }
+    text += "\n";
+    for frequency in lines() {
+        let w = TAU * frequency;
+        let h = wheelset(&flexible).receptances(w);
+        text += &(1e-3 * frequency).to_string();
+        for (_, row, column) in entries {
+            let mobility = h[row][column] * riffel::Complex64::new(0.0, w);
+            let decibels = 20.0 * (1e6 * mobility.norm()).log10();
+            text += &format!(";{decibels};{}", mobility.arg().to_degrees());
+        }
+        text += "\n";
+    }
+    // Bars are no part of a name.
+    let text = text.replace('|', "").replace('.', ",");
+    let measured = case(MEASURED, &text).unwrap();
+    for frequency in lines() {
+        let [got, expected] =
+            [&measured, &flexible].map(|case| wheelset(case).receptances(TAU * frequency));
+        for (_, row, column) in entries {
+            let expected = expected[row][column];
+            let error = |got: riffel::Complex64| (got - expected).norm() / expected.norm();
+            assert!(error(got[row][column]) < 1e-11);
+            assert!(error(got[column][row]) < 1e-11);
+            // The mirror image.
+            let sign = if row == column { 1.0 } else { -1.0 };
+            assert!(error(sign * got[row - 3][column - 3]) < 1e-11);
+        }
+        assert_eq!(got[0][3], riffel::Complex64::ZERO);
+    }
+}
+
+#[test]
+fn a_measured_wheelset_is_not_extrapolated() {
+    let flexible = case(FLEXIBLE, "").unwrap();
+    let measured = case(MEASURED, &table(&flexible)).unwrap();
+    measured.check_window().unwrap();
+    let (lowest, highest) = measured.known_frequencies();
+    assert!((lowest - 20.0).abs() < 1e-9 && (highest - 600.0).abs() < 1e-9);
+    let error = measured
+        .check_frequencies(100.0, 700.0)
+        .unwrap_err()
+        .to_string();
+    assert!(
+        error.contains("`wheelset.file` is known from 20.0000 to 600.0000 Hz and is not extrapolated, but 100.0000 to 700.0000 Hz are asked for"),
+        "{error}"
+    );
+    assert!(measured.check_wheelset_frequencies(10.0, 10.0).is_err());
+    assert!(flexible.check_frequencies(1.0, 1e4).is_ok());
+    assert!(
+        measured
+            .wheelset_modes(wheelset(&measured), 2000.0)
+            .unwrap()
+            .is_empty()
+    );
+}
+
+const ONE_ENTRY: &str = "frequency_hz,zz_re,zz_im\n20,-1e-8,-1e-10\n40,-1e-8,-1e-10\n80,-1e-8,-1e-10\n160,-1e-8,-1e-10\n320,-1e-8,-1e-10\n600,-1e-8,-1e-10\n";
+
+/// What is measured but cannot be true is said, with how far, where, and at what.
+#[test]
+fn doubts_are_remarks() {
+    for (file, sentence) in [
+(ONE_ENTRY.to_owned(), "column `zz_re` names no unit: taken as a receptance in m/N"),
+(ONE_ENTRY.to_owned(), "the wheelset was not measured along x, y: there it is taken as rigid"),
+(ONE_ENTRY.replace("80,-1e-8,-1e-10", "80,-1e-8,3e-10"), "gives energy away, by up to 3.00 % of its largest receptance, at 80.0 Hz, most at right_z"),
+("f [Hz],left_y_left_z_re [m/N],left_y_left_z_im,left_z_left_y_re [m/N],left_z_left_y_im\n\
+     20,1e-9,0,1e-9,0\n40,1e-9,0,0.9e-9,0\n80,1e-9,0,1e-9,0\n160,1e-9,0,1e-9,0\n320,1e-9,0,1e-9,0\n600,1e-9,0,1e-9,0\n"
+        .to_owned(), "is not reciprocal: left_z by a force at left_y and the reverse differ by up to 10.00 %, at 40.0 Hz"),
+] {
+
+    let case = case(MEASURED, &file).unwrap();
+    let said: Vec<String> = case.remarks.iter().map(ToString::to_string).collect();
+    assert!(
+        said.iter().any(|remark| remark.contains(sentence)),
+        "{said:?}"
+    );
+}
+}
+
+/// Numbers as they round to four digits raise no doubt.
+#[test]
+fn rounding_raises_no_doubt() {
+    let file = "f [Hz],left_x_left_x_re [m/N],left_x_left_x_im,left_x_right_x_re [m/N],left_x_right_x_im,\
+                right_x_right_x_re [m/N],right_x_right_x_im\n\
+                20,-1.235e-8,0,-1.234e-8,0.001e-8,-1.235e-8,0\n40,-1.235e-8,0,-1.234e-8,0,-1.235e-8,0\n";
+    let measured = case(MEASURED, file).unwrap();
+    let doubts = |remark: &riffel_keys::Message| remark.to_string().contains("gives energy");
+    assert!(!measured.remarks.iter().any(doubts));
+}
+
+#[test]
+fn refuses_what_is_no_measured_wheelset() {
+    for (file, sentence) in [
+        (
+            ONE_ENTRY.replace("zz_im", "zz_imaginery"),
+            "has column `zz_imaginery`, which is no frequency and no part of a receptance",
+        ),
+        (
+            ONE_ENTRY.replace("zz_im", "yy_im"),
+            "has zz_re of a receptance, which needs its real and imaginary part, or its modulus and phase",
+        ),
+        (
+            ONE_ENTRY.replace("zz_im", "zz_real"),
+            "has two columns for one quantity: `zz_re`, `zz_real`",
+        ),
+        (
+            "frequency_hz,zz_re,zz_im,left_x_left_x_re,left_x_left_x_im\n20,1,0,1,0\n40,1,0,1,0\n"
+                .to_owned(),
+            "has receptances of one wheel and of both: `zz_re`, `left_x_left_x_re`",
+        ),
+        (
+            "frequency_hz,frequency\n20,1\n40,1\n".to_owned(),
+            "has two columns for one quantity",
+        ),
+        (
+            "zz_re,zz_im\n20,1\n40,1\n".to_owned(),
+            "names no frequency; it has zz_re, zz_im",
+        ),
+        (
+            ONE_ENTRY.replace("zz_re", "zz_re [m/s]"),
+            "has column `zz_re [m/s]` in \"m/s\": write m/N, m/s/N, m/s2/N or the like",
+        ),
+        (
+            ONE_ENTRY.replace("zz_re", "zz_re [dB re 1 m/N]"),
+            "has column `zz_re [dB re 1 m/N]` in \"dB re 1 m/N\": write m/N",
+        ),
+        (
+            "frequency_hz,zz_modulus,zz_phase\n20,1e-8,90\n40,1e-8,90\n".to_owned(),
+            "has column `zz_phase` without its unit: write `zz_phase [deg]` or `zz_phase [rad]`",
+        ),
+        (
+            "frequency_hz,zz_modulus,zz_phase_deg\n20,1e-8,90\n40,-1e-8,90\n".to_owned(),
+            "line 3: column `zz_modulus` is -0.00000001, but a modulus is not negative",
+        ),
+        (
+            ONE_ENTRY.replace("80,-1e-8", "80,x"),
+            "line 4: column `zz_re` is \"x\", not a number",
+        ),
+        (
+            ONE_ENTRY.replace("80,-1e-8,-1e-10\n", ""),
+            "nothing between 40 Hz and 160 Hz",
+        ),
+        (
+            ONE_ENTRY.replace("frequency_hz", "frequency [m]"),
+            "in \"m\": write a unit of a frequency",
+        ),
+        (String::new(), "is empty"),
+    ] {
+        let error = error(MEASURED, &file);
+        assert!(
+            error.starts_with("`wheelset.file`") && error.contains(sentence),
+            "{error}"
+        );
+    }
+}
+
+#[test]
+fn files_that_are_not_there_are_named() {
+    for wheelset in [MODAL, MEASURED] {
+        let error = error(&wheelset.replace("wheelset.csv", "nowhere.csv"), "");
+        assert!(
+            error.starts_with("`wheelset.file`") && error.contains("nowhere.csv"),
+            "{error}"
+        );
+    }
+}
+
+/// An inertia on a spring: rigidly coupled it is part of the disc, and free of it at high frequency.
+#[test]
+fn discs_carry_coupled_inertias() {
+    let with = |keys: &str| {
+        let text = FLEXIBLE.replacen(
+            "diametral_inertia = 2.8",
+            &format!("diametral_inertia = 2.8{keys}"),
+            1,
+        );
+        case(&text, "")
+    };
+    let spring = |stiffness: &str| {
+        format!(
+            ", coupled = {{ polar_inertia = \"20 kg m2\", stiffness = \"{stiffness}\", damping = \"5 N m s/rad\" }}"
+        )
+    };
+    let heavy = case(
+        &FLEXIBLE.replacen("polar_inertia = 5.5", "polar_inertia = 25.5", 1),
+        "",
+    )
+    .unwrap();
+    let (stiff, soft) = (
+        with(&spring("1e12 N m/rad")).unwrap(),
+        with(&spring("1 Nm/rad")).unwrap(),
+    );
+    let plain = case(FLEXIBLE, "").unwrap();
+    for frequency in [50.0, 230.0, 400.0] {
+        let along = |case: &Case| wheelset(case).receptances(TAU * frequency)[0][3];
+        let differ = |one: &Case, other: &Case| (along(one) / along(other) - 1.0).norm();
+        // ω²I/k of the stiff spring is 1e-4 at most; the damper has c/ωI of the disc, 3e-3 at most.
+        assert!(
+            differ(&stiff, &heavy) < 1e-2,
+            "{frequency}: {}",
+            differ(&stiff, &heavy)
+        );
+        assert!(
+            differ(&soft, &plain) < 1e-2,
+            "{frequency}: {}",
+            differ(&soft, &plain)
+        );
+        assert!(differ(&plain, &heavy) > 0.05, "{frequency}");
+    }
+    let printed = toml::to_string(&stiff.file).unwrap();
+    assert_eq!(
+        Case::parse("case.toml", &printed, &[]).unwrap().file,
+        stiff.file
+    );
+    let refused = with(&spring("0 N m/rad")).err().unwrap().to_string();
+    assert!(
+        refused.contains("`wheelset.discs[1].coupled.stiffness` is 0 N m/rad, but must be"),
+        "{refused}"
+    );
+    let refused = with(&spring("3 kN/m")).err().unwrap().to_string();
+    assert!(
+        refused.contains("not a torsional stiffness in N m/rad"),
+        "{refused}"
+    );
+}

@@ -1,0 +1,118 @@
+//! The case file of a command, with overrides.
+
+use std::path::{Path, PathBuf};
+
+use clap::Args;
+use riffel_case::file::CaseFile;
+use riffel_case::{Case, CaseContact, CurvingCase};
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::text_file::is_standard_input;
+
+use crate::error::CliError;
+use crate::staging::add_input;
+
+/// A case file with overrides.
+#[derive(Args)]
+pub(crate) struct CaseArguments {
+    /// Case file, or - for standard input.
+    #[arg(value_name = "CASE")]
+    path: PathBuf,
+
+    /// Override a value of the case, as in --set contact.friction=0.3; may be repeated.
+    #[arg(long = "set", value_name = "KEY=VALUE")]
+    overrides: Vec<String>,
+}
+
+impl CaseArguments {
+    /// Whether it is the case of a file without any override.
+    pub(crate) fn is_just(&self, path: &Path) -> bool {
+        let real = |path: &Path| std::fs::canonicalize(path).ok();
+        self.overrides.is_empty() && real(path).is_some() && real(&self.path) == real(path)
+    }
+
+    /// A case named elsewhere than on its own place of the command line.
+    pub(crate) fn of(path: &Path, overrides: &[String]) -> Self {
+        Self {
+            path: path.to_owned(),
+            overrides: overrides.to_vec(),
+        }
+    }
+
+    pub(crate) fn read(&self) -> miette::Result<Case> {
+        Ok(protected(
+            &self.path,
+            Case::read(&self.path, &self.overrides)?,
+        ))
+    }
+
+    /// The contact of the case alone.
+    pub(crate) fn read_contact(&self) -> miette::Result<CaseContact> {
+        let contact = CaseContact::read(&self.path, &self.overrides)?;
+        protect(&self.path, &contact.file);
+        Ok(contact)
+    }
+
+    /// The tables of curving of the case.
+    pub(crate) fn read_curving(&self) -> miette::Result<CurvingCase> {
+        Ok(CurvingCase::read(&self.path, &self.overrides)?)
+    }
+
+    /// The case with the wheel at another place of the bay.
+    pub(crate) fn read_at(&self, position: Option<Quantity<Length>>) -> miette::Result<Case> {
+        let Some(position) = position else {
+            return self.read();
+        };
+        let case = Case::read(&self.path, &self.overrides)?;
+        match case.edit(|keys| keys.track.position = Some(position)) {
+            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message })?,
+            Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
+                message: format!(
+                    "the track is the same everywhere along the rail with track.model = \"{}\"; choose \
+                     one-layer-periodic or two-layer-periodic",
+                    case.file.track.model.name()
+                ),
+            })?,
+            case => Ok(protected(&self.path, case?)),
+        }
+    }
+
+    /// The folder given for results, or one named after the case and what it holds.
+    pub(crate) fn folder(&self, given: Option<&Path>, what: &str) -> PathBuf {
+        given.map_or_else(
+            || PathBuf::from(format!("{}-{what}", stem(&self.path))),
+            Path::to_owned,
+        )
+    }
+}
+
+/// What results are named after that are made from a file.
+pub(crate) fn stem(path: &Path) -> String {
+    if is_standard_input(path) {
+        return "stdin".to_owned();
+    }
+    let stem = path.file_stem().unwrap_or_default();
+    stem.to_string_lossy().into_owned()
+}
+
+/// The case, whose file of a measured track must not be replaced by results.
+fn protected(path: &Path, case: Case) -> Case {
+    protect(path, &case.file);
+    case
+}
+
+fn protect(path: &Path, file: &CaseFile) {
+    if let Some(measurement) = &file.track.measurement {
+        let folder = path.parent().unwrap_or_else(|| Path::new(""));
+        add_input(folder.join(&measurement.file));
+    }
+}
+
+/// The case with a contact that answers from one wavelength \[m\] to another.
+pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
+    // The window was not written by the user.
+    case.covering(from, to)
+        .map_err(|error| CliError::Wavelength {
+            message: error.without_key(),
+        })
+}

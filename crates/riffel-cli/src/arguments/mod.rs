@@ -1,0 +1,484 @@
+//! The command line.
+
+mod asked;
+mod axlebox;
+mod calibrate;
+mod case;
+mod decide;
+mod figures;
+mod forecast;
+mod listed_length;
+mod map;
+pub(crate) mod network;
+mod noise;
+mod number;
+mod page;
+mod point_in_rail;
+mod posterior;
+mod profile;
+mod receptance;
+mod roughness;
+mod shakedown;
+mod simulate;
+mod stability;
+mod study;
+
+use std::path::PathBuf;
+
+use clap::{Args, Parser, Subcommand, ValueEnum};
+use riffel_answers::paper::Model;
+use riffel_keys::Language;
+use riffel_keys::quantity::{Dimension, Frequency, Length, Quantity, Ratio, Speed};
+
+use crate::error::CliError;
+use crate::messages::Verbosity;
+use point_in_rail::PointInRail;
+
+pub(crate) use asked::{Asked, within};
+pub(crate) use axlebox::AxleBox;
+pub(crate) use calibrate::Calibrate;
+pub(crate) use case::{CaseArguments, covering, stem};
+pub(crate) use decide::Decide;
+pub(crate) use figures::{Figures, ModelArgument};
+pub(crate) use forecast::{Compare, Forecast, Ground, HoldArgument, Horizon, Models, Spectra};
+pub(crate) use listed_length::ListedLength;
+pub(crate) use map::Map;
+pub(crate) use network::{Judged, Network, NetworkCommand};
+pub(crate) use noise::Noise;
+pub(crate) use page::Page;
+pub(crate) use posterior::Posterior;
+pub(crate) use profile::{Alignment, Orientation, Profile};
+pub(crate) use receptance::{DirectionArgument, Receptance};
+pub(crate) use roughness::{Diagnose, DiagnosisArguments, Layout, Report, Roughness, Statistics};
+pub(crate) use shakedown::Shakedown;
+pub(crate) use simulate::{LengthPair, Simulate};
+pub(crate) use stability::Stability;
+pub(crate) use study::{Merge, Run, Sensitivity, Study, StudyCommand};
+
+/// Predicts rail corrugation: which wavelengths grow on a track under traffic, how fast, and why.
+#[derive(Parser)]
+#[command(
+    name = "riffel",
+    version = env!("RIFFEL_VERSION"),
+    after_help = "Example: riffel init case.toml && riffel map case.toml\n\n\
+        Exit status: 0 done, 1 a validation check failed or a study to merge or analyse is not whole, 2 bad input or a file that \
+        cannot be written, 130 stopped by Ctrl-C."
+)]
+pub(crate) struct Arguments {
+    #[command(subcommand)]
+    pub(crate) command: Command,
+
+    /// Print results and errors only: no notes, no progress.
+    #[arg(short, long, global = true, conflicts_with = "verbose")]
+    quiet: bool,
+
+    /// Print notes in full.
+    #[arg(short, long, global = true)]
+    verbose: bool,
+
+    /// Language of results, reports, notes and errors, en or de; help, files of data and JSON are English.
+    #[arg(
+        long,
+        global = true,
+        value_name = "LANGUAGE",
+        default_value = "en",
+        hide_possible_values = true
+    )]
+    language: Spoken,
+}
+
+/// A language of the program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(crate) enum Spoken {
+    /// English.
+    En,
+    /// German.
+    De,
+}
+
+impl Arguments {
+    /// The language in which it is said.
+    pub(crate) fn language(&self) -> Language {
+        match self.language {
+            Spoken::En => Language::English,
+            Spoken::De => Language::German,
+        }
+    }
+
+    /// The options that every command has, as they are written.
+    pub(crate) fn options_of_all(&self) -> impl Iterator<Item = &'static str> {
+        let language = match self.language {
+            Spoken::En => "--language=en",
+            Spoken::De => "--language=de",
+        };
+        let quiet = self.quiet.then_some("--quiet");
+        let verbose = self.verbose.then_some("--verbose");
+        [language].into_iter().chain(quiet).chain(verbose)
+    }
+
+    /// How much is to be said beside the results.
+    pub(crate) fn verbosity(&self) -> Verbosity {
+        match (self.quiet, self.verbose) {
+            (true, _) => Verbosity::Quiet,
+            (false, true) => Verbosity::Verbose,
+            (false, false) => Verbosity::Normal,
+        }
+    }
+}
+
+#[derive(Subcommand)]
+pub(crate) enum Command {
+    /// Write a commented case file to start from, a traffic file or the plan of a study.
+    Init(Init),
+    /// The whole loop at one wavelength and speed.
+    Point(Point),
+    /// Growth over wavelength and speed: picture, page, tables.
+    Map(Map),
+    /// Receptance of track, wheel and contact over frequency.
+    Receptance(Receptance),
+    /// The wheelset: natural frequencies with their names, mode shapes, receptances at the contacts.
+    Wheelset(Wheelset),
+    /// A wheel along a rail in time: large amplitudes, loss of contact.
+    Simulate(Simulate),
+    /// The contact patch: its size and stiffness, creep curves of all laws, frequency response.
+    Contact(Contact),
+    /// Profiles of wheels and rails: outline and curvature, or where a wheelset touches its track.
+    Profile(Profile),
+    /// A bogie in a curve: creepages, forces and wear number of each wheel, and over the radius.
+    Curve(Curve),
+    /// A measured rail: roughness levels, statistics of wavelength bands, limits, what to grind.
+    Roughness(Roughness),
+    /// A rail as the axle boxes of a train felt it: roughness from acceleration, limits, what to grind.
+    #[command(name = "axlebox")]
+    AxleBox(AxleBox),
+    /// Many lines and dates: surveys into a store, worst places, growth between dates, a plan of grinding.
+    Network(Network),
+    /// Dominant wavelengths of a measured rail, and what may have made them.
+    Diagnose(Diagnose),
+    /// One printable page: roughness, limits, what to grind, growth map, diagnosis, forecast, what-if.
+    Report(Report),
+    /// What becomes of a measured spectrum under traffic: levels, grinding interval, wear coefficient.
+    Forecast(Forecast),
+    /// What would help: growth on a case and on variants of it, side by side.
+    Compare(Compare),
+    /// How loud a train is on a rough rail, and what would make it quieter.
+    Noise(Noise),
+    /// Limits of shakedown over the friction that is used, and where a contact stands between them along a wave.
+    Shakedown(Shakedown),
+    /// Where over speed and friction the loop oscillates without any profile, as in squeal, how fast and at what frequency.
+    Stability(Stability),
+    /// Many cases of one kind: grids, samples of distributions, what matters and how sure it is.
+    Study(Study),
+    /// What measurements say of the uncertain values of a case.
+    Calibrate(Calibrate),
+    /// Which action pays, over the posterior of a calibration, and what to measure first.
+    Decide(Decide),
+    /// Figures 2-8 of Afferrante & Ciavarella (2009), each with its numbers.
+    Figures(Figures),
+    /// The page: the whole model in a browser on this machine.
+    Serve(Serve),
+    /// The page as one file, with a case inside: it opens without server and network.
+    Page(Page),
+    /// List the presets, or show one with the sources of its values.
+    Presets(Presets),
+    /// Answer a question in JSON on standard input: a command with its options as keys.
+    Ask(Ask),
+    /// Print the JSON schema of the case file, of the traffic file, of the plan of a study or of a question.
+    Schema(Schema),
+    /// Print completions of this command line for a shell.
+    Completions(Completions),
+    /// Print the manual page, or write those of all commands.
+    Man(ManPages),
+    /// Hold the program against reference numbers and published statements.
+    Validate(Validate),
+}
+
+/// Where results go.
+#[derive(Args, Default)]
+pub(crate) struct ResultsArguments {
+    /// Folder for the results, made if need be [default: named after the case or file and the command, as in case-map].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+
+    /// Print one JSON document, complex numbers as [re, im]; files are written only with --output.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+/// The value of an argument that must be above zero, in SI.
+pub(crate) fn positive<D: Dimension>(
+    argument: &'static str,
+    value: Quantity<D>,
+) -> Result<f64, CliError> {
+    /// Nothing about a railway is smaller or larger in SI.
+    const RANGE: [f64; 2] = [1e-12, 1e12];
+    let si = value.si();
+    if (RANGE[0]..=RANGE[1]).contains(&si) {
+        return Ok(si);
+    }
+    let rule = match si > 0.0 {
+        true => format!("between {:e} and {:e} in SI", RANGE[0], RANGE[1]),
+        false => "greater than zero".to_owned(),
+    };
+    Err(CliError::Argument {
+        argument,
+        value: value.to_string(),
+        rule,
+    })
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel init --metro && riffel map metro.toml")]
+pub(crate) struct Init {
+    /// File to write [default: case.toml, or one named after what it holds, as metro.toml].
+    #[arg(value_name = "FILE")]
+    pub(crate) path: Option<PathBuf>,
+
+    /// Write the case of a metro on a slab with direct fastenings.
+    #[arg(long, group = "kind")]
+    pub(crate) metro: bool,
+
+    /// Write the case of a passenger train on a ballasted main line.
+    #[arg(long, group = "kind")]
+    pub(crate) main_line: bool,
+
+    /// Write the case of a tram on a slab with direct fastenings.
+    #[arg(long, group = "kind")]
+    pub(crate) tram: bool,
+
+    /// Write the case of laden freight wagons on a ballasted line.
+    #[arg(long, group = "kind")]
+    pub(crate) freight: bool,
+
+    /// Write a traffic file for `riffel forecast`.
+    #[arg(long, group = "kind")]
+    pub(crate) traffic: bool,
+
+    /// Write the plan of a study, on a case nominal.toml beside it.
+    #[arg(long, group = "kind")]
+    pub(crate) study: bool,
+
+    /// Replace the file if it is there.
+    #[arg(long)]
+    pub(crate) force: bool,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel point case.toml --wavelength \"55 mm\" --speed \"108 km/h\""
+)]
+pub(crate) struct Point {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Wavelength, in metres or with its unit.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) wavelength: Asked<Length>,
+
+    /// Speed, in m/s or with its unit.
+    #[arg(long, value_name = "SPEED")]
+    pub(crate) speed: Asked<Speed>,
+
+    /// Place of the wheel on discrete supports, from one of them [default: that of the case].
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) position: Option<Quantity<Length>>,
+
+    /// What the growth rate answers to: its derivative by every quantity of the case, by wavelength and speed.
+    #[arg(long)]
+    pub(crate) sensitivity: bool,
+
+    /// On discrete supports: growth of the wave together with N neighbours on each side, 1/λ ± n/d, which the passing of
+    /// supports makes of it; 3 is usual.
+    #[arg(long, value_name = "N")]
+    pub(crate) neighbours: Option<usize>,
+
+    /// On discrete supports: growth along a stretch whose supports stand at drawn distances, normal about that of the case with
+    /// this standard deviation, at most a quarter of it, and cut at three; 1 to 5 cm are usual.
+    #[arg(long, value_name = "LENGTH")]
+    pub(crate) spacing_deviation: Option<Quantity<Length>>,
+
+    /// Supports of that stretch, 8 to 200 [default: 60].
+    #[arg(long, value_name = "N", requires = "spacing_deviation")]
+    pub(crate) supports: Option<usize>,
+
+    /// Seed of the draw [default: 1].
+    #[arg(long, value_name = "N", requires = "spacing_deviation")]
+    pub(crate) seed: Option<u64>,
+
+    /// Print one JSON document; complex numbers as [re, im].
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel wheelset case.toml --frequencies 80,250,\"1 kHz\" --json")]
+pub(crate) struct Wheelset {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Frequencies of the receptances, separated by commas, in Hz or with their unit [default: 600 from 20 Hz to
+    /// 2 kHz].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) frequencies: Vec<Asked<Frequency>>,
+
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: riffel contact case.toml --ratio 4,8,16 --set contact.hertz=exact"
+)]
+pub(crate) struct Contact {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Creepages of the creep curves, as ratios or with %, separated by commas [default: 40, to 1.2
+    /// times that of full slip].
+    #[arg(long, value_name = "CREEPAGES", value_delimiter = ',')]
+    pub(crate) creepage: Vec<Quantity<Ratio>>,
+
+    /// Wavelengths of the frequency response in semi-axes λ/a, separated by commas [default: 61, from 2
+    /// to 100].
+    #[arg(long, value_name = "RATIOS", value_delimiter = ',')]
+    pub(crate) ratio: Vec<Quantity<Ratio>>,
+
+    /// Stress in the rail under the mean state, at the surface and below, in place of creep curves and responses.
+    #[arg(long, conflicts_with_all = ["creepage", "ratio"])]
+    pub(crate) stress: bool,
+
+    /// Stress at a point too, x/a, y/b, z/a with z into the rail, as --stress-at=-0.8,0,0.1; may be repeated.
+    #[arg(long, value_name = "X,Y,Z", requires = "stress")]
+    pub(crate) stress_at: Vec<PointInRail>,
+
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Examples:\n  riffel curve case.toml --set \"curve.radius=300 m\"\n  riffel curve case.toml --radius \"300 m,600 m,1200 m\" --json"
+)]
+pub(crate) struct Curve {
+    #[command(flatten)]
+    pub(crate) case: CaseArguments,
+
+    /// Radii of the picture and its table, separated by commas, above zero to the right, each at the lateral acceleration of
+    /// the case [default: from a fifth to twenty times that of the case].
+    #[arg(long, value_name = "LIST", value_delimiter = ',')]
+    pub(crate) radius: Vec<ListedLength>,
+
+    #[command(flatten)]
+    pub(crate) results: ResultsArguments,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel schema --traffic > traffic.schema.json")]
+pub(crate) struct Schema {
+    /// That of the traffic file.
+    #[arg(long, conflicts_with = "study")]
+    pub(crate) traffic: bool,
+
+    /// That of the plan of a study.
+    #[arg(long)]
+    pub(crate) study: bool,
+
+    /// That of a question which `riffel ask` answers: a command of the program.
+    #[arg(long, value_name = "NAME", num_args = 1..=2, conflicts_with_all = ["traffic", "study"])]
+    pub(crate) question: Vec<String>,
+}
+
+#[derive(Args)]
+#[command(
+    after_help = "Example: echo '{\"case\": \"case.toml\", \"wavelength\": \"56 mm\", \"speed\": 30}' | riffel ask point\n\n\
+        The keys are the options of the command without dashes, with _ between words; a case, a traffic or a table of \
+        columns may stand in place of its file. The answer is that of --json; notes and errors are lines of JSON on \
+        standard error."
+)]
+pub(crate) struct Ask {
+    /// The command, such as noise or network worst.
+    #[arg(value_name = "NAME", required = true, num_args = 1..=2)]
+    pub(crate) name: Vec<String>,
+}
+
+#[derive(Args)]
+#[command(after_help = "Examples: riffel validate hertz wheelset; riffel validate --field --json")]
+pub(crate) struct Validate {
+    /// Only the checks with one of these words in their names, which are those of the tests.
+    #[arg(value_name = "WORD", conflicts_with = "field")]
+    pub(crate) words: Vec<String>,
+
+    /// Predict sites whose corrugation is published, and hold the predictions against what was measured.
+    #[arg(long)]
+    pub(crate) field: bool,
+
+    /// Print a JSON document of the sites.
+    #[arg(long, requires = "field")]
+    pub(crate) json: bool,
+
+    /// Samples of the choices of each site, 1 to 100000.
+    #[arg(long, value_name = "N", requires = "field", default_value_t = 16,
+          value_parser = clap::value_parser!(u32).range(1..=100_000))]
+    pub(crate) samples: u32,
+
+    /// Seed of the samples.
+    #[arg(long, value_name = "S", requires = "field", default_value_t = 1)]
+    pub(crate) seed: u64,
+}
+
+impl From<ModelArgument> for Model {
+    fn from(argument: ModelArgument) -> Self {
+        match argument {
+            ModelArgument::QuasiStatic => Self::QuasiStatic,
+            ModelArgument::SpringDashpot => Self::SpringDashpot,
+            ModelArgument::NonSteady => Self::NonSteady,
+        }
+    }
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel serve --open")]
+pub(crate) struct Serve {
+    /// Port to listen on; 0 takes any that is free.
+    #[arg(long, value_name = "N", default_value_t = 8311)]
+    pub(crate) port: u16,
+
+    /// Show the page in the browser.
+    #[arg(long)]
+    pub(crate) open: bool,
+
+    /// Address to listen on. Any but 127.0.0.1 lets other machines use this one: there is no password.
+    #[arg(long, value_name = "ADDRESS", default_value = "127.0.0.1")]
+    pub(crate) address: std::net::IpAddr,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel presets BS113A")]
+pub(crate) struct Presets {
+    /// Preset to show.
+    #[arg(value_name = "NAME")]
+    pub(crate) name: Option<String>,
+
+    /// Print one JSON document: each value as written and in SI, with its unit and its source.
+    #[arg(long)]
+    pub(crate) json: bool,
+}
+
+#[derive(Args)]
+#[command(after_help = "Examples:\n  \
+        riffel completions bash > ~/.local/share/bash-completion/completions/riffel\n  \
+        riffel completions zsh > ~/.zfunc/_riffel\n  \
+        riffel completions fish > ~/.config/fish/completions/riffel.fish")]
+pub(crate) struct Completions {
+    /// The shell.
+    #[arg(value_name = "SHELL")]
+    pub(crate) shell: clap_complete::Shell,
+}
+
+#[derive(Args)]
+#[command(after_help = "Example: riffel man -o ~/.local/share/man/man1 && man riffel-map")]
+pub(crate) struct ManPages {
+    /// Folder for the pages of all commands, made if need be [default: the first page, on standard output].
+    #[arg(short, long, value_name = "DIR")]
+    pub(crate) output: Option<PathBuf>,
+}

@@ -1,0 +1,438 @@
+//! Which columns of a table are the position and the heights of a profile.
+
+#[cfg(test)]
+mod tests;
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use riffel_keys::table::{self, Table, is_one_of, words};
+
+use crate::format::{Column, ReaderFormat};
+use crate::layout::Layout;
+use crate::unit_remark::{Kind, UnitRemarks};
+
+/// A table as a profile, with what a user says of it.
+pub(super) struct ProfileTable<'a> {
+    table: &'a Table,
+    layout: &'a Layout,
+    /// Units that remarks give.
+    stated: UnitRemarks,
+    /// Columns whose cells tell records apart: the rail, the date, the run.
+    labels: Vec<usize>,
+}
+
+impl<'a> ProfileTable<'a> {
+    /// `bytes` are those in which the table was found.
+    pub(super) fn new(table: &'a Table, bytes: &[u8], layout: &'a Layout) -> Self {
+        let mut found = Self {
+            table,
+            layout,
+            stated: UnitRemarks::of(&table.heading.remarks, table.count()),
+            labels: label_columns(table, bytes),
+        };
+        if found.labels.is_empty()
+            && let Some(position) = found.position_and_others().0
+        {
+            found.labels = dividing_column(table, bytes, position)
+                .into_iter()
+                .collect();
+        }
+        found
+    }
+
+    /// The layout of a profile, or why there is none, as a sentence.
+    pub(super) fn format(&self) -> Result<ReaderFormat, String> {
+        let (table, heading) = (self.table, &self.table.heading);
+        let spacing = self.layout.spacing;
+        let (position, mut columns) = self.position_and_others();
+        let lengths = self.columns_of_lengths(&columns);
+        columns.retain(|&column| self.left_out(column, &lengths).is_none());
+        if position.is_none_or(|column| table.even_step(column).is_none() && !self.is_named(column))
+            && spacing.is_none()
+            && let Some(counter) = self.counter()
+        {
+            return Err(format!(
+                "no column is a position: column {}, \"{}\", is a counter or a time; give the step between samples by \
+                 --spacing",
+                counter + 1,
+                heading.name(counter).unwrap_or_default()
+            ));
+        }
+        if columns.is_empty() {
+            return Err("there is no column of heights".to_owned());
+        }
+        if position.is_none() && spacing.is_none() {
+            return Err("there is one column of heights and no position".to_owned());
+        }
+        self.check_units(&columns, position)?;
+        let rails = columns.into_iter().map(|column| Column {
+            column: column + 1,
+            unit: self.unit(column, Kind::Height).unwrap_or("um").to_owned(),
+            name: heading.bare_name(column),
+        });
+        let position = position.map(|column| Column {
+            column: column + 1,
+            unit: self
+                .unit(column, Kind::Position)
+                .unwrap_or_else(|| self.likely_unit(column))
+                .to_owned(),
+            name: String::new(),
+        });
+        let mut format = self.layout.apply(&ReaderFormat {
+            delimiter: table.delimiter,
+            decimal: table.decimal,
+            header_lines: table.header_lines,
+            spacing: spacing.filter(|_| position.is_none()),
+            position,
+            rails: rails.collect(),
+            labels: self.labels.iter().map(|column| column + 1).collect(),
+        });
+        if let Some(position) = format.position.as_mut()
+            && self.is_chainage(position.column - 1)
+        {
+            position.unit = "m".to_owned();
+        }
+        Ok(format)
+    }
+
+    /// The column of positions, if there is one, and the other columns of lengths.
+    fn position_and_others(&self) -> (Option<usize>, Vec<usize>) {
+        let table = self.table;
+        let mut columns: Vec<usize> = (0..table.count())
+            .filter(|&column| table.kinds[column].is_numeric() && !self.is_no_length(column))
+            .filter(|&column| !is_something_else(table, column))
+            .collect();
+        let named = columns.iter().position(|&column| self.is_named(column));
+        let place = named.or_else(|| self.unnamed_position(&columns));
+        (place.map(|place| columns.remove(place)), columns)
+    }
+
+    /// Those of some columns whose names and units are those of lengths.
+    fn columns_of_lengths(&self, columns: &[usize]) -> Vec<usize> {
+        let is_length = |&column: &usize| {
+            left_out(self.table, column).is_none()
+                && self.table.heading.foreign_unit_of(column).is_none()
+        };
+        columns.iter().copied().filter(is_length).collect()
+    }
+
+    /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside
+    /// [columns of lengths](Self::columns_of_lengths).
+    fn left_out(&self, column: usize, lengths: &[usize]) -> Option<&'static str> {
+        const COMPUTED: &str =
+            "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|rms";
+        let (table, heading) = (self.table, &self.table.heading);
+        left_out(table, column).or_else(|| {
+            let beside = |is: &dyn Fn(usize) -> bool| {
+                lengths.iter().any(|&other| other != column && is(other))
+            };
+            if heading.foreign_unit_of(column).is_some()
+                && beside(&|other| heading.unit_of(other).is_some())
+            {
+                return Some("its unit is no length");
+            }
+            let is_computed = |column: usize| heading.is(column, COMPUTED);
+            (is_computed(column) && beside(&|other| !is_computed(other)))
+                .then_some("it is computed from other columns")
+        })
+    }
+
+    /// Whether a column is a position by its head or the form of its numbers.
+    fn is_named(&self, column: usize) -> bool {
+        self.is_chainage(column) || self.table.heading.is(column, POSITION)
+    }
+
+    /// Whether a column tells records apart or only numbers the rows.
+    fn is_no_length(&self, column: usize) -> bool {
+        self.labels.contains(&column) || self.table.is_index(column)
+    }
+
+    fn is_chainage(&self, column: usize) -> bool {
+        self.table.kinds[column] == table::Kind::Chainage
+    }
+
+    /// The column besides positions and heights that rises evenly, if there is one.
+    fn counter(&self) -> Option<usize> {
+        (0..self.table.count()).find(|&column| {
+            self.table.kinds[column].is_numeric()
+                && (is_something_else(self.table, column) || self.table.is_index(column))
+                && self.table.even_step(column).is_some()
+        })
+    }
+
+    /// The place among some columns of the one that rises or falls evenly, the first of several; else the first, where
+    /// there must be a position.
+    fn unnamed_position(&self, columns: &[usize]) -> Option<usize> {
+        let is_even = |&column: &usize| self.table.even_step(column).is_some();
+        let even = columns.iter().position(is_even);
+        match even {
+            _ if columns.len() < 2 => None,
+            Some(place) => Some(place),
+            None => self.layout.spacing.is_none().then_some(0),
+        }
+    }
+
+    /// Refuse a head whose unit is no length, and a remark that contradicts a head, unless the user says the unit.
+    fn check_units(&self, heights: &[usize], position: Option<usize>) -> Result<(), String> {
+        let heading = &self.table.heading;
+        let heights = heights.iter().map(|&column| (column, Kind::Height));
+        let all = heights.chain(position.map(|column| (column, Kind::Position)));
+        for (column, kind) in all.filter(|&(column, _)| !self.is_chainage(column)) {
+            if self.is_said(kind) {
+                continue;
+            }
+            let (what, option) = kind.words();
+            if let Some(foreign) = heading.foreign_unit_of(column) {
+                if foreign.eq_ignore_ascii_case("dB") {
+                    return Err(format!(
+                        "the head of column {}, \"{}\", gives {foreign}: beside levels there must be a column of wavelengths, as \
+                         wavelength_mm; for heights give {option}",
+                        column + 1,
+                        heading.name(column).unwrap_or_default()
+                    ));
+                }
+                return Err(format!(
+                    "the head of column {}, \"{}\", gives {foreign} as the unit of the {what}, which is no length known \
+                     here; convert the column, or give {option}",
+                    column + 1,
+                    heading.name(column).unwrap_or_default()
+                ));
+            }
+            if let (Some(own), Some(stated)) = (heading.unit_of(column), self.stated.unit(kind))
+                && own != stated.unit
+            {
+                return Err(format!(
+                    "the head of column {} gives {own}, but line {} says {what} in {}; give {option}",
+                    column + 1,
+                    stated.line,
+                    stated.unit
+                ));
+            }
+        }
+        Ok(())
+    }
+
+    /// Whether the user says the unit.
+    fn is_said(&self, kind: Kind) -> bool {
+        match kind {
+            Kind::Height => self.layout.height_unit.is_some(),
+            Kind::Position => self.layout.position_unit.is_some(),
+        }
+    }
+
+    /// Columns whose unit no head gives, as a sentence on where it was taken from, and what was left out.
+    pub(super) fn assumptions(&self, format: &ReaderFormat) -> Vec<String> {
+        let heading = &self.table.heading;
+        let source = |column: &Column, kind: Kind| {
+            let place = column.column - 1;
+            let what = format!("{} in {}", kind.words().0, column.unit);
+            if self.is_said(kind) || self.is_chainage(place) || heading.unit_of(place).is_some() {
+                return None;
+            }
+            Some(match self.stated.unit(kind) {
+                Some(stated) => (what, format!("by line {}", stated.line)),
+                None => (what, "taken for granted".to_owned()),
+            })
+        };
+        let mut position = format.position.iter();
+        let position = position.find_map(|column| source(column, Kind::Position));
+        let heights = format
+            .rails
+            .iter()
+            .find_map(|column| source(column, Kind::Height));
+        let mut sentences: Vec<String> = match (position, heights) {
+            (Some(a), Some(b)) if a.1 == b.1 => vec![format!("{} and {} {}", a.0, b.0, a.1)],
+            (a, b) => a
+                .into_iter()
+                .chain(b)
+                .map(|(what, from)| format!("{what} {from}"))
+                .collect(),
+        };
+        let count = self.table.count();
+        let lengths = self.columns_of_lengths(&self.position_and_others().1);
+        sentences.extend((0..count).filter_map(|column| {
+            let is_read = |one: &Column| one.column == column + 1;
+            let is_read = format.position.iter().chain(&format.rails).any(is_read);
+            if is_read || self.labels.contains(&column) || !self.table.kinds[column].is_numeric() {
+                return None;
+            }
+            let why = match self.left_out(column, &lengths) {
+                Some(why) => why,
+                None if self.table.is_index(column) => "it numbers the rows",
+                None => "it is neither a position nor a height",
+            };
+            let name = heading.name(column).unwrap_or_default();
+            Some(left_out_sentence(column, name, why))
+        }));
+        let text: Vec<String> = (0..count)
+            .filter(|&column| {
+                !self.table.kinds[column].is_numeric() && !self.labels.contains(&column)
+            })
+            .map(|column| (column + 1).to_string())
+            .collect();
+        let is_label_behind = self.labels.iter().any(|&label| label >= count);
+        match (&text[..], self.table.text_behind && !is_label_behind) {
+            ([], false) => {}
+            ([], true) => sentences.push(format!("the text behind column {count} is left out")),
+            (columns, _) => {
+                sentences.push(format!("text in column {} is left out", columns.join(", ")));
+            }
+        }
+        sentences
+    }
+
+    /// Unit that the head of a column or else a remark gives.
+    fn unit(&self, column: usize, kind: Kind) -> Option<&'static str> {
+        let stated = || self.stated.unit(kind).map(|stated| stated.unit);
+        self.table.heading.unit_of(column).or_else(stated)
+    }
+
+    /// Unit of a position that has none, from its step: no trolley samples in steps of less than 20 µm
+    /// or more than 100 mm.
+    fn likely_unit(&self, column: usize) -> &'static str {
+        match self.table.even_step(column).map(f64::abs) {
+            Some(step) if step < 2e-5 => "km",
+            Some(step) if step > 0.1 => "mm",
+            _ => "m",
+        }
+    }
+}
+
+const POSITION: &str = "position|pos|chainage|station|distance|dist|abscissa|location|kilometre|kilometer|mileage|weg|\
+                        strecke|pk|x|s|km|way|abszisse|abscisse|kilometrierung";
+const IGNORED: &str = "index|sample|samples|nr|no|number|id|time|zeit|speed|date|temperature|latitude|longitude|lat|lon|\
+                        event|velocity|geschwindigkeit|temperatur|datum|uhrzeit|lfd|temp|température|temperatura|vitesse|\
+                        velocidad|velocità|alt|altitude|elevation|acc|acceleration|beschleunigung|gyro|quality|flag";
+/// Units of columns that hold something else.
+const OTHER_UNITS: [&str; 9] = [
+    "km/h", "m/s", "km_h", "kmh", "m_per_s", "°c", "[s]", "(s)", "[v]",
+];
+/// Words for columns that tell records apart.
+const LABELS: &str = "rail|side|schiene|seite|track|gleis|line|linie|strecke|date|datum|run|lauf|fahrt|record|messung|\
+                        site|ort|section|abschnitt|campaign|kampagne|côté|cote|voie|carril|lado|vía|fecha|rotaia|binario|\
+                        lato|spoor|spoorstaaf|zijde|szyna|kolejnice";
+
+/// Whether the head of a column names neither a position nor a height.
+fn is_something_else(table: &Table, column: usize) -> bool {
+    let name = table
+        .heading
+        .name(column)
+        .unwrap_or_default()
+        .to_lowercase();
+    table.heading.is(column, IGNORED) || OTHER_UNITS.iter().any(|unit| name.contains(unit))
+}
+
+/// That a column is left out, and why.
+pub(super) fn left_out_sentence(column: usize, name: &str, why: &str) -> String {
+    match name {
+        "" => format!("column {} is left out: {why}", column + 1),
+        name => format!("column {}, \"{name}\", is left out: {why}", column + 1),
+    }
+}
+
+/// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.
+fn left_out(table: &Table, column: usize) -> Option<&'static str> {
+    const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|versine|pfeilhöhe|pfeilhoehe|\
+                        twist|verwindung|curvature|krümmung|kruemmung|alignment|crosslevel|dévers|\
+                        écartement|flèche|peralte|ancho|flecha|alabeo|sopraelevazione|scartamento|freccia|sghembo";
+    /// Lines along the head of a rail.
+    const LINES: &str = "corner|side|face";
+    if table.heading.is(column, GEOMETRY) && !table.heading.is(column, LINES) {
+        return Some("it is geometry of the track");
+    }
+    let name = words(table.heading.name(column)?);
+    is_statistic(&name).then_some("it is a limit or a statistic, no measured rail")
+}
+
+/// Whether the words of a name are those of a scatter, a count or a limit.
+pub(super) fn is_statistic(name: &[String]) -> bool {
+    const STATISTICS: &str = "std|stdev|stddev|sd|sigma|stdabw|standardabweichung|count|anzahl|quality|limit|limits|\
+                        grenzwert|grenzwerte|grenzkurve|tolerance|toleranz|iso|tsi";
+    let is_norm = |pair: &[String]| {
+        is_one_of(&pair[0], "en|din") && pair[1].starts_with(|c: char| c.is_ascii_digit())
+    };
+    name.iter().any(|word| is_one_of(word, STATISTICS)) || name.windows(2).any(is_norm)
+}
+
+/// Columns that tell records apart: of text under one of [`LABELS`] or without any head, or of such whole numbers, with few
+/// that differ. A clock in it tells rows apart, not records.
+fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
+    /// Rows that are looked at, and of these for each label.
+    const ROWS: (usize, usize) = (2000, 100);
+    let heading = &table.heading;
+    let sample = || {
+        let rows = table::rows(bytes, table.header_lines, table.delimiter, None);
+        rows.take(ROWS.0)
+    };
+    let widest = sample().map(|row| row.cells.len()).max().unwrap_or(0);
+    let is_label = |&column: &usize| {
+        let kind = table
+            .kinds
+            .get(column)
+            .copied()
+            .unwrap_or(table::Kind::Text);
+        let is_named = heading.is(column, LABELS);
+        let is_whole = || {
+            let mut values = table.sample.iter().map(|row| row[column]);
+            values.all(|value| value.fract() == 0.0) && heading.unit_of(column).is_none()
+        };
+        let may_be = match kind {
+            table::Kind::Text => is_named || heading.names.is_none() && column < table.count(),
+            table::Kind::Number => is_named && is_whole(),
+            _ => false,
+        };
+        if !may_be {
+            return false;
+        }
+        let cells: Vec<String> = sample().map(|row| row.text(column)).collect();
+        let different: BTreeSet<&String> = cells.iter().collect();
+        different.len() <= (cells.len() / ROWS.1).max(2)
+            && cells
+                .iter()
+                .all(|cell| !cell.is_empty() && !cell.contains(':'))
+    };
+    (0..widest).filter(is_label).collect()
+}
+
+/// The column of text under another head than [`LABELS`] that tells records apart, in whatever language: one of few words
+/// without which positions repeat or go back more often than within each of its words. Remarks on rows do not.
+fn dividing_column(table: &Table, bytes: &[u8], position: usize) -> Option<usize> {
+    /// Rows for each word.
+    const ROWS: usize = 20;
+    let is_text = |&column: &usize| table.kinds[column] == table::Kind::Text;
+    let columns: Vec<usize> = (0..table.count()).filter(is_text).collect();
+    if columns.is_empty() {
+        return None;
+    }
+    // Last position of each word, and steps that do not rise and that do.
+    let mut last: Vec<BTreeMap<String, f64>> = vec![BTreeMap::new(); columns.len() + 1];
+    let mut steps = vec![[0usize; 2]; columns.len() + 1];
+    let (mut rows, mut is_whole) = (0, vec![true; columns.len() + 1]);
+    for row in table::rows(
+        bytes,
+        table.header_lines,
+        table.delimiter,
+        Some(table.decimal),
+    ) {
+        let Some(here) = row.value(position).filter(|here| !here.is_nan()) else {
+            continue;
+        };
+        rows += 1;
+        let words = columns.iter().map(|&column| row.text(column));
+        for (index, word) in [String::new()].into_iter().chain(words).enumerate() {
+            is_whole[index] &= index == 0 || !word.is_empty() && !word.contains(':');
+            if last[index].len() > rows / ROWS + 2 {
+                is_whole[index] = false;
+            } else if let Some(before) = last[index].insert(word, here) {
+                steps[index][usize::from(here > before)] += 1;
+            }
+        }
+    }
+    let against = |index: usize| steps[index][0].min(steps[index][1]);
+    let mut divides = (1..=columns.len()).filter(|&index| {
+        let words = last[index].len();
+        let few = (2..=(rows / ROWS).max(2)).contains(&words);
+        is_whole[index] && few && against(index) < against(0)
+    });
+    divides.next().map(|index| columns[index - 1])
+}
