@@ -96,7 +96,7 @@ def test_cases_of_draws_answer_as_the_program_does_over_the_posterior(
     assert banded["median"] == pytest.approx(np.quantile(months, 0.5), rel=1e-12)
     assert banded["band_90"] == pytest.approx(np.quantile(months, [0.05, 0.95]), rel=1e-12)
     # The wear coefficient alone is drawn, and growth goes with it.
-    coefficient = tree["posterior/wear.coefficient"].values.ravel()
+    coefficient = np.asarray(tree["posterior/wear.coefficient"].values, dtype=float)
     assert np.std(np.log(months)) == pytest.approx(np.std(np.log(coefficient)), rel=0.15)
     with pytest.raises(FileNotFoundError, match="holds no calibration"):
         riffel.draws(tmp_path)
