@@ -150,7 +150,6 @@ impl Answer for CompetingModels {
                     number(&|it| Some(it.error)),
                     2,
                 ),
-                Column::fixed("weight", say!(weight_of_model), number(&|it| it.weight), 2),
                 Column::words(
                     "verdict",
                     say!(verdict_on_model),

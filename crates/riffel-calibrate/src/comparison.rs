@@ -42,8 +42,6 @@ pub struct ModelScore {
     pub error: f64,
     /// Whether it predicts worse than the best beyond doubt: by more than two standard errors and 4 nats.
     pub is_worse: bool,
-    /// Its weight in the mixture of models that predicts best; none where one group alone was left out.
-    pub weight: Option<f64>,
     /// What was left out, one after the other.
     pub scores: Vec<Score>,
     /// Reasons that its chains give against a conclusion.
@@ -104,7 +102,6 @@ impl Comparison {
                 behind: 0.0,
                 error: 0.0,
                 is_worse: false,
-                weight: None,
                 scores,
                 doubts,
             });
@@ -112,15 +109,13 @@ impl Comparison {
         Ok(Some(Self::judged(models)))
     }
 
-    /// With differences, weights and verdicts.
+    /// With differences and verdicts.
     fn judged(mut models: Vec<ModelScore>) -> Self {
         let best = models
             .iter()
             .max_by(|one, other| one.log_density.total_cmp(&other.log_density));
         let best = best.cloned();
-        let weights = stacking_weights(&models);
-        for (model, weight) in models.iter_mut().zip(weights) {
-            model.weight = weight;
+        for model in &mut models {
             let Some(best) = best.as_ref().filter(|best| best.title != model.title) else {
                 continue;
             };
@@ -175,39 +170,6 @@ fn scores_of(
     Ok(scores.collect())
 }
 
-/// Weights of the mixture of the models under which all that was left out is likeliest, by expectation and maximisation; none where
-/// one group was left out, of which the best would take all.
-///
-/// Source: Yao, Vehtari, Simpson & Gelman (2018), Bayesian Analysis 13, equation 4.
-fn stacking_weights(models: &[ModelScore]) -> Vec<Option<f64>> {
-    const ROUNDS: usize = 10_000;
-    let groups = models[0].scores.len();
-    if groups < 2 {
-        return vec![None; models.len()];
-    }
-    let densities: Vec<Vec<f64>> = (0..groups)
-        .map(|group| {
-            let logs = models.iter().map(|model| model.scores[group].log_density);
-            let highest = logs.clone().fold(f64::NEG_INFINITY, f64::max);
-            logs.map(|log| (log - highest).exp()).collect()
-        })
-        .collect();
-    let mut weights = vec![(models.len() as f64).recip(); models.len()];
-    for _ in 0..ROUNDS {
-        let mut next = vec![0.0; models.len()];
-        for of_group in &densities {
-            let parts = weights.iter().zip(of_group);
-            let parts: Vec<f64> = parts.map(|(weight, density)| weight * density).collect();
-            let sum: f64 = parts.iter().sum();
-            for (next, part) in next.iter_mut().zip(parts) {
-                *next += part / sum / groups as f64;
-            }
-        }
-        weights = next;
-    }
-    weights.into_iter().map(Some).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -233,7 +195,6 @@ mod tests {
             behind: 0.0,
             error: 0.0,
             is_worse: false,
-            weight: None,
             scores: logs.iter().map(score).collect(),
             doubts: 0,
         }
@@ -259,27 +220,7 @@ mod tests {
         // An error of draws alone: 5 nats behind, 3 of error.
         let drawn = judged(&[-7.0], &[-12.0], 3.0 / 2f64.sqrt());
         assert!((drawn.error - 3.0).abs() < 1e-12);
-        assert!(!drawn.is_worse && drawn.weight.is_none());
-    }
-
-    /// Of two models that are likelier by e at one group each, either has one half; a model that is nowhere likelier has nothing.
-    #[test]
-    fn weights_are_those_of_the_likeliest_mixture() {
-        let models = vec![
-            model("a", &[0.0, -1.0], 0.0),
-            model("b", &[-1.0, 0.0], 0.0),
-            model("c", &[-3.0, -3.0], 0.0),
-        ];
-        let weights = stacking_weights(&models);
-        for (weight, expected) in weights.iter().zip([0.5, 0.5, 0.0]) {
-            assert!((weight.unwrap() - expected).abs() < 1e-6, "{weights:?}");
-        }
-        // Densities 1, 1 and ¼, 4 of two models: the sum of ln(1 − 3w/4) + ln(1 + 3w) is highest at w = 1/2.
-        let models = vec![
-            model("a", &[0.0, 0.0], 0.0),
-            model("b", &[0.25f64.ln(), 4f64.ln()], 0.0),
-        ];
-        assert!((stacking_weights(&models)[1].unwrap() - 0.5).abs() < 1e-6);
+        assert!(!drawn.is_worse);
     }
 
     /// U1 by our own chains: the date whose weights can be trusted has the closed form by weights, and all have it by draws without

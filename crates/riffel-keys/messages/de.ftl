@@ -470,7 +470,6 @@ models-by-what-they-predict = Modelle nach ihren Vorhersagen: Daten werden wegge
 log-density = ln Dichte
 behind-the-best = hinter dem besten
 error-of-behind = ±
-weight-of-model = Gewicht
 verdict-on-model = Urteil
 verdict-best = am besten
 verdict-worse = schlechter
@@ -486,4 +485,4 @@ model-predicts-worse = { $model } sagt schlechter voraus als { $best }: die ln D
 model-not-told-apart = { $model } und { $best } sind nicht zu unterscheiden: die ln Dichte unterscheidet sich um { $behind } ± { $error }; nötig sind zwei Standardfehler und 4
 one-group-left-out = nur { $held } wurde weggelassen: ein anderes Datum, ein anderer Ort oder andere Daten können anders urteilen, und ± ist allein der Fehler der Ziehungen
 weights-not-trusted = { $model }: dem Ergebnis für { $held } ist nicht zu trauen (k̂ = { $shape }, zulässig ist höchstens 0,7); unter [hold_out] genannt, bleibt es aus eigenen Ketten weg
-models-on-doubtful-chains = die Ketten von { $model } lassen { $doubts } Zweifel: mit mehr Ziehungen kann sich das Ergebnis ändern
+models-on-doubtful-chains = { $model }: seine Ketten lassen { $doubts } Zweifel, mit mehr Ziehungen kann sich das Ergebnis ändern

@@ -478,7 +478,6 @@ models-by-what-they-predict = models by what they predict: data are left out, an
 log-density = ln density
 behind-the-best = behind the best
 error-of-behind = ±
-weight-of-model = weight
 verdict-on-model = verdict
 verdict-best = best
 verdict-worse = worse
@@ -494,4 +493,4 @@ model-predicts-worse = { $model } predicts worse than { $best }: ln density is l
 model-not-told-apart = { $model } and { $best } are not told apart: ln density differs by { $behind } ± { $error }, but must by two standard errors and by 4
 one-group-left-out = only { $held } was left out: another date, place or kind may judge otherwise, and ± is the error of the draws alone
 weights-not-trusted = { $model }: the score of { $held } is not to be trusted (k̂ = { $shape }, but must be 0.7 at most); named under [hold_out], it is left out of chains of their own
-models-on-doubtful-chains = the chains of { $model } leave { $doubts } doubts: its score may change with more draws
+models-on-doubtful-chains = { $model }: its chains leave { $doubts } doubts, and its score may change with more draws

@@ -84,7 +84,6 @@ def test_models_are_compared_date_by_date(plan: Path, tmp_path: Path) -> None:
     assert [score["held_out"] for score in own["scores"]] == [{"date": 0}, {"date": 1.5e6}, {"date": 3.5e6}]
     assert own["log_density"] == pytest.approx(sum(score["log_density"] for score in own["scores"]))
     assert min(own["behind"], other["behind"]) == 0
-    assert own["weight"] + other["weight"] == pytest.approx(1)
 
 
 def test_what_is_not_there_is_said(plan: Path, tmp_path: Path) -> None:
