@@ -77,10 +77,10 @@ def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
 
 @pytest.mark.filterwarnings("ignore::UserWarning")
 def test_models_are_compared_date_by_date(plan: Path, tmp_path: Path) -> None:
-    compare = '[[compare]]\ntitle = "half-space"\nset = { "contact.creep_law" = "half-space" }\n'
-    plan.write_text(HEAD.replace("[[parameter]]", compare + "[[parameter]]"))
+    compare = '[[compare]]\ntitle = "less friction"\nset = { "contact.friction" = 0.3 }\n'
+    plan.write_text(HEAD.replace("draws = 400", "draws = 50").replace("[[parameter]]", compare + "[[parameter]]"))
     own, other = riffel.calibrate(plan, tmp_path / "out").attrs["models"]
-    assert [own["title"], other["title"]] == [None, "half-space"]
+    assert [own["title"], other["title"]] == [None, "less friction"]
     assert [score["held_out"] for score in own["scores"]] == [{"date": 0}, {"date": 1.5e6}, {"date": 3.5e6}]
     assert own["log_density"] == pytest.approx(sum(score["log_density"] for score in own["scores"]))
     assert min(own["behind"], other["behind"]) == 0
