@@ -259,13 +259,11 @@ impl Answer for CompetingModels {
         let groups =
             groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
         let groups: Vec<String> = groups.collect();
-        let sentences = self.sentences().into_iter().map(|it| text(it) + ".");
         LineFigure {
             title: self.title.clone().unwrap_or_else(|| "Models".to_owned()),
             caption: format!(
-                "ln of the density that each model gives to what was left out: {}. {}",
-                groups.join("; "),
-                sentences.collect::<Vec<String>>().join(" ")
+                "ln of the density that each model gives to what was left out: {}.",
+                groups.join("; ")
             ),
             panels: vec![LinePanel {
                 x_label: "left out, by its number".to_owned(),
