@@ -1,6 +1,6 @@
 //! Which action pays, over the posterior of a calibration.
 
-use riffel_calibrate::{CalibrationError, Chains, Decision, Plan, Worth};
+use riffel_calibrate::{Breaks, CalibrationError, Chains, Decision, Plan, Worth};
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, Mark, Series};
 use serde::Serialize;
@@ -151,6 +151,30 @@ impl Answer for DecideAnswer {
             0,
             &|row| percent(actions[row].probability_cheapest),
         ));
+        for (name, head, of) in [
+            (
+                "over_budget_percent",
+                say!(over_budget_percent),
+                (|it| it.budget) as fn(&Breaks) -> Option<f64>,
+            ),
+            ("too_loud_percent", say!(too_loud_percent), |it| {
+                it.noise_limit
+            }),
+            (
+                "without_possession_percent",
+                say!(without_possession_percent),
+                |it| it.possession_hours,
+            ),
+        ] {
+            if actions.iter().any(|action| of(&action.breaks).is_some()) {
+                columns.push(numbers(name, head, 0, &|row| {
+                    of(&actions[row].breaks).and_then(percent)
+                }));
+            }
+        }
+        columns.push(numbers("rank", say!(rank_of_action), 0, &|row| {
+            Some(actions[row].rank as f64)
+        }));
         let head = say!(regret_per_year, currency = currency);
         columns.push(numbers("expected_regret_per_year", head, 0, &|row| {
             Some(actions[row].expected_regret_per_year)
@@ -179,7 +203,7 @@ impl Answer for DecideAnswer {
     fn sentences(&self) -> Vec<Message> {
         let decision = &self.decision;
         let actions = decision.actions.iter().zip(self.names());
-        let best = actions.min_by(|a, b| a.0.mean_cost_per_year.total_cmp(&b.0.mean_cost_per_year));
+        let best = actions.min_by_key(|(action, _)| action.rank);
         let currency = &*decision.currency;
         let mut sentences = Vec::new();
         if let Some((action, name)) = best {
@@ -190,6 +214,16 @@ impl Answer for DecideAnswer {
                 currency = currency,
                 share = fixed(100.0 * action.probability_cheapest, 0)
             ));
+        }
+        let breaking = decision
+            .actions
+            .iter()
+            .filter(|it| !it.breaks.holds())
+            .count();
+        if breaking == decision.actions.len() {
+            sentences.push(say!(all_actions_break));
+        } else if breaking > 0 {
+            sentences.push(say!(actions_break, count = breaking));
         }
         sentences.push(say!(
             worth_of_knowing_all,
@@ -233,8 +267,7 @@ impl Answer for DecideAnswer {
             };
         let months = actions().map(|(action, name)| line(name, &action.curves[0]));
         let costs = actions().map(|(action, name)| line(name, &action.curves[1]));
-        let best =
-            actions().min_by(|a, b| a.0.mean_cost_per_year.total_cmp(&b.0.mean_cost_per_year));
+        let best = actions().min_by_key(|(action, _)| action.rank);
         let mark = best.map(|(action, name)| Mark {
             x: action.mean_cost_per_year,
             label: name.text(riffel_keys::Language::English),

@@ -25,6 +25,7 @@ pub mod calibrate;
 mod capital;
 mod column;
 pub mod compare;
+pub mod competing_models;
 pub mod contact;
 pub mod curve;
 pub mod decide;

@@ -1,9 +1,17 @@
 //! The closed forms of `validation/calibration/conjugate.json`, for tests.
 
+use rand_xoshiro::Xoshiro256PlusPlus;
+use riffel_study::Distribution;
 use serde_json::Value;
 
+use crate::data::{Block, Given, Group, differences, sums};
+use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
+use crate::model::{Model, Parameter, Role, Trial};
+use crate::nuts::normal;
+use crate::posterior::{Named, Posterior};
+use crate::prior::Prior;
 
 fn at(pointer: &str) -> Value {
     let text = include_str!("../../../validation/calibration/conjugate.json");
@@ -95,5 +103,128 @@ impl U1 {
     pub(crate) fn after_dates(&self, known: &[Known], dates: &[usize]) -> Normal {
         let (columns, errors, data) = self.equations(dates);
         Normal::after(known, &columns, &errors.cholesky().unwrap(), &data).unwrap()
+    }
+}
+
+/// The levels of some dates, over all first levels: κ is their one value.
+struct Levels {
+    gaussian: Gaussian,
+    by_growth: Vec<f64>,
+    data: Vec<f64>,
+}
+
+impl U1 {
+    /// Levels of some dates with the covariance that errors and first levels give them.
+    fn levels(&self, dates: &[usize]) -> Levels {
+        let (columns, errors, data) = self.equations(dates);
+        let known = self.proper();
+        let covariance = Matrix::of(data.len(), |i, j| {
+            let of_levels = columns.iter().zip(&known).skip(1);
+            let of_levels = of_levels.map(|(a, known)| a[i] * a[j] / known.precision);
+            errors.at(i, j) + of_levels.sum::<f64>()
+        });
+        Levels {
+            gaussian: Gaussian::new(covariance, Vec::new()).unwrap(),
+            by_growth: columns[0].clone(),
+            data,
+        }
+    }
+
+    /// What the sampler draws κ from.
+    pub(crate) fn posterior(&self, dates: &[usize]) -> Posterior {
+        self.posterior_of(self.levels(dates))
+    }
+
+    /// The same of other levels of all dates.
+    pub(crate) fn posterior_with(&self, data: &[f64]) -> Posterior {
+        let mut levels = self.levels(&[0, 1, 2]);
+        levels.data = data.to_vec();
+        self.posterior_of(levels)
+    }
+
+    fn posterior_of(&self, levels: Levels) -> Posterior {
+        let growth = Distribution::Normal {
+            mean: 1.0,
+            standard_deviation: 1.0,
+            min: f64::NEG_INFINITY,
+            max: f64::INFINITY,
+        };
+        let parameter = Parameter {
+            name: "growth".to_owned(),
+            unit: String::new(),
+            prior: Prior::Of(growth),
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            role: Role::Size,
+            in_data: None,
+        };
+        Posterior {
+            model: Model {
+                parameters: vec![parameter],
+                views: Vec::new(),
+                vehicles: Vec::new(),
+                speed: None,
+            },
+            blocks: vec![Named {
+                names: vec!["levels".to_owned()],
+                block: Box::new(levels),
+                sizes: Vec::new(),
+                touched_by: vec![0],
+            }],
+        }
+    }
+
+    /// A date given the others, for one κ.
+    pub(crate) fn given_rest(&self, growth: f64, date: usize) -> Given {
+        let levels = self.levels(&[0, 1, 2]);
+        let group = [0, 1, 2].map(|band| 3 * date + band);
+        let group = Group::single(levels.data.len(), &group);
+        let predicted = levels.predicted(growth);
+        levels.given_rest(&group, &predicted, &[]).unwrap()
+    }
+}
+
+impl Levels {
+    fn predicted(&self, growth: f64) -> Vec<f64> {
+        self.by_growth.iter().map(|it| growth * it).collect()
+    }
+}
+
+impl Block for Levels {
+    fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
+        Ok(self.predicted(trial.values[0]))
+    }
+
+    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
+        self.gaussian
+            .density(&differences(&self.data, predicted), sizes)
+    }
+
+    fn views(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    fn observed(&self) -> Vec<f64> {
+        self.data.clone()
+    }
+
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        self.gaussian
+            .of_each(&differences(&self.data, predicted), sizes)
+    }
+
+    fn replicate(
+        &self,
+        predicted: &[f64],
+        sizes: &[f64],
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<Vec<f64>> {
+        Some(sums(
+            predicted,
+            &self.gaussian.draw(sizes, || normal(random))?,
+        ))
+    }
+
+    fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
+        self.gaussian.covariance_of_mean(sizes, times)
     }
 }

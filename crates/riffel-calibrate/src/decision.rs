@@ -60,6 +60,30 @@ pub struct ActionOutcome {
     pub probability_cheapest: f64,
     /// What it costs more than the cheapest, in the mean.
     pub expected_regret_per_year: f64,
+    /// Its place by mean cost, from one, behind all that hold to what is asked.
+    pub rank: usize,
+    /// How likely it breaks what is asked.
+    pub breaks: Breaks,
+}
+
+/// Probabilities that an action breaks what is asked; none where that is not asked.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct Breaks {
+    /// That it costs more than the budget.
+    pub budget: Option<f64>,
+    /// That a band is louder than the limit of noise when grinding comes.
+    pub noise_limit: Option<f64>,
+    /// That it closes the line for more hours than there are.
+    pub possession_hours: Option<f64>,
+}
+
+impl Breaks {
+    /// Whether the action holds to all of it, in 95 % of the draws or more.
+    pub fn holds(&self) -> bool {
+        const MOST: f64 = 0.05;
+        let all = [self.budget, self.noise_limit, self.possession_hours];
+        all.iter().flatten().all(|probability| *probability <= MOST)
+    }
 }
 
 /// Months until a limit is reached.
@@ -100,6 +124,10 @@ impl Months {
     }
 }
 
+/// Months from grinding to the limit, none beyond the horizon, and the highest level of a band above the limit when grinding comes
+/// \[dB\].
+type Course = (Option<f64>, f64);
+
 impl Decision {
     /// Rank the actions of a plan over the draws of its chains.
     ///
@@ -116,7 +144,7 @@ impl Decision {
         let per_month = plan.passages_per_month()?;
         let draws = plan.rail_draws(chains)?;
         let end = choices.horizon * per_month;
-        let mut months = Vec::new();
+        let mut courses = Vec::new();
         for action in &choices.actions {
             let changes = action.changes.clone();
             let changes = changes.unwrap_or_else(|| Variant::none(""));
@@ -137,30 +165,47 @@ impl Decision {
                 let reached = growing_bands(&rates, &missed)
                     .filter_map(|band| band.passages_to(rise))
                     .filter(|passages| *passages <= end);
-                Ok(reached
+                let reached = reached
                     .min_by(f64::total_cmp)
-                    .map(|passages| passages / per_month))
+                    .map(|passages| passages / per_month);
+                // Grinding at the limit leaves no band above it.
+                let highest = action.every.map_or(0.0, |every| {
+                    let rises = growing_bands(&rates, &missed);
+                    let rises = rises.map(|band| band.level_change(every * per_month));
+                    rises.fold(f64::NEG_INFINITY, f64::max) - choices.rise
+                });
+                Ok((reached, highest))
             };
-            let of_draws: Result<Vec<Option<f64>>, String> =
-                draws.par_iter().map(of_draw).collect();
-            months.push(of_draws.map_err(|reason| {
+            let of_draws: Result<Vec<Course>, String> = draws.par_iter().map(of_draw).collect();
+            courses.push(of_draws.map_err(|reason| {
                 let title = &action.title;
                 CalibrationError::Refused(format!(
                     "in a draw of the posterior the case does not take the action \"{title}\": {reason}"
                 ))
             })?);
         }
-        let costs = months.iter().zip(&choices.actions);
+        let costs = courses.iter().zip(&choices.actions);
         let costs: Vec<Vec<f64>> = costs
-            .map(|(months, action)| months.iter().map(|it| choices.cost(action, *it)).collect())
+            .map(|(courses, action)| {
+                let costs = courses
+                    .iter()
+                    .map(|(months, _)| choices.cost(action, *months));
+                costs.collect()
+            })
             .collect();
+        let actions = outcomes(&choices, &courses, &costs);
+        // What breaks what is asked is no choice, unless all do.
+        let holds = |(action, _): &(&ActionOutcome, &Vec<f64>)| action.breaks.holds();
+        let allowed = actions.iter().zip(&costs).filter(holds);
+        let allowed: Vec<Vec<f64>> = allowed.map(|(_, costs)| costs.clone()).collect();
+        let costs = if allowed.is_empty() { costs } else { allowed };
         let places: Vec<Vec<f64>> = draws.into_iter().map(|draw| draw.place).collect();
         let told = Told::of(&places, &costs);
         Ok(Self {
             rise_db: choices.rise,
             horizon_months: choices.horizon,
             draws: places.len(),
-            actions: outcomes(&choices, &months, &costs),
+            actions,
             evpi_per_year: of_everything(&costs),
             evppi_per_year: worth_of_values(plan, &places, &costs),
             measurements: worth_of_measurements(plan, &choices, &told)?,
@@ -195,6 +240,24 @@ fn multiplied(plan: &Plan, action: &Action, values: &[f64]) -> Result<Vec<f64>, 
 }
 
 impl Choices {
+    /// How likely an action breaks what is asked.
+    fn breaks(&self, action: &Action, courses: &[Course], costs: &[f64]) -> Breaks {
+        let share = |limit: Option<f64>, of: &dyn Fn(usize) -> f64| {
+            let over = |limit: f64| (0..costs.len()).filter(|draw| of(*draw) > limit).count();
+            limit.map(|limit| over(limit) as f64 / costs.len() as f64)
+        };
+        let hours = |draw: usize| {
+            let interval = action.every.or(courses[draw].0).unwrap_or(self.horizon);
+            action.hours + MONTHS / interval * self.grinding_hours
+        };
+        let asked = &self.constraints;
+        Breaks {
+            budget: share(asked.budget, &|draw| costs[draw]),
+            noise_limit: share(asked.noise_limit, &|draw| courses[draw].1),
+            possession_hours: share(asked.possession_hours, &hours),
+        }
+    }
+
     /// What an action costs a year where the limit is reached after so many months, if it is within the horizon.
     fn cost(&self, action: &Action, months: Option<f64>) -> f64 {
         let a_year = match action.every {
@@ -208,11 +271,7 @@ impl Choices {
     }
 }
 
-fn outcomes(
-    choices: &Choices,
-    months: &[Vec<Option<f64>>],
-    costs: &[Vec<f64>],
-) -> Vec<ActionOutcome> {
+fn outcomes(choices: &Choices, courses: &[Vec<Course>], costs: &[Vec<f64>]) -> Vec<ActionOutcome> {
     let draws = costs[0].len();
     let share = |is: &dyn Fn(usize) -> bool| {
         (0..draws).filter(|draw| is(*draw)).count() as f64 / draws as f64
@@ -229,30 +288,50 @@ fn outcomes(
             .map(|part| quantile(&values, 0.05 * f64::from(part)))
             .collect()
     };
+    let breaks: Vec<Breaks> = (choices.actions.iter().zip(courses).zip(costs))
+        .map(|((action, courses), costs)| choices.breaks(action, courses, costs))
+        .collect();
+    let all_break = !breaks.iter().any(Breaks::holds);
+    let is_allowed = |place: usize| all_break || breaks[place].holds();
+    let rank = |place: usize| {
+        let key = |place: usize| (!is_allowed(place), mean(&costs[place]));
+        let better = |other: &usize| {
+            let (own, other) = (key(place), key(*other));
+            other.0.cmp(&own.0).then(other.1.total_cmp(&own.1)).is_lt()
+        };
+        1 + (0..costs.len()).filter(better).count()
+    };
     let cheapest: Vec<f64> = (0..draws)
         .map(|draw| {
-            costs
-                .iter()
-                .map(|costs| costs[draw])
+            let allowed = (0..costs.len()).filter(|place| is_allowed(*place));
+            allowed
+                .map(|place| costs[place][draw])
                 .fold(f64::INFINITY, f64::min)
         })
         .collect();
-    let first = |draw: usize| costs.iter().position(|costs| costs[draw] == cheapest[draw]);
+    let first = |draw: usize| {
+        let mut places = 0..costs.len();
+        places.find(|place| is_allowed(*place) && costs[*place][draw] == cheapest[draw])
+    };
     let length = |months: Option<f64>| months.unwrap_or(f64::INFINITY);
     let outcome = |(place, action): (usize, &Action)| ActionOutcome {
         title: action.title.clone(),
         fixed_cost_per_year: action.annual,
         curves: [
-            curve(&mut months[place].iter().map(|it| length(*it))),
+            curve(&mut courses[place].iter().map(|it| length(it.0))),
             curve(&mut costs[place].iter().copied()),
         ],
-        months_to_limit: Months::of(months[place].iter().copied()),
+        months_to_limit: Months::of(courses[place].iter().map(|it| it.0)),
         mean_cost_per_year: mean(&costs[place]),
         cost_per_year: quantiles(&mut costs[place].iter().copied()),
         saving_per_year: quantiles(&mut (0..draws).map(|draw| costs[0][draw] - costs[place][draw])),
-        probability_longer: share(&|draw| length(months[place][draw]) > length(months[0][draw])),
+        probability_longer: share(&|draw| {
+            length(courses[place][draw].0) > length(courses[0][draw].0)
+        }),
         probability_cheapest: share(&|draw| first(draw) == Some(place)),
         expected_regret_per_year: mean(&costs[place]) - mean(&cheapest),
+        rank: rank(place),
+        breaks: breaks[place].clone(),
     };
     choices.actions.iter().enumerate().map(outcome).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use riffel_keys::quantity::{Quantity, Ratio, Speed};
+use riffel_keys::quantity::{Length, Quantity, Ratio, Speed};
 use riffel_study::file::{LognormalFile, NormalFile, ParameterFile, TriangularFile, UniformFile};
 use serde::Deserialize;
 use toml::{Table, Value};
@@ -31,6 +31,12 @@ pub struct PlanFile {
     /// What was measured.
     #[serde(default)]
     pub data: Vec<DataFile>,
+    /// Other models, to be compared by what they predict.
+    #[serde(default)]
+    pub compare: Vec<CompareFile>,
+    /// What is left out to compare them; left out itself, dates, places and kinds of data one after the other.
+    #[serde(default)]
+    pub hold_out: Option<HoldOutFile>,
     /// What could be done, for `riffel decide`; to leave all as it is needs no entry.
     #[serde(default)]
     pub action: Vec<ActionFile>,
@@ -40,6 +46,35 @@ pub struct PlanFile {
     /// What it costs.
     #[serde(default)]
     pub cost: Option<CostFile>,
+}
+
+/// Another model of the same data.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct CompareFile {
+    /// Its name.
+    pub title: String,
+    /// Keys of the case that differ, for all data.
+    #[serde(default)]
+    pub set: Table,
+    /// Uncertain values that it lacks, by their names in the results: a factor is one, a key has the value of the case.
+    #[serde(default)]
+    pub without: Vec<String>,
+}
+
+/// What is left out: one of these.
+#[derive(Debug, Clone, Deserialize)]
+#[serde(deny_unknown_fields)]
+pub struct HoldOutFile {
+    /// A date of the levels: `first`, `last`, or passages since the first.
+    #[serde(default)]
+    pub date: Option<Value>,
+    /// A place of the hammer.
+    #[serde(default)]
+    pub position: Option<Quantity<Length>>,
+    /// Some data, by their name.
+    #[serde(default)]
+    pub data: Option<String>,
 }
 
 /// What could be done.
@@ -67,6 +102,9 @@ pub struct ActionFile {
     /// Grinding after so many months; left out, when the rise is there.
     #[serde(default)]
     pub grind_every: Option<Value>,
+    /// Hours for which it closes the line each year, without those of grinding.
+    #[serde(default)]
+    pub possession_hours: Option<Value>,
 }
 
 /// What could be measured before one decides.
@@ -113,6 +151,18 @@ pub struct CostFile {
     /// Longest interval, and the years for which a decision holds; left out, "20 a".
     #[serde(default)]
     pub horizon: Option<Value>,
+    /// Most that an action may cost a year.
+    #[serde(default)]
+    pub budget: Option<Value>,
+    /// How far above the limit a band may be when grinding comes, and so by how much it may be louder at most.
+    #[serde(default)]
+    pub noise_limit: Option<Value>,
+    /// Most hours for which the line may be closed a year.
+    #[serde(default)]
+    pub possession_hours: Option<Value>,
+    /// Hours for which grinding once closes the line.
+    #[serde(default)]
+    pub grinding_hours: Option<Value>,
     /// Whether intervals hold what the model misses of growth; left out, they do.
     #[serde(default = "yes")]
     pub growth_discrepancy: bool,

@@ -2,6 +2,8 @@
 
 use std::f64::consts::PI;
 
+use riffel_study::normal;
+
 use crate::matrix::{Matrix, dot};
 
 /// ln of the density of data, and its derivatives.
@@ -96,13 +98,20 @@ impl Gaussian {
         })
     }
 
+    /// The same of some of the data.
+    pub(crate) fn picked(&self, rows: &[usize]) -> Option<Self> {
+        let picked = |matrix: &Matrix| Matrix::of(rows.len(), |i, j| matrix.at(rows[i], rows[j]));
+        let parts = self.parts.iter().map(picked);
+        Self::new(picked(&self.noise), parts.collect())
+    }
+
     /// ln of the density of each datum given all others.
     pub(crate) fn of_each(&self, residuals: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
         let inverse = self.covariance(sizes).cholesky()?.inverse_of_square();
         let weighted = inverse.times(residuals);
         let places = 0..residuals.len();
         places
-            .map(|place| log_density_given_others(&inverse, &weighted, &[place]))
+            .map(|place| Some(given_others(&inverse, &weighted, &[place])?.log_density))
             .collect()
     }
 
@@ -133,19 +142,32 @@ impl Gaussian {
     }
 }
 
-/// ln of the density of some data given all others, from the inverse S⁻¹ of the covariance of all and from S⁻¹r.
+/// What is said of some data given all others of their block.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Given {
+    /// ln of their density.
+    pub(crate) log_density: f64,
+    /// The share of its own distribution that lies below each.
+    pub(crate) shares: Vec<f64>,
+}
+
+/// Some data given all others, from the inverse S⁻¹ of the covariance of all and from S⁻¹r.
 ///
 /// Source: Sundararajan & Keerthi (2001), Neural Computation 13.
-pub(crate) fn log_density_given_others(
-    inverse: &Matrix,
-    weighted: &[f64],
-    group: &[usize],
-) -> Option<f64> {
+pub(crate) fn given_others(inverse: &Matrix, weighted: &[f64], group: &[usize]) -> Option<Given> {
     let precision = Matrix::of(group.len(), |i, j| inverse.at(group[i], group[j]));
     let lower = precision.cholesky()?;
     let turned = lower.forward(group.iter().map(|place| weighted[*place]).collect());
     let norm = -0.5 * group.len() as f64 * (2.0 * PI).ln();
-    Some(norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned))
+    let covariance = lower.inverse_of_square();
+    let beside = lower.transposed().backward(&turned);
+    let shares = beside.iter().enumerate();
+    Some(Given {
+        log_density: norm + log_determinant(&lower) - 0.5 * dot(&turned, &turned),
+        shares: shares
+            .map(|(place, beside)| normal::cumulative(beside / covariance.at(place, place).sqrt()))
+            .collect(),
+    })
 }
 
 /// Half of ln |LLᵀ|.
@@ -187,7 +209,9 @@ mod tests {
         let expected = u1.numbers("/log_predictive_leaving_out_a_date");
         for (date, expected) in expected.into_iter().enumerate() {
             let group = [0, 1, 2].map(|band| 3 * date + band);
-            let value = log_density_given_others(&inverse, &weighted, &group).unwrap();
+            let value = given_others(&inverse, &weighted, &group)
+                .unwrap()
+                .log_density;
             assert!((value - expected).abs() < 1e-10, "{date}: {value}");
         }
     }

@@ -8,6 +8,7 @@
 //! y = model(θ) + δ + ε with δ Gaussian and small by prior.
 
 mod chain;
+mod comparison;
 #[cfg(test)]
 mod conjugate;
 mod data;
@@ -18,6 +19,7 @@ mod error;
 pub mod file;
 mod forecast;
 mod gaussian;
+mod held_out;
 mod identifiability;
 pub mod information;
 mod kernel;
@@ -32,16 +34,23 @@ mod prior;
 mod rail_draw;
 mod results;
 mod run;
+#[cfg(test)]
+mod simulated;
+mod smoothing;
 mod summary;
 
-pub use decision::{ActionOutcome, Decision, Months, Worth};
+pub use comparison::{Comparison, ModelScore, Sampler};
+pub use data::Held;
+pub use decision::{ActionOutcome, Breaks, Decision, Months, Worth};
 pub use drawn::Drawn;
 pub use error::CalibrationError;
 pub use forecast::{BandForecast, Forecast};
+pub use held_out::Score;
 pub use identifiability::{Correlation, Direction, Identifiability};
 pub use model::Parameter;
 pub use plan::Plan;
 pub use posterior::{Point, Posterior};
 pub use prior::Prior;
 pub use run::{Chains, Folder, finished};
+pub use smoothing::MOST_SHAPE;
 pub use summary::{Marginal, Summary, TOLD};

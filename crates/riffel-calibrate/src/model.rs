@@ -224,7 +224,7 @@ pub(crate) struct Model {
 pub(crate) struct Trial<'a> {
     model: &'a Model,
     /// Of all parameters, in SI.
-    values: &'a [f64],
+    pub(crate) values: &'a [f64],
     cases: Vec<OnceCell<Result<LoopOnTrack, String>>>,
 }
 

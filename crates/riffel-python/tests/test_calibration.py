@@ -69,6 +69,21 @@ def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
         assert found["probability_never"].values[place] == action["months_to_limit"]["probability_never"]
     assert found.attrs["evpi_per_year"] == expected["evpi_per_year"]
     assert found["probability_cheapest"].sum() == pytest.approx(1)
+    assert sorted(found["rank"].values) == [1, 2]
+    assert "breaks_budget" not in found
+    plan.write_text(HEAD + DECISION.replace("[cost]", '[cost]\nbudget = "1 EUR"'))
+    assert list(riffel.decide(folder)["breaks_budget"].values) == [1, 1]
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_models_are_compared_date_by_date(plan: Path, tmp_path: Path) -> None:
+    compare = '[[compare]]\ntitle = "less friction"\nset = { "contact.friction" = 0.3 }\n'
+    plan.write_text(HEAD.replace("draws = 400", "draws = 50").replace("[[parameter]]", compare + "[[parameter]]"))
+    own, other = riffel.calibrate(plan, tmp_path / "out").attrs["models"]
+    assert [own["title"], other["title"]] == [None, "less friction"]
+    assert [score["held_out"] for score in own["scores"]] == [{"date": 0}, {"date": 1.5e6}, {"date": 3.5e6}]
+    assert own["log_density"] == pytest.approx(sum(score["log_density"] for score in own["scores"]))
+    assert min(own["behind"], other["behind"]) == 0
 
 
 def test_what_is_not_there_is_said(plan: Path, tmp_path: Path) -> None:

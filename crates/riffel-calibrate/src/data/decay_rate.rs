@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
-use super::{Block, table};
+use super::{Block, Given, Group, table};
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
 use crate::model::Trial;
@@ -150,6 +150,19 @@ impl Block for DecayRates {
                 })
                 .collect(),
         )
+    }
+
+    /// All bands, for they are independent; bounds have no share.
+    fn given_rest(&self, _all: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
+        let bands = (0..self.rate.len()).filter(|band| !self.upper_bound[*band]);
+        let shares = bands.map(|band| {
+            let beside = self.rate[band] - predicted[band];
+            self.student.cdf(beside / self.scale(band, sizes))
+        });
+        Some(Given {
+            log_density: self.density(predicted, sizes)?.value,
+            shares: shares.collect(),
+        })
     }
 
     fn replicate(

@@ -8,7 +8,7 @@ use riffel::Complex64;
 use riffel_case::Case;
 use riffel_keys::CaseError;
 
-use super::{Block, differences, sums, table};
+use super::{Block, Group, Held, differences, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
@@ -34,6 +34,12 @@ pub(crate) struct FrequencyResponses {
 }
 
 impl FrequencyResponses {
+    /// Whether a line was measured at a place.
+    fn is_at(&self, row: usize, place: f64) -> bool {
+        let position = self.position.as_ref();
+        position.is_some_and(|position| position[row] == place)
+    }
+
     pub(crate) fn read(
         path: &Path,
         view: (usize, &Case),
@@ -181,6 +187,44 @@ impl Block for FrequencyResponses {
         let moduli = self.response.iter().map(|measured| measured.norm().ln());
         let phases = self.response.iter().map(|measured| measured.arg());
         moduli.chain(phases).collect()
+    }
+
+    /// The places of the blows, where there are several.
+    fn groups(&self) -> Vec<Group> {
+        let count = self.response.len();
+        let all = Group::all(2 * count);
+        let mut places = self.position.clone().unwrap_or_default();
+        places.sort_by(f64::total_cmp);
+        places.dedup();
+        if places.len() < 2 {
+            return vec![all];
+        }
+        let group = |place: &f64| {
+            let own = (0..2 * count).filter(|datum| self.is_at(datum % count, *place));
+            Group {
+                held: Held::Place(*place),
+                own: own.collect(),
+                ..all.clone()
+            }
+        };
+        places.iter().map(group).collect()
+    }
+
+    fn without(&self, held: Held) -> Option<Box<dyn Block>> {
+        let Held::Place(place) = held else {
+            return None;
+        };
+        let rest = (0..self.response.len()).filter(|row| !self.is_at(*row, place));
+        let rest: Vec<usize> = rest.collect();
+        let picked = |values: &[f64]| rest.iter().map(|row| values[*row]).collect::<Vec<f64>>();
+        let [real, imaginary] = self.parts.each_ref().map(|part| part.picked(&rest));
+        Some(Box::new(Self {
+            angular_frequency: picked(&self.angular_frequency),
+            position: self.position.as_deref().map(picked),
+            response: rest.iter().map(|row| self.response[*row]).collect(),
+            parts: [real?, imaginary?],
+            ..*self
+        }))
     }
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {

@@ -11,7 +11,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_case::{Case, LoopOnTrack};
 use riffel_keys::CaseError;
 
-use super::{Block, differences, sums, table};
+use super::{Block, Group, Held, differences, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::linear::{Known, Normal};
@@ -21,6 +21,8 @@ use crate::nuts::normal;
 
 /// Passages of the unit of what the model misses of growth.
 const UNIT: f64 = 1e6;
+/// Fewest dates of which one can be left out: two of the rest tell of growth.
+const LEAST_DATES: usize = 3;
 /// dB from 1 µm to 1 m.
 const MICROMETRE: f64 = 120.0;
 
@@ -276,6 +278,32 @@ impl Levels {
         dates.fold(0.0, f64::max)
     }
 
+    /// The same with other contrasts, for tests; without runs.
+    #[cfg(test)]
+    pub(crate) fn with_data(&self, contrasts: &[f64]) -> Self {
+        let mut dated = self.measured.0.clone();
+        dated.rows = self
+            .rows
+            .iter()
+            .map(|row| Row {
+                level: 0.0,
+                ..row.row
+            })
+            .collect();
+        for ((row, _), level) in self.contrasts.iter().zip(contrasts) {
+            dated.rows[*row].level = *level;
+        }
+        Self::new(&dated, &[]).unwrap()
+    }
+
+    /// Passages of all dates and runs, in order.
+    fn dates(&self) -> Vec<f64> {
+        let mut dates: Vec<f64> = self.rows.iter().map(|row| row.row.passages).collect();
+        dates.sort_by(f64::total_cmp);
+        dates.dedup();
+        dates
+    }
+
     /// Growth rates of the amplitude of the lines of all bands, 16 each.
     pub(crate) fn rates(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
         trial.growth_rates(self.view(), &self.lines)
@@ -447,6 +475,50 @@ impl Block for Levels {
 
     fn as_levels(&self) -> Option<&Levels> {
         Some(self)
+    }
+
+    /// The dates, where two are left without one of them; a run is of its date. Levels of the rest are compared with the first that
+    /// is left of their band.
+    fn groups(&self) -> Vec<Group> {
+        let dates = self.dates();
+        if dates.len() < LEAST_DATES {
+            return vec![Group::all(self.contrasts.len())];
+        }
+        let contrast = |row: usize| self.contrasts.iter().position(|it| it.0 == row);
+        let group = |date: &f64| {
+            let is_own = |row: usize| self.rows[row].row.passages == *date;
+            let base = |band: usize| {
+                let mut of_band = (0..self.rows.len()).filter(|row| self.rows[*row].band == band);
+                let first = of_band.clone().next();
+                of_band.find(|row| !is_own(*row)).or(first)
+            };
+            let bases: Vec<Option<usize>> = (0..self.bands.len()).map(base).collect();
+            let others: Vec<(usize, usize)> = (0..self.rows.len())
+                .filter_map(|row| Some((row, bases[self.rows[row].band]?)))
+                .filter(|(row, base)| row != base)
+                .collect();
+            let own = others.iter().enumerate();
+            Group {
+                held: Held::Date(*date),
+                own: own
+                    .filter_map(|(place, (row, _))| is_own(*row).then_some(place))
+                    .collect(),
+                basis: others
+                    .into_iter()
+                    .map(|(row, base)| (contrast(row), contrast(base)))
+                    .collect(),
+            }
+        };
+        dates.iter().map(group).collect()
+    }
+
+    fn without(&self, held: Held) -> Option<Box<dyn Block>> {
+        let Held::Date(date) = held else { return None };
+        let (mut dated, mut runs) = self.measured.clone();
+        dated.rows.retain(|row| row.passages != date);
+        runs.iter_mut()
+            .for_each(|run| run.rows.retain(|row| row.passages != date));
+        Some(Box::new(Self::new(&dated, &runs)?))
     }
 
     /// One more date, as long after the last as that is after the one before, with its bands and errors.

@@ -11,7 +11,10 @@ pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-use crate::gaussian::Density;
+use serde::Serialize;
+
+pub(crate) use crate::gaussian::Given;
+use crate::gaussian::{Density, given_others};
 use crate::matrix::Matrix;
 use crate::model::Trial;
 
@@ -55,20 +58,93 @@ pub(crate) trait Block: Send + Sync {
         None
     }
 
+    /// The parts of the data that can be left out to see how well the others predict them, each datum in one: never single
+    /// lines of what is smooth.
+    fn groups(&self) -> Vec<Group> {
+        vec![Group::all(self.observed().len())]
+    }
+
+    /// What is left of the data without a group; none for nothing.
+    fn without(&self, _held: Held) -> Option<Box<dyn Block>> {
+        None
+    }
+
+    /// A group given the rest of the data; none where its density is beyond numbers.
+    fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
+        let residuals = differences(&self.observed(), predicted);
+        let covariance = self.covariance(sizes, 1.0);
+        let entry = |row: Option<usize>, column: Option<usize>| match (row, column) {
+            (Some(row), Some(column)) => covariance.at(row, column),
+            _ => 0.0,
+        };
+        let residual = |row: Option<usize>| row.map_or(0.0, |row| residuals[row]);
+        let basis = &group.basis;
+        let of_basis = Matrix::of(basis.len(), |i, j| {
+            let ((a, b), (c, d)) = (basis[i], basis[j]);
+            entry(a, c) - entry(a, d) - entry(b, c) + entry(b, d)
+        });
+        let inverse = of_basis.cholesky()?.inverse_of_square();
+        let residuals = basis.iter().map(|(a, b)| residual(*a) - residual(*b));
+        let weighted = inverse.times(&residuals.collect::<Vec<f64>>());
+        given_others(&inverse, &weighted, &group.own)
+    }
+
     /// These data, if they tell of a rail that grows.
     fn as_levels(&self) -> Option<&Levels> {
         None
     }
 }
 
-fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {
+/// What is left out of some data.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Held {
+    /// All of them.
+    All,
+    /// A date, by the passages since the first, with the runs of it.
+    Date(f64),
+    /// A place of the hammer \[m\].
+    Place(f64),
+}
+
+/// Data that are left out together.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Group {
+    pub(crate) held: Held,
+    /// The data of the block as differences of two, of which either may be missing: such that those of the rest lack the group.
+    basis: Vec<(Option<usize>, Option<usize>)>,
+    /// Which of the differences are of the group.
+    own: Vec<usize>,
+}
+
+impl Group {
+    /// All of so many data.
+    pub(crate) fn all(count: usize) -> Self {
+        Self {
+            held: Held::All,
+            basis: (0..count).map(|datum| (Some(datum), None)).collect(),
+            own: (0..count).collect(),
+        }
+    }
+
+    /// Some of so many data, for tests.
+    #[cfg(test)]
+    pub(crate) fn single(count: usize, own: &[usize]) -> Self {
+        Self {
+            own: own.to_vec(),
+            ..Self::all(count)
+        }
+    }
+}
+
+pub(crate) fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {
     one.iter()
         .zip(other)
         .map(|(one, other)| one - other)
         .collect()
 }
 
-fn sums(one: &[f64], other: &[f64]) -> Vec<f64> {
+pub(crate) fn sums(one: &[f64], other: &[f64]) -> Vec<f64> {
     one.iter()
         .zip(other)
         .map(|(one, other)| one + other)

@@ -19,6 +19,8 @@ pub(crate) struct Action {
     /// Months from one grinding to the next; none where the limit asks for it.
     pub(crate) every: Option<f64>,
     pub(crate) changes: Option<Variant>,
+    /// Hours for which it closes the line each year, without those of grinding.
+    pub(crate) hours: f64,
     /// Factors of parameters, by their places.
     pub(crate) factors: Vec<(usize, f64)>,
 }
@@ -37,6 +39,16 @@ pub(crate) enum PlannedData {
     Parameter(usize, f64),
 }
 
+/// What an action must hold to; none where nothing is asked.
+pub(crate) struct Constraints {
+    /// Most that it costs a year.
+    pub(crate) budget: Option<f64>,
+    /// Highest level of a band above the limit when grinding comes \[dB\].
+    pub(crate) noise_limit: Option<f64>,
+    /// Most hours for which it closes the line a year.
+    pub(crate) possession_hours: Option<f64>,
+}
+
 /// What a decision goes by.
 pub(crate) struct Choices {
     /// To leave all as it is comes first.
@@ -51,6 +63,9 @@ pub(crate) struct Choices {
     pub(crate) rise: f64,
     /// \[months\]
     pub(crate) horizon: f64,
+    /// Hours for which grinding once closes the line.
+    pub(crate) grinding_hours: f64,
+    pub(crate) constraints: Constraints,
     /// Whether what the model misses of growth is in the intervals.
     pub(crate) growth_discrepancy: bool,
 }
@@ -98,6 +113,47 @@ impl Purse<'_> {
 }
 
 impl Plan {
+    fn hours(&self, key: &str, value: Option<&Value>) -> Result<Option<f64>, CaseError> {
+        let Some(value) = value else { return Ok(None) };
+        let hours = amount(value, &[("h", 1.0)]).filter(|hours| *hours >= 0.0);
+        hours.map(Some).ok_or_else(|| {
+            let rule = format!("is {value}, but must be hours, zero or more, as in \"6 h\"");
+            self.source.invalid(key, &rule, "")
+        })
+    }
+
+    fn constraints(&self, cost: &CostFile, purse: &Purse<'_>) -> Result<Constraints, CaseError> {
+        let possession_hours =
+            self.hours("cost.possession_hours", cost.possession_hours.as_ref())?;
+        if possession_hours.is_some() && cost.grinding_hours.is_none() {
+            let help =
+                "say for how long grinding once closes the line, as in grinding_hours = \"6 h\"";
+            return Err(self.source.missing("cost.grinding_hours", help));
+        }
+        let noise_limit = match &cost.noise_limit {
+            None => None,
+            Some(value) => Some(
+                amount(value, &[("dB", 1.0)])
+                    .filter(|level| *level >= 0.0)
+                    .ok_or_else(|| {
+                        let rule = format!(
+                            "is {value}, but must be a level above the limit of zero or more, as in \"3 dB\""
+                        );
+                        self.source.invalid("cost.noise_limit", &rule, "")
+                    })?,
+            ),
+        };
+        let budget = match &cost.budget {
+            None => None,
+            budget => Some(purse.sum("cost.budget", budget.as_ref())?),
+        };
+        Ok(Constraints {
+            budget,
+            noise_limit,
+            possession_hours,
+        })
+    }
+
     fn duration(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
         let months = amount(value, &DURATIONS).filter(|months| *months > 0.0);
         months.ok_or_else(|| {
@@ -151,6 +207,7 @@ impl Plan {
             annual: 0.0,
             every: None,
             changes: None,
+            hours: 0.0,
             factors: Vec::new(),
         }];
         for (index, written) in self.file.action.iter().enumerate() {
@@ -171,6 +228,10 @@ impl Plan {
             grinding: grinding + purse.sum("cost.possession", cost.possession.as_ref())?,
             over_limit: purse.sum("cost.over_limit", cost.over_limit.as_ref())?,
             rise: -below,
+            grinding_hours: self
+                .hours("cost.grinding_hours", cost.grinding_hours.as_ref())?
+                .unwrap_or(0.0),
+            constraints: self.constraints(cost, &purse)?,
             growth_discrepancy: cost.growth_discrepancy,
             horizon,
             currency: purse.currency,
@@ -266,6 +327,9 @@ impl Plan {
             annual: a_year + upkeep,
             every,
             changes,
+            hours: self
+                .hours(&key("possession_hours"), written.possession_hours.as_ref())?
+                .unwrap_or(0.0),
             factors,
         })
     }

@@ -1,5 +1,6 @@
 //! Plans: what is uncertain, what was measured, read and checked.
 
+mod comparison;
 mod data;
 pub(crate) mod decision;
 mod parameter;
@@ -19,7 +20,7 @@ use crate::prior::Prior;
 
 /// Standard deviations of a prior from its median beyond which it excludes what the case says.
 const EXCLUDES: f64 = 4.0;
-/// Keys of a plan that no draw follows from: for decisions, and for comparisons, which are left alone so far.
+/// Keys of a plan that no draw follows from: for comparisons and for decisions.
 const OF_OTHERS: [&str; 5] = ["compare", "hold_out", "action", "measurement", "cost"];
 
 /// A plan, read and checked against its case and its data.
@@ -40,6 +41,10 @@ pub struct Plan {
     pub traffic: Option<Traffic>,
     /// The view of the case that trains have.
     pub(crate) trains: usize,
+    /// The other models of the plan, in its order.
+    pub(crate) models: Vec<Plan>,
+    /// What of the data is left out, in a word of its own.
+    pub(crate) left_out: Option<String>,
     source: KeyFile,
 }
 
@@ -62,13 +67,24 @@ impl Plan {
     /// [`CaseError`] with the key or the file, the value and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
         let text = text_file::read_keys(path, "plan")?;
-        let mut source = KeyFile::parse(&path.display().to_string(), &text)?;
-        let written = source.clone();
-        ["compare", "hold_out"]
-            .iter()
-            .for_each(|key| source.remove(key));
+        let source = KeyFile::parse(&path.display().to_string(), &text)?;
+        let mut plan = Self::of(path, text, source)?;
+        let compared = plan.file.compare.iter().enumerate();
+        let models = compared.map(|(index, written)| plan.compared(index, written));
+        plan.models = models.collect::<Result<Vec<Self>, CaseError>>()?;
+        if plan.compares() {
+            plan.groups()?;
+        }
+        Ok(plan)
+    }
+
+    /// Whether it asks how well models predict what is left out.
+    pub fn compares(&self) -> bool {
+        !self.models.is_empty() || self.file.hold_out.is_some()
+    }
+
+    fn of(path: &Path, text: String, source: KeyFile) -> Result<Self, CaseError> {
         let file: PlanFile = source.deserialize()?;
-        let source = written;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         check_sampler(&source, &file)?;
         let case_path = folder.join(&file.case);
@@ -151,6 +167,8 @@ impl Plan {
             passages_per_day,
             traffic,
             trains,
+            models: Vec::new(),
+            left_out: None,
             source,
         };
         plan.check_actions()?;
@@ -180,11 +198,11 @@ impl Plan {
         Ok(())
     }
 
-    /// The text that draws follow from: without the keys of decisions.
+    /// The text that draws follow from: without the keys of comparisons and decisions.
     pub(crate) fn of_draws(&self) -> String {
         let mut source = self.source.clone();
         OF_OTHERS.iter().for_each(|key| source.remove(key));
-        source.table().to_string()
+        source.table().to_string() + self.left_out.as_deref().unwrap_or_default()
     }
 }
 

@@ -14,6 +14,9 @@ const DAYS_PER_MONTH: f64 = 365.2425 / 12.0;
 /// Costs of three actions, and months as it is.
 type Node = ([f64; 3], f64);
 
+/// Costs of three actions, and whether they break a budget, a noise limit and hours of possession.
+type Asked = ([f64; 3], [[bool; 3]; 3]);
+
 /// A folder with the case and the traffic of set b, one uncertain value, and some rows of levels.
 fn one_value(rows: &str, more: &str) -> TempDir {
     let copy = TempDir::new().unwrap();
@@ -31,8 +34,9 @@ fn one_value(rows: &str, more: &str) -> TempDir {
     copy
 }
 
-/// Passages until a band has risen by 6 dB, for a value: levels that the model says of many dates, with a line between them.
-fn brute_force(plan: &Plan, dates: &[f64], bands: usize, value: f64) -> f64 {
+/// Passages until a band has risen by 6 dB, for a value, and the highest rise after some passages: levels that the model says of many
+/// dates, with a line between them.
+fn brute_force(plan: &Plan, dates: &[f64], bands: usize, value: f64, after: f64) -> [f64; 2] {
     let rises = plan.posterior.predictions(&[value]).unwrap().concat();
     assert_eq!(rises.len(), dates.len() * bands);
     let highest = |date: usize| {
@@ -40,13 +44,18 @@ fn brute_force(plan: &Plan, dates: &[f64], bands: usize, value: f64) -> f64 {
         own.iter().copied().fold(f64::NEG_INFINITY, f64::max)
     };
     let (mut passages, mut rise) = (0.0, 0.0);
+    let mut found = [f64::INFINITY, f64::NAN];
     for (date, at) in dates.iter().enumerate() {
-        if highest(date) >= 6.0 {
-            return passages + (6.0 - rise) / (highest(date) - rise) * (at - passages);
+        let slope = (highest(date) - rise) / (at - passages);
+        if highest(date) >= 6.0 && rise < 6.0 {
+            found[0] = passages + (6.0 - rise) / slope;
+        }
+        if (passages..*at).contains(&after) {
+            found[1] = rise + slope * (after - passages);
         }
         (passages, rise) = (*at, highest(date));
     }
-    f64::INFINITY
+    found
 }
 
 /// One uncertain value, three bands at two dates, three actions: mean costs, chances, regrets and the worth of knowing all are those
@@ -79,13 +88,15 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         let copy = one_value(&long, set);
         Plan::read(&copy.path().join("plan.toml")).unwrap()
     });
-    let (mut weights, mut all) = (Vec::new(), Vec::new());
+    let (mut weights, mut all, mut asked) = (Vec::new(), Vec::new(), Vec::new());
     for step in -120..=120 {
         let z = 2.5e-9f64.ln() + 0.02 * f64::from(step);
-        let months = tables
+        let per_month = 6000.0 * DAYS_PER_MONTH;
+        let courses = tables
             .each_ref()
-            .map(|table| brute_force(table, &dates, 3, z.exp()) / 6000.0 / DAYS_PER_MONTH);
-        let [own, treated] = months;
+            .map(|table| brute_force(table, &dates, 3, z.exp(), 24.0 * per_month));
+        let [own, treated] = courses.map(|course| course[0] / per_month);
+        let loudest = courses[0][1] - 6.0;
         let reactive = |months: f64| 12.0 / months.min(25.0) * 9000.0;
         let over = if own > 25.0 {
             0.0
@@ -99,6 +110,24 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         ];
         weights.push(plan.posterior.log_density(&[z]).unwrap().exp());
         all.push((costs, own));
+        // 7000 EUR a year, 0.5 dB above the limit after 24 months, three hours of 5 each time.
+        let over = if own > 25.0 {
+            0.0
+        } else {
+            (24.0 - own).max(0.0)
+        };
+        let costs = [costs[0], costs[1], 0.5 * (9000.0 + 2000.0 * over)];
+        let hours = |months: f64| 12.0 / months.min(25.0) * 5.0;
+        let hours = [hours(own), 0.5 + hours(treated), 2.5];
+        let highest = [0.0, 0.0, loudest];
+        let breaks = [0, 1, 2].map(|place| {
+            [
+                costs[place] > 7000.0,
+                highest[place] > 0.5,
+                hours[place] > 3.0,
+            ]
+        });
+        asked.push((costs, breaks));
     }
     let sum: f64 = weights.iter().sum();
     let mean = |of: &dyn Fn(&Node) -> f64| {
@@ -136,6 +165,57 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
         "{} {worth}",
         found.evpi_per_year
     );
+    // What an action must hold to: those that break it are no choice any more.
+    let more = costs
+        .replace(
+            "[cost]\n",
+            "[cost]\nbudget = \"7000 EUR\"\nnoise_limit = \"0.5 dB\"\npossession_hours = \"3 h\"\ngrinding_hours = \"5 h\"\n",
+        )
+        .replace("upkeep", "possession_hours = \"0.5 h\"\nupkeep")
+        .replace("12 months", "24 months");
+    let text = fs::read_to_string(copy.path().join("plan.toml")).unwrap();
+    fs::write(copy.path().join("plan.toml"), text.replace(costs, &more)).unwrap();
+    let plan = Plan::read(&copy.path().join("plan.toml")).unwrap();
+    let held = Decision::of(&plan, &chains).unwrap();
+    let mean = |of: &dyn Fn(&Asked) -> f64| {
+        let terms = weights.iter().zip(&asked);
+        terms.map(|(weight, it)| weight * of(it)).sum::<f64>() / sum
+    };
+    let share =
+        |place: usize, what: usize| mean(&|(_, breaks)| f64::from(u8::from(breaks[place][what])));
+    let means = [0, 1, 2].map(|place| mean(&|(costs, _)| costs[place]));
+    let holds = [0, 1, 2].map(|place| (0..3).all(|what| share(place, what) <= 0.05));
+    let best = mean(&|(costs, _)| {
+        let allowed = costs.iter().zip(holds).filter(|(_, holds)| *holds);
+        allowed.map(|(cost, _)| *cost).fold(f64::INFINITY, f64::min)
+    });
+    let mut unsure = 0;
+    for (place, action) in held.actions.iter().enumerate() {
+        let found = &action.breaks;
+        let found = [found.budget, found.noise_limit, found.possession_hours];
+        for (what, found) in found.into_iter().enumerate() {
+            let expected = share(place, what);
+            assert!(
+                (found.unwrap() - expected).abs() < 0.05,
+                "{action:?} {expected}"
+            );
+            unsure += usize::from((0.1..0.9).contains(&expected));
+        }
+        assert_eq!(action.breaks.holds(), holds[place]);
+        let before =
+            (0..3).filter(|other| (!holds[*other], means[*other]) < (!holds[place], means[place]));
+        assert_eq!(action.rank, 1 + before.count(), "{means:?} {holds:?}");
+        let regret = action.expected_regret_per_year;
+        assert!((regret - (means[place] - best)).abs() < 0.01 * means[place]);
+    }
+    assert!(
+        holds.contains(&true) && holds.contains(&false) && unsure >= 3,
+        "{holds:?} {unsure}"
+    );
+    // What breaks it is never told to be the cheapest.
+    let cheapest = held.actions.iter().filter(|it| !it.breaks.holds());
+    assert!(cheapest.clone().all(|it| it.probability_cheapest == 0.0));
+    assert!(cheapest.map(|it| it.rank).min() > Some(holds.iter().filter(|it| **it).count()));
     // There is but one value to know, and a measurement is worth less than to know it.
     let value = found.evppi_per_year[0].per_year;
     assert!((value - found.evpi_per_year).abs() < 0.2 * worth, "{value}");

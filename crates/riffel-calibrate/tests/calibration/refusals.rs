@@ -112,6 +112,133 @@ fn what_cannot_be_used_is_said() {
             "frixion = 0.25",
             &["frixion"],
         ),
+        (
+            b,
+            "plan.toml",
+            "grinding = \"9000 EUR\"",
+            "grinding = \"9000 EUR\"\nbudget = \"-1 EUR\"",
+            &["cost.budget", "-1 EUR", "zero or more"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "grinding = \"9000 EUR\"",
+            "grinding = \"9000 EUR\"\nnoise_limit = \"-3 dB\"",
+            &["cost.noise_limit", "-3 dB", "zero or more"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "grinding = \"9000 EUR\"",
+            "grinding = \"9000 EUR\"\nnoise_limit = 3",
+            &["cost.noise_limit", "3 dB"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "grinding = \"9000 EUR\"",
+            "grinding = \"9000 EUR\"\npossession_hours = \"40 h\"",
+            &["cost.grinding_hours", "missing"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "grinding = \"9000 EUR\"",
+            "grinding = \"9000 EUR\"\ngrinding_hours = \"6 EUR\"",
+            &["cost.grinding_hours", "6 EUR", "6 h"],
+        ),
+        // Comparisons.
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndate = \"latest\"\n[sampler]",
+            &["hold_out.date", "latest", "\"last\"", "3500000"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndate = 7\n[sampler]",
+            &["hold_out.date", "7", "since the first"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\nposition = \"0.3 m\"\n[sampler]",
+            &["hold_out.position", "0.3 m", "two places"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndata = \"growth\"\n[sampler]",
+            &["hold_out.data", "growth", "only data"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndata = \"axle-box\"\n[sampler]",
+            &["hold_out.data", "axle-box", "by date"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndata = \"hamer\"\n[sampler]",
+            &["hold_out.data", "hamer", "no [[data]]", "decay"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "[sampler]",
+            "[hold_out]\ndate = \"last\"\ndata = \"decay\"\n[sampler]",
+            &["hold_out", "must name one"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\nset = { \"contact.creep_law\" = \"half-space\" }\n[sampler]",
+            &["compare[0]", "title"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\ntitle = \"same\"\n[sampler]",
+            &["compare[0].set", "missing"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\ntitle = \"heavy\"\nset = { \"track.pad.stiffness\" = \"500 MN/m\" }\n[sampler]",
+            &["compare[0].set", "track.pad.stiffness", "uncertain"],
+        ),
+        (
+            b,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\ntitle = \"odd\"\nset = { \"contact.frixion\" = 1 }\n[sampler]",
+            &["odd", "frixion"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\ntitle = \"hard\"\nwithout = [\"preload\"]\n[sampler]",
+            &["compare[0].without", "preload", "preload_stiffening"],
+        ),
+        (
+            c,
+            "plan.toml",
+            "[sampler]",
+            "[[compare]]\ntitle = \"a\"\nwithout = [\"preload_stiffening\"]\n[[compare]]\ntitle = \"a\"\nset = { \"contact.friction\" = 0.3 }\n[sampler]",
+            &["compare[1].title", "second time"],
+        ),
         // The prior excludes what the case says.
         (
             b,
@@ -262,4 +389,18 @@ fn a_key_that_no_data_touch_is_known() {
     let plan = plan.unwrap();
     assert!(plan.posterior.data_of("corrugation.amplitude").is_empty());
     assert_eq!(plan.posterior.data_of("wheel.mass"), ["growth"]);
+}
+
+/// One of two dates tells no growth: neither can be left out.
+#[test]
+fn one_of_two_dates_is_not_left_out() {
+    let text = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();
+    let later = text.lines().skip(17).collect::<Vec<_>>().join("\n");
+    let (copy, plan) = changed("b-three-dates", "roughness.csv", &later, "");
+    drop(plan.unwrap());
+    let path = copy.path().join("plan.toml");
+    let text = fs::read_to_string(&path).unwrap();
+    fs::write(&path, format!("{text}\n[hold_out]\ndate = \"last\"\n")).unwrap();
+    let error = Plan::read(&path).err().unwrap().to_string();
+    assert!(error.contains("three dates"), "{error}");
 }

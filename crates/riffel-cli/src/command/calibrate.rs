@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel_answers::calibrate::{close_pairs, correlations, directions, figure};
+use riffel_answers::competing_models::CompetingModels;
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, level_limit};
 use riffel_calibrate::{
@@ -13,7 +14,7 @@ use riffel_calibrate::{
 use super::study::progress::{SampleProgress, duration};
 use crate::arguments::{Calibrate, stem};
 use crate::messages::{complain, language, print_remarks, say};
-use crate::output::{print, table, table_of};
+use crate::output::{json, print, table, table_of};
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
 use crate::threads::on_threads;
@@ -45,20 +46,40 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
         plan.posterior.parameters().len()
     ));
     let begun = Instant::now();
-    let progress = SampleProgress::new("draws", sampler.chains * folder.draws_of_a_chain());
-    let work = || folder.run(&|draws| progress.advance_by(draws), &stop);
-    let chains = on_threads(arguments.threads, work)?;
-    drop(progress);
-    let Some(chains) = chains? else {
+    let sample = |folder: &Folder<'_>, _: &str| {
+        let progress = SampleProgress::new("draws", sampler.chains * folder.draws_of_a_chain());
+        folder.run(&|draws| progress.advance_by(draws), &stop)
+    };
+    let stopped = || {
         complain(format_args!(
             "stopped: finished parts of the chains are kept in {}; the same command with --restart goes on from there",
             path.display()
         ));
-        return Ok(INTERRUPTED);
+        Ok(INTERRUPTED)
+    };
+    let Some(chains) = on_threads(arguments.threads, || sample(&folder, ""))?? else {
+        return stopped();
+    };
+    let models = match plan.compares() {
+        false => None,
+        true => {
+            let to = (&*path, arguments.restart);
+            let of_each = |folder: &Folder<'_>, title: &str| {
+                if !title.is_empty() {
+                    say(format_args!("chains of \"{title}\""));
+                }
+                sample(folder, title)
+            };
+            let work = || CompetingModels::new(&plan, &chains, to, &of_each);
+            match on_threads(arguments.threads, work)?? {
+                None => return stopped(),
+                models => models,
+            }
+        }
     };
     let summary = chains.summary(&plan);
     let names = folder.write(&plan, &chains, &summary)?;
-    let conclusions = conclusions(&plan, &chains, &summary, &path)?;
+    let conclusions = conclusions(&plan, &chains, &summary, models.as_ref(), &path)?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&format!(
         "{title}\n{}{conclusions}{}: {}\n",
@@ -71,18 +92,20 @@ pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
         duration(begun.elapsed().as_secs_f64())
     ));
     print_remarks(&plan.remarks);
+    print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&untold(&summary));
     let doubts = summary.doubts();
     doubts.iter().map(String::as_str).for_each(complain);
     Ok(if doubts.is_empty() { 0 } else { NO_CONCLUSION })
 }
 
-/// Write what follows from the draws: what they tell of values together, and, where the plan has levels and the traffic says how much of
-/// it there is, when the rail reaches its limit; what is to be said of that.
+/// Write what follows from the draws: what they tell of values together, where the plan has levels and the traffic says how much of
+/// it there is, when the rail reaches its limit, and which models predict better; what is to be said of that.
 fn conclusions(
     plan: &Plan,
     chains: &Chains,
     summary: &Summary,
+    models: Option<&CompetingModels>,
     folder: &Path,
 ) -> miette::Result<String> {
     let told = Identifiability::of(plan, chains).map_err(CalibrationError::Refused)?;
@@ -100,6 +123,12 @@ fn conclusions(
         staging.write_figure(PosteriorForecast::NAME, &answer.figure())?;
         text += &readable(&answer, &answer.tables());
         tables.extend(answer.tables());
+    }
+    if let Some(models) = models {
+        staging.write_figure(CompetingModels::NAME, &models.figure())?;
+        staging.write("models.json", json(models))?;
+        text += &readable(models, &models.tables());
+        tables.extend(models.tables());
     }
     for table in &tables {
         staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;

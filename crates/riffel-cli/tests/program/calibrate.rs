@@ -269,3 +269,69 @@ fn over_the_calibration(sandbox: &Sandbox, set: &str) {
         );
     }
 }
+
+/// Levels that grow as the model says, the last of three dates left out: a model without growth predicts worse, one that has the
+/// share of driven wheels from the case is not told apart, for growth holds only its product with the wear coefficient.
+#[test]
+fn models_are_compared_by_what_they_predict() {
+    let sandbox = Sandbox::new();
+    let set = "validation/calibration/b-three-dates";
+    sandbox.copy(set);
+    fs::write(
+        sandbox.path(&format!("{set}/roughness.csv")),
+        "passages,wavelength_mm,level_db,standard_error_db\n\
+         0,158.48932,0,0.2\n0,125.89254,0,0.2\n2000000,158.48932,2.2,0.2\n2000000,125.89254,2.9,0.2\n\
+         4000000,158.48932,4.6,0.2\n4000000,125.89254,6.0,0.2\n",
+    )
+    .unwrap();
+    let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nchains = 2\nwarmup = 100\ndraws = 150\n\
+        [hold_out]\ndate = \"last\"\n\
+        [[compare]]\ntitle = \"no growth\"\nwithout = [\"wear.coefficient\"]\nset = { \"wear.coefficient\" = 2.5e-11 }\n\
+        [[compare]]\ntitle = \"share known\"\nwithout = [\"vehicle.traction_share\"]\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+        [[parameter]]\nkey = \"vehicle.traction_share\"\nuniform = { min = 0.05, max = 0.95 }\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
+        discrepancy = { kind = \"band\", standard_deviation = 0.1 }\n";
+    fs::write(sandbox.path(&format!("{set}/plan.toml")), plan).unwrap();
+    let outcome = sandbox.riffel(&format!("calibrate {set}/plan.toml -o out"));
+    assert!(outcome.status < Some(2), "{}", outcome.text);
+    let table = fs::read_to_string(sandbox.path("out/models.csv")).unwrap();
+    let rows: Vec<Vec<&str>> = table
+        .lines()
+        .map(|line| line.split(',').collect())
+        .collect();
+    let column = |name: &str| rows[0].iter().position(|it| *it == name).unwrap();
+    let verdict = |model: &str| {
+        let row = rows.iter().find(|row| row[0] == model).unwrap();
+        row[column("verdict")]
+    };
+    assert_eq!(verdict("no growth"), "worse", "{table}");
+    for model in ["model of the plan", "share known"] {
+        assert!(
+            ["best", "not told apart"].contains(&verdict(model)),
+            "{table}"
+        );
+        let row = rows.iter().find(|row| row[0] == model).unwrap();
+        assert_eq!(row[column("inside_90_percent")], "100.000000", "{table}");
+    }
+    for words in [
+        "no growth predicts worse than",
+        "are not told apart: ln density differs by",
+        "date of 4000000 passages was left out: another date",
+    ] {
+        assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+    }
+    let document = fs::read(sandbox.path("out/models.json")).unwrap();
+    let document: serde_json::Value = serde_json::from_slice(&document).unwrap();
+    let score = &document["models"][0]["scores"][0];
+    assert_eq!(score["held_out"]["date"], 4e6, "{score}");
+    assert!(sandbox.path("out/models.png").exists());
+    // Chains that are there are not drawn again, and give the same.
+    let again = sandbox.riffel(&format!("calibrate {set}/plan.toml -o out --restart"));
+    assert!(again.status < Some(2), "{}", again.text);
+    assert_eq!(
+        fs::read_to_string(sandbox.path("out/models.csv")).unwrap(),
+        table
+    );
+}

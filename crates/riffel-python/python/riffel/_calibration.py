@@ -23,6 +23,13 @@ OF_ACTIONS = {
     "probability_longer": "probability that the interval is longer than as it is",
     "probability_cheapest": "probability that it is the cheapest",
     "expected_regret_per_year": "cost of a year beyond the cheapest in the mean",
+    "rank": "place by mean cost, behind all that hold to what is asked",
+}
+# What an action may have to hold to, with long names.
+ASKED = {
+    "budget": "probability that it costs more than the budget",
+    "noise_limit": "probability that a band is louder than the limit of noise when grinding comes",
+    "possession_hours": "probability that it closes the line for more hours than there are",
 }
 SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
@@ -43,7 +50,8 @@ def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.Data
     -------
     xarray.DataTree
         ``posterior.zarr``, with the groups of ArviZ: ``posterior``, ``sample_stats``, ``prior``, ``observed_data``,
-        ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``.
+        ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``. Where the plan compares models, the attribute
+        ``models`` says how well each predicts what was left out: the list of ``models.json``.
 
     Warns
     -----
@@ -55,10 +63,13 @@ def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.Data
     ValueError
         For a key, a value or data that cannot be used.
     """
-    remarks, doubts = _riffel.calibrate(os.fspath(plan), os.fspath(folder), restart)
+    remarks, doubts, models = _riffel.calibrate(os.fspath(plan), os.fspath(folder), restart)
     for sentence in [*remarks, *doubts]:
         warnings.warn(sentence, stacklevel=2)
-    return xr.open_datatree(Path(folder) / "posterior.zarr", engine="zarr")
+    tree = xr.open_datatree(Path(folder) / "posterior.zarr", engine="zarr")
+    if models is not None:
+        tree.attrs["models"] = models["models"]
+    return tree
 
 
 def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
@@ -76,7 +87,8 @@ def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
     xarray.Dataset
         Over ``action``, to leave all as it is first, and ``quantile``: ``months_to_limit``, NaN beyond the horizon, with
         ``probability_never``; ``cost_per_year`` and ``saving_per_year``; ``mean_cost_per_year``, ``expected_regret_per_year``,
-        ``probability_cheapest`` and ``probability_longer``. Attributes: ``currency``, ``evpi_per_year``, ``evppi_per_year``,
+        ``probability_cheapest``, ``probability_longer`` and ``rank``; where the plan asks for them ``breaks_budget``,
+        ``breaks_noise_limit`` and ``breaks_possession_hours``, probabilities. Attributes: ``currency``, ``evpi_per_year``, ``evppi_per_year``,
         ``measurements``.
 
     Raises
@@ -92,6 +104,10 @@ def decide(folder: Folder, *, plan: Folder | None = None) -> xr.Dataset:
         name: ("action", [action[name] for action in actions], {"long_name": words})
         for name, words in OF_ACTIONS.items()
     }
+    for name, words in ASKED.items():
+        breaks = [action["breaks"][name] for action in actions]
+        if None not in breaks:
+            numbers[f"breaks_{name}"] = ("action", breaks, {"long_name": words})
     over = ("action", "quantile")
     months = [action["months_to_limit"] for action in actions]
     nothing = float("nan")

@@ -1,0 +1,282 @@
+//! Which model of a plan predicts best what was left out.
+
+use riffel_calibrate::{
+    CalibrationError, Chains, Comparison, Held, MOST_SHAPE, ModelScore, Plan, Sampler, Score,
+};
+use riffel_keys::{Message, fixed, say};
+use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
+use serde::Serialize;
+
+use crate::{Answer, Column, Table};
+
+/// The models of a plan by what they predict.
+#[derive(Serialize)]
+pub struct CompetingModels {
+    riffel_version: &'static str,
+    title: Option<String>,
+    #[serde(flatten)]
+    comparison: Comparison,
+    remarks: Vec<Message>,
+}
+
+impl CompetingModels {
+    /// Compare the models of a plan, whose chains go to a folder beside those of the plan; none where `sample` was stopped.
+    ///
+    /// # Errors
+    /// Those of [`Comparison::of`].
+    pub fn new(
+        plan: &Plan,
+        chains: &Chains,
+        (folder, restart): (&std::path::Path, bool),
+        sample: &Sampler<'_>,
+    ) -> Result<Option<Self>, CalibrationError> {
+        let found = Comparison::of(plan, chains, folder, restart, sample)?;
+        Ok(found.map(|comparison| Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            title: plan.file.title.clone(),
+            remarks: remarks(&comparison),
+            comparison,
+        }))
+    }
+
+    fn best(&self) -> Option<&ModelScore> {
+        let models = self.comparison.models.iter();
+        models.max_by(|one, other| one.log_density.total_cmp(&other.log_density))
+    }
+
+    fn is_best(&self, model: &ModelScore) -> bool {
+        self.best().is_some_and(|best| best.title == model.title)
+    }
+
+    fn verdict(&self, model: &ModelScore) -> Message {
+        match (self.comparison.models.len(), model.is_worse) {
+            (1, _) => Message::verbatim("–"),
+            (_, true) => say!(verdict_worse),
+            (_, false) if self.is_best(model) => say!(verdict_best),
+            (_, false) => say!(verdict_not_told_apart),
+        }
+    }
+}
+
+fn name(model: &ModelScore) -> Message {
+    match &model.title {
+        None => say!(model_of_the_plan),
+        Some(title) => Message::verbatim(title),
+    }
+}
+
+/// What was left out.
+fn left_out(score: &Score) -> Message {
+    let data = &score.data;
+    match score.held_out {
+        Held::All => Message::verbatim(data),
+        Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
+        Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
+    }
+}
+
+fn remarks(comparison: &Comparison) -> Vec<Message> {
+    let mut remarks = Vec::new();
+    if let [score] = &comparison.models[0].scores[..] {
+        remarks.push(say!(one_group_left_out, held = left_out(score)));
+    }
+    for model in &comparison.models {
+        for score in &model.scores {
+            if let Some(shape) = score.shape.filter(|shape| *shape > MOST_SHAPE) {
+                remarks.push(say!(
+                    weights_not_trusted,
+                    model = name(model),
+                    held = left_out(score),
+                    shape = fixed(shape, 2)
+                ));
+            }
+        }
+        if model.doubts > 0 {
+            remarks.push(say!(
+                models_on_doubtful_chains,
+                model = name(model),
+                doubts = model.doubts
+            ));
+        }
+    }
+    remarks
+}
+
+impl Answer for CompetingModels {
+    const NAME: &'static str = "models";
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![say!(models_by_what_they_predict)]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let models = &self.comparison.models;
+        let number = |of: &dyn Fn(&ModelScore) -> Option<f64>| {
+            models
+                .iter()
+                .map(of)
+                .collect::<Vec<Option<f64>>>()
+                .into_iter()
+        };
+        let share = |place: usize| {
+            number(&move |model| {
+                let counts = Comparison::coverage(model);
+                (counts[0] > 0).then(|| 100.0 * counts[place] as f64 / counts[0] as f64)
+            })
+        };
+        let by_model = Table {
+            name: "models",
+            columns: vec![
+                Column::words(
+                    "model",
+                    say!(model_column),
+                    models.iter().map(name).collect(),
+                ),
+                Column::fixed(
+                    "log_density",
+                    say!(log_density),
+                    number(&|model| Some(model.log_density)),
+                    2,
+                ),
+                Column::fixed(
+                    "behind",
+                    say!(behind_the_best),
+                    number(&|it| Some(it.behind)),
+                    2,
+                ),
+                Column::fixed(
+                    "standard_error",
+                    say!(error_of_behind),
+                    number(&|it| Some(it.error)),
+                    2,
+                ),
+                Column::words(
+                    "verdict",
+                    say!(verdict_on_model),
+                    models.iter().map(|model| self.verdict(model)).collect(),
+                ),
+                Column::fixed("inside_50_percent", say!(inside_50_percent), share(1), 0),
+                Column::fixed("inside_90_percent", say!(inside_90_percent), share(2), 0),
+            ],
+        };
+        let rows = || {
+            let rows = models.iter();
+            rows.flat_map(|model| model.scores.iter().map(move |score| (model, score)))
+        };
+        let of_score = |of: &dyn Fn(&Score) -> Option<f64>| {
+            let values = rows().map(|(_, score)| of(score));
+            values.collect::<Vec<Option<f64>>>().into_iter()
+        };
+        let by_group = Table {
+            name: "left_out",
+            columns: vec![
+                Column::words(
+                    "model",
+                    say!(model_column),
+                    rows().map(|(model, _)| name(model)).collect(),
+                ),
+                Column::words(
+                    "left_out",
+                    say!(left_out_column),
+                    rows().map(|(_, score)| left_out(score)).collect(),
+                ),
+                Column::fixed(
+                    "log_density",
+                    say!(log_density),
+                    of_score(&|it| Some(it.log_density)),
+                    2,
+                ),
+                Column::fixed(
+                    "standard_error_of_draws",
+                    say!(error_of_behind),
+                    of_score(&|it| Some(it.error)),
+                    2,
+                ),
+                Column::fixed("k_hat", say!(shape_of_weights), of_score(&|it| it.shape), 2),
+                Column::fixed(
+                    "data",
+                    say!(data_left_out),
+                    of_score(&|it| Some(it.count as f64)),
+                    0,
+                ),
+                Column::fixed(
+                    "inside_50",
+                    say!(inside_50),
+                    of_score(&|it| Some(it.inside_50 as f64)),
+                    0,
+                ),
+                Column::fixed(
+                    "inside_90",
+                    say!(inside_90),
+                    of_score(&|it| Some(it.inside_90 as f64)),
+                    0,
+                ),
+            ],
+        };
+        vec![by_model, by_group]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let Some(best) = self.best() else {
+            return Vec::new();
+        };
+        let others = self.comparison.models.iter();
+        let others = others.filter(|model| model.title != best.title);
+        let sentence = |model: &ModelScore| {
+            let (behind, error) = (fixed(model.behind, 1), fixed(model.error, 1));
+            match model.is_worse {
+                true => say!(
+                    model_predicts_worse,
+                    model = name(model),
+                    best = name(best),
+                    behind = behind,
+                    error = error
+                ),
+                false => say!(
+                    model_not_told_apart,
+                    model = name(model),
+                    best = name(best),
+                    behind = behind,
+                    error = error
+                ),
+            }
+        };
+        others.map(sentence).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        let text = |message: Message| message.text(riffel_keys::Language::English);
+        let series = self.comparison.models.iter().map(|model| Series {
+            label: text(name(model)),
+            x: (1..=model.scores.len())
+                .map(|number| number as f64)
+                .collect(),
+            y: model.scores.iter().map(|score| score.log_density).collect(),
+            style: LineStyle::Markers,
+            ..Series::default()
+        });
+        let groups = self.comparison.models[0].scores.iter().enumerate();
+        let groups =
+            groups.map(|(place, score)| format!("{} {}", place + 1, text(left_out(score))));
+        let groups: Vec<String> = groups.collect();
+        LineFigure {
+            title: self.title.clone().unwrap_or_else(|| "Models".to_owned()),
+            caption: format!(
+                "ln of the density that each model gives to what was left out: {}.",
+                groups.join("; ")
+            ),
+            panels: vec![LinePanel {
+                x_label: "left out, by its number".to_owned(),
+                y_label: "ln density".to_owned(),
+                x_range: Some((0.5, groups.len() as f64 + 0.5)),
+                series: series.collect(),
+                ..LinePanel::default()
+            }],
+            ..LineFigure::default()
+        }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}
