@@ -28,6 +28,7 @@ pub mod message;
 pub mod quantity;
 pub mod question;
 mod range;
+mod standard_input;
 pub mod table;
 pub mod text_file;
 mod unit;

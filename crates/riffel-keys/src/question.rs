@@ -8,7 +8,7 @@ use std::path::Path;
 
 use serde_json::{Map, Value};
 
-use crate::text_file::{LARGEST_RESPONSES, standard_input};
+use crate::standard_input::{LARGEST_RESPONSES, standard_input};
 
 /// What a path to a document of the question begins with.
 const HERE: &str = "question:";

@@ -3,18 +3,17 @@
 use std::borrow::Cow;
 use std::fmt;
 use std::fs::File;
-use std::io::{self, Read};
+use std::io;
 use std::path::Path;
-use std::sync::{Mutex, PoisonError};
 
 use crate::binary_format::BinaryFormat;
+pub use crate::standard_input::LARGEST_RESPONSES;
+use crate::standard_input::{read_to, standard_input};
 use crate::{CaseError, question};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
 /// table of observations.
 pub const LARGEST_KEYS: u64 = 16 << 20;
-/// Largest file of frequency responses \[bytes\].
-pub const LARGEST_RESPONSES: u64 = 256 << 20;
 
 /// Bytes from which the encoding is told.
 const HEAD: usize = 1 << 16;
@@ -139,24 +138,6 @@ impl Encoding {
 /// True for the path `-`, which stands for standard input wherever a file is read.
 pub fn is_standard_input(path: &Path) -> bool {
     path.as_os_str() == "-"
-}
-
-/// What stands on standard input, up to so many bytes: the same as often as it is asked for.
-pub(crate) fn standard_input(most: u64) -> io::Result<Vec<u8>> {
-    static READ: Mutex<Option<Vec<u8>>> = Mutex::new(None);
-    let mut read = READ.lock().unwrap_or_else(PoisonError::into_inner);
-    if let Some(bytes) = &*read {
-        return Ok(bytes.clone());
-    }
-    let bytes = read_to(io::stdin().lock(), most)?;
-    *read = Some(bytes.clone());
-    Ok(bytes)
-}
-
-fn read_to(from: impl Read, most: u64) -> io::Result<Vec<u8>> {
-    let mut bytes = Vec::new();
-    from.take(most).read_to_end(&mut bytes)?;
-    Ok(bytes)
 }
 
 /// The bytes of a file, or of standard input for the path `-`, which is `what` in errors, as in "case file".

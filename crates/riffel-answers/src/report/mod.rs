@@ -27,7 +27,7 @@ use crate::AnswerError;
 use crate::capital;
 use crate::compare::CompareAnswer;
 use crate::diagnose::Diagnosis;
-use crate::forecast::{ForecastAnswer, PosteriorForecast};
+use crate::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer};
@@ -206,6 +206,43 @@ impl Body {
     }
 }
 
+/// What comes, what helps and what is heard, each under its label; or why one of them is left out.
+fn outlooks(
+    case: &Case,
+    forecast: Result<&ForecastAnswer, &'static str>,
+    compare: Result<&CompareAnswer, &'static str>,
+    noise: Result<&NoiseAnswer, String>,
+) -> Result<[(&'static str, Outlook); 3], PlotError> {
+    let is_unexplained = |answer: &ForecastAnswer| {
+        let wear = answer.wear.as_ref();
+        wear.is_some_and(WearReport::is_unexplained)
+    };
+    let forecast_by_measured = forecast.is_ok_and(is_unexplained);
+    let forecast = match forecast {
+        Ok(answer) => outlook::forecast(case, answer)?,
+        Err(why) => Outlook::left_out("Forecast", why),
+    };
+    let mut what_if = match compare {
+        Ok(answer) => outlook::what_if(case, answer)?,
+        Err(why) => Outlook::left_out("What-if", why),
+    };
+    let mut noise = match noise {
+        Ok(answer) => noise::heard(answer)?,
+        Err(why) => Outlook::left_out("Rolling noise", why),
+    };
+    // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
+    if forecast_by_measured {
+        let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
+        what_if.brief = vec![unknown.to_owned()];
+        noise.brief.truncate(1);
+    }
+    Ok([
+        ("What comes", forecast),
+        ("What helps", what_if),
+        ("What is heard", noise),
+    ])
+}
+
 /// The report as a page of HTML that loads nothing and prints on A4.
 ///
 /// # Errors
@@ -256,7 +293,11 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
                 over.brief = labelled("What comes", over.brief);
                 body.put(over);
             }
-            let outlooks = outlook::all(case, forecast, compare, noise)?;
+            let mut outlooks = outlooks(case, forecast, compare, noise)?;
+            if posterior_forecast.is_some() {
+                // What was calibrated says more than the case as it was.
+                outlooks[0].1.brief.clear();
+            }
             body.put_outlooks(outlooks, doubt);
         }
         None => body.leave_out(&OF_CASE, NO_CASE),

@@ -63,7 +63,8 @@ pub(super) fn heard(answer: &NoiseAnswer) -> Result<Outlook, PlotError> {
         savings => format!(" Each alone would save: {}.", savings.join(", ")),
     };
     let over = answer.over_posterior_in_words();
-    let over = over.iter();
+    // In brief the level is enough.
+    let over = over.iter().take(1);
     let over = over.map(|it| format!("{}.", escape(&capital(&it.to_string()))));
     Ok(Outlook {
         section: Section::There("Rolling noise", html),

@@ -7,11 +7,9 @@ use riffel_case::Case;
 use riffel_keys::{Language, Message};
 use riffel_plot::{LineFigure, PlotError};
 
-use super::noise;
 use super::page::{Section, escape, figure, list, table};
 use crate::compare::{CompareAnswer, Effect, Outcome};
 use crate::forecast::{ForecastAnswer, WearReport, number};
-use crate::noise::NoiseAnswer;
 use crate::{Answer, capital};
 
 /// A section with a sentence for those in a hurry and what to warn of.
@@ -30,43 +28,6 @@ impl Outlook {
             warnings: Vec::new(),
         }
     }
-}
-
-/// What comes, what helps and what is heard, each under its label; or why one of them is left out.
-pub(super) fn all(
-    case: &Case,
-    forecast: Result<&ForecastAnswer, &'static str>,
-    compare: Result<&CompareAnswer, &'static str>,
-    noise: Result<&NoiseAnswer, String>,
-) -> Result<[(&'static str, Outlook); 3], PlotError> {
-    let is_unexplained = |answer: &ForecastAnswer| {
-        let wear = answer.wear.as_ref();
-        wear.is_some_and(WearReport::is_unexplained)
-    };
-    let forecast_by_measured = forecast.is_ok_and(is_unexplained);
-    let forecast = match forecast {
-        Ok(answer) => self::forecast(case, answer)?,
-        Err(why) => Outlook::left_out("Forecast", why),
-    };
-    let mut what_if = match compare {
-        Ok(answer) => self::what_if(case, answer)?,
-        Err(why) => Outlook::left_out("What-if", why),
-    };
-    let mut noise = match noise {
-        Ok(answer) => noise::heard(answer)?,
-        Err(why) => Outlook::left_out("Rolling noise", why),
-    };
-    // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
-    if forecast_by_measured {
-        let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
-        what_if.brief = vec![unknown.to_owned()];
-        noise.brief.truncate(1);
-    }
-    Ok([
-        ("What comes", forecast),
-        ("What helps", what_if),
-        ("What is heard", noise),
-    ])
 }
 
 /// An answer as a section: its tables, its sentences, its figure.
@@ -101,7 +62,7 @@ pub(super) fn of_answer<A: Answer>(
 }
 
 /// What becomes of the spectrum under the traffic.
-fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, PlotError> {
+pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, PlotError> {
     let rows = report
         .rows()
         .into_iter()
@@ -164,7 +125,7 @@ fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, PlotError> 
 }
 
 /// What would help.
-fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, PlotError> {
+pub(super) fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, PlotError> {
     let rows = report.comparison.outcomes.iter().map(|outcome| {
         let mut row = vec![escape(&outcome.title)];
         row.extend(report.row(outcome).iter().map(|cell| escape(cell)));
@@ -198,7 +159,9 @@ fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, PlotError> {
     html += &list(report.effects().into_iter().chain(over.iter().cloned()));
     html += &drawing(report.figure(case))?;
     let over = over.iter().map(|sentence| escape(sentence));
-    let brief = best(report).into_iter().chain(months(report)).chain(over);
+    // Draws tell months with their bands.
+    let months = months(report).filter(|_| report.over_posterior.is_none());
+    let brief = best(report).into_iter().chain(months).chain(over);
     let remarks = report
         .comparison
         .base()

@@ -9,11 +9,10 @@ use riffel_keys::text_file::read_keys;
 use riffel_keys::{CaseError, KeyFile, Message};
 use toml::Value;
 
+use super::shares::sums_to_one;
 use super::spreads::Spreads;
 use super::{Line, TrafficFile, Vehicle};
 
-/// How far the sum of shares may be from one: shares in tenths of a per cent.
-const SHARE_TOLERANCE: f64 = 2e-3;
 /// A mix of vehicles, checked.
 #[derive(Clone)]
 pub struct Traffic {
@@ -273,19 +272,6 @@ fn distribution(
                 .map_err(|error| source.invalid(&key("speeds"), &error.to_string(), ""))
         }
     }
-}
-
-pub(super) fn sums_to_one(
-    source: &KeyFile,
-    key: &str,
-    shares: impl Iterator<Item = f64>,
-) -> Result<(), CaseError> {
-    let sum: f64 = shares.sum();
-    if (sum - 1.0).abs() <= SHARE_TOLERANCE {
-        return Ok(());
-    }
-    let message = format!("the shares of `{key}` sum to {sum:.4}, but must sum to 1");
-    Err(source.refuse(&format!("{key}[0].share"), &message))
 }
 
 fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {

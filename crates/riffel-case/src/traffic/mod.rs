@@ -4,6 +4,7 @@ mod in_time;
 mod mix;
 mod on_case;
 mod reported_growth;
+mod shares;
 mod spread;
 mod spreads;
 mod through_curve;

@@ -12,7 +12,7 @@ use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
 use toml::Value;
 
-use super::mix::sums_to_one;
+use super::shares::sums_to_one;
 
 /// A value that is spread over the wheels of a vehicle: normal, even between two ends, or some values with their shares.
 #[derive(Debug, Clone, PartialEq, Serialize)]
