@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::picture::Point;
+use super::point::Point;
 use crate::grid::Grid;
 
 /// A closed line: the last point repeats the first.

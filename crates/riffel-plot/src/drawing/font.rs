@@ -4,7 +4,7 @@ use std::sync::LazyLock;
 
 use ttf_parser::{Face, GlyphId};
 
-use super::picture::Point;
+use super::point::Point;
 use super::subscript;
 
 /// Weight of a text.

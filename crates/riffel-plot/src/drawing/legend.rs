@@ -2,7 +2,8 @@
 
 use super::font::Weight;
 use super::marker::Marker;
-use super::picture::{Horizontal, Lettering, Picture, Point, Stroke, Vertical};
+use super::picture::{Horizontal, Lettering, Picture, Stroke, Vertical};
+use super::point::Point;
 use super::text;
 use crate::color::Rgb;
 

@@ -9,7 +9,8 @@ use super::map_marks::{
     BEST_FIT_RAY, BRANCH, Marks, OBSERVATION_RADIUS, RAY, RIDGE_RADIUS, ridge_marker,
 };
 use super::marker::Marker;
-use super::picture::{Picture, Point, Stroke};
+use super::picture::{Picture, Stroke};
+use super::point::Point;
 use super::sheet::Sheet;
 use super::sheet_box::SheetBox;
 use crate::color::Rgb;

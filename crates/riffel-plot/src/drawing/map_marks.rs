@@ -2,7 +2,8 @@
 
 use super::contours::simplified;
 use super::marker::Marker;
-use super::picture::{Horizontal, Lettering, Picture, Point, Stroke, Vertical};
+use super::picture::{Horizontal, Lettering, Picture, Stroke, Vertical};
+use super::point::Point;
 use super::sheet_box::{self, Obstacles, SheetBox};
 use super::text;
 use crate::color::{BEST_FIT, Rgb};

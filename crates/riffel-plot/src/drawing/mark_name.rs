@@ -1,7 +1,8 @@
 //! The names of marks: upright beside their lines, clear of each other and, where there is room, of the curves.
 
 use super::font::Weight;
-use super::picture::{Horizontal, Lettering, Picture, Point, Vertical};
+use super::picture::{Horizontal, Lettering, Picture, Vertical};
+use super::point::Point;
 use super::sheet_box::SheetBox;
 use super::text;
 use crate::color::Rgb;

@@ -1,6 +1,7 @@
 //! Marks of single points: discs, circles and other open shapes, told apart without colour.
 
-use super::picture::{Picture, Point, Stroke};
+use super::picture::{Picture, Stroke};
+use super::point::Point;
 use crate::color::Rgb;
 
 /// Shape of a mark.

@@ -15,6 +15,7 @@ mod mark_name;
 pub(crate) mod marker;
 mod picture;
 mod png;
+mod point;
 mod sheet;
 mod sheet_box;
 mod strip;

@@ -1,11 +1,9 @@
 //! A picture: lines, regions, circles and words in pixels with fractions, in the order in which they are drawn.
 
 use super::font::Weight;
+use super::point::Point;
 use super::text;
 use crate::color::Rgb;
-
-/// A point of the sheet in pixels, x to the right and y downward.
-pub(crate) type Point = (f64, f64);
 
 /// How a line is drawn.
 #[derive(Debug, Clone, Copy, PartialEq)]

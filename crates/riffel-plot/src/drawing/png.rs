@@ -4,7 +4,8 @@ use tiny_skia::{FillRule, LineJoin, Paint, Path, PathBuilder, Pixmap, StrokeDash
 use ttf_parser::OutlineBuilder;
 
 use super::font::{self, Glyph};
-use super::picture::{Lettering, Picture, Point, Shape, Stroke};
+use super::picture::{Lettering, Picture, Shape, Stroke};
+use super::point::Point;
 use crate::color::Rgb;
 use crate::error::PlotError;
 

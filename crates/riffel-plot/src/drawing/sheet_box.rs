@@ -1,7 +1,7 @@
 //! Rectangles of the sheet: clipping lines to a frame, and finding room for labels that must not
 //! cover each other nor the marks of a panel.
 
-use super::picture::Point;
+use super::point::Point;
 
 /// A rectangle of the sheet.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -3,7 +3,8 @@
 use std::fmt::Write;
 
 use super::font::Weight;
-use super::picture::{Horizontal, Lettering, Picture, Point, Shape, Stroke};
+use super::picture::{Horizontal, Lettering, Picture, Shape, Stroke};
+use super::point::Point;
 use super::subscript;
 use super::text::escape;
 use crate::color::Rgb;

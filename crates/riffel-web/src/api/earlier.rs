@@ -10,7 +10,7 @@ use riffel_rail::{ReaderFormat, read_date};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::roughness::kind_and_length;
+use super::file_headers::kind_and_length;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};

@@ -4,6 +4,7 @@ pub(crate) mod along;
 pub(crate) mod curve;
 pub(crate) mod earlier;
 pub(crate) mod export;
+mod file_headers;
 pub(crate) mod noise;
 pub(crate) mod questions;
 pub(crate) mod report;

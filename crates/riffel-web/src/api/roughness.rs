@@ -3,13 +3,14 @@
 use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
-use axum::http::{HeaderMap, header};
+use axum::http::HeaderMap;
 use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use riffel_rail::{Limit, LimitTable, ReaderFormat};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::earlier::{Earlier, EarlierRecord};
+use super::file_headers::kind_and_length;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
@@ -34,17 +35,6 @@ pub(crate) async fn post(
     let owner = asker.owner()?;
     let upload = page.uploads.receive(owner, kind, announced, body).await?;
     Ok(Json(json!({ "bytes": upload.bytes })))
-}
-
-/// Kind of a file that comes, and its length if it is announced.
-pub(super) fn kind_and_length(headers: &HeaderMap) -> (&'static str, Option<u64>) {
-    let text = |name| headers.get(name).and_then(|value| value.to_str().ok());
-    let announced = text(header::CONTENT_LENGTH).and_then(|length| length.parse().ok());
-    let kind = match text(header::CONTENT_TYPE) {
-        Some("text/plain") => "txt",
-        _ => "csv",
-    };
-    (kind, announced)
 }
 
 #[derive(Deserialize)]
