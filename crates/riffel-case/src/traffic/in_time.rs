@@ -6,8 +6,8 @@ use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message};
 
-use super::on_case::settings_of;
 use super::spreads::PartValues;
+use super::wheel_on_case::settings_of;
 use super::{Traffic, bands_of};
 use crate::file::ContactDynamics;
 use crate::{Case, Variant};

@@ -10,6 +10,7 @@ mod spreads;
 mod through_curve;
 mod traffic_file;
 mod usual;
+mod wheel_on_case;
 mod wheels_of_vehicle;
 
 use riffel::roughness::ThirdOctave;

@@ -12,9 +12,9 @@ use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowt
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, say};
 
-use super::on_case::{WheelOnCase, settings_of, window};
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
+use super::wheel_on_case::{WheelOnCase, settings_of, window};
 use super::{CurveOfVehicle, Traffic};
 use crate::from_curve::Equilibrium;
 use crate::kept_state::KeptState;

@@ -1,0 +1,167 @@
+//! The wheel of a vehicle on a case.
+
+use riffel::STANDARD_GRAVITY;
+use riffel::forecast::SpeedDistribution;
+use riffel_keys::CaseError;
+use toml::Value;
+
+use super::spreads::PartValues;
+use super::{Traffic, Vehicle};
+use crate::kept_state::KeptState;
+use crate::setting::{Setting, settings};
+use crate::{Case, Variant};
+
+/// The wheel of a vehicle, and how fast it runs.
+pub(super) struct WheelOnCase {
+    pub(super) wheel: Case,
+    pub(super) speeds: SpeedDistribution,
+    pub(super) held: Option<KeptState>,
+}
+
+impl Traffic {
+    /// What the vehicle of an index gives the keys of a case, in their order.
+    pub fn settings(&self, vehicle: usize) -> Vec<Setting> {
+        let own = settings_of(&self.file.vehicle[vehicle]).into_iter();
+        own.map(|(_, setting)| setting).collect()
+    }
+
+    /// The wheel of a vehicle: the case with its keys, over the window of its speeds and the bands.
+    pub(super) fn wheel_on(
+        &self,
+        index: usize,
+        case: &Case,
+        lines: &[f64],
+        variant: &Variant,
+        values: &PartValues,
+    ) -> Result<WheelOnCase, CaseError> {
+        let vehicle = &self.file.vehicle[index];
+        let at = |key: &str| format!("vehicle[{index}]{key}");
+        let mut own = settings_of(vehicle);
+        own.extend(values.settings());
+        if case.unfilled.keys.has("contact.from")
+            && let Some((key, _)) = own.iter().find(|(key, _)| OF_CURVE.contains(&&**key))
+        {
+            let message = format!(
+                "`{}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or \
+                 change the bogie by set = {{ bogie.mass_per_axle = … }}, or give the vehicle curve = true, which brings all wheels",
+                at(&format!(".{key}"))
+            );
+            return Err(self.source.refuse(&at(&format!(".{key}")), &message));
+        }
+        let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
+            let message = format!("vehicle \"{}\": {error}", vehicle.name);
+            self.source.refuse(&at(""), &message)
+        })?;
+        let window = window(case, lines, &speeds);
+        let settings: Vec<Setting> = own.iter().map(|(_, setting)| setting.clone()).collect();
+        let held = KeptState::of(variant, case, &settings, &window)?;
+        let held_setting = KeptState::settings(held.as_ref());
+        let sets = [&settings[..], &variant.settings, held_setting, &window];
+        let wheel = case.of_vehicle(&sets).map_err(|error| match error {
+            CaseError::Changed { key, message } => {
+                // The last that set the key is at fault.
+                let sets = |(own, _): &Setting| *own == key;
+                if held_setting.iter().any(sets) {
+                    let held = held.as_ref();
+                    let why = held.map_or(message.clone(), |held| held.refusal(&message));
+                    return variant.refuse(&format!(
+                        "variant \"{}\" changes friction or load under \"{}\"; {why}",
+                        variant.title, vehicle.name
+                    ));
+                }
+                if window.iter().any(sets) {
+                    let name = &vehicle.name;
+                    let message = format!("speeds and bands of vehicle \"{name}\": {message}");
+                    return self.source.refuse(&at(""), &message);
+                }
+                match own.iter().find(|(_, setting)| sets(setting)) {
+                    Some((own, _)) if !variant.settings.iter().any(sets) => {
+                        let message = format!("`{}`: {message}", at(&format!(".{own}")));
+                        self.source.refuse(&at(&format!(".{own}")), &message)
+                    }
+                    _ => variant.explain(CaseError::Changed { key, message }),
+                }
+            }
+            error => error,
+        })?;
+        Ok(WheelOnCase {
+            wheel,
+            speeds,
+            held,
+        })
+    }
+}
+
+/// Keys of a vehicle that a bogie in a curve has in other words.
+const OF_CURVE: [&str; 7] = [
+    "axle_load",
+    "wheel_load",
+    "rolling_radius",
+    "tractive_ratio",
+    "load",
+    "wheel_radius",
+    "friction",
+];
+
+/// What a vehicle gives the case, each with the key of the vehicle that it comes from.
+pub(super) fn settings_of(vehicle: &Vehicle) -> Vec<(String, Setting)> {
+    let wheel = |mass: f64| 0.5 * mass * STANDARD_GRAVITY;
+    let load = vehicle.axle_load.map(|mass| wheel(mass.si()));
+    let numbers = [
+        ("axle_load", "contact.normal_load", load),
+        (
+            "wheel_load",
+            "contact.normal_load",
+            vehicle.wheel_load.map(|force| force.si()),
+        ),
+        (
+            "wheel_mass",
+            "wheel.mass",
+            vehicle.wheel_mass.map(|mass| mass.si()),
+        ),
+        (
+            "rolling_radius",
+            "wheel.rolling_radius",
+            vehicle.rolling_radius.map(|radius| radius.si()),
+        ),
+        (
+            "tractive_ratio",
+            "contact.tractive_ratio",
+            vehicle.tractive_ratio.map(|ratio| ratio.si()),
+        ),
+    ];
+    let creepage = vehicle
+        .creepage
+        .map(|creepage| ("creepage".to_owned(), creepage.setting()));
+    let numbers = numbers.into_iter().filter_map(|(own, key, value)| {
+        Some((own.to_owned(), (key.to_owned(), Value::Float(value?))))
+    });
+    let others = settings(&vehicle.set).into_iter();
+    let others = others.map(|setting| (format!("set.{}", setting.0), setting));
+    creepage.into_iter().chain(numbers).chain(others).collect()
+}
+
+/// The window of wavelengths and speeds, so that the case is checked and tabulated over it; and an amplitude
+/// at which no remark on the linear range applies, for the forecast has its own, but where growth depends on it.
+pub(super) fn window(case: &Case, lines: &[f64], speeds: &SpeedDistribution) -> Vec<Setting> {
+    /// A single speed or line is a narrow window.
+    const MARGIN: f64 = 1e-6;
+    let axis = |key: &str, low: f64, high: f64| {
+        let range = [
+            ("min", Value::Float(low * (1.0 - MARGIN))),
+            ("max", Value::Float(high * (1.0 + MARGIN))),
+            ("points", Value::Integer(2)),
+        ];
+        let range = range.map(|(name, value)| (name.to_owned(), value));
+        (key.to_owned(), Value::Table(range.into_iter().collect()))
+    };
+    let (low, high) = speeds.range();
+    let mut window = vec![
+        axis("map.wavelength", lines[0], lines[lines.len() - 1]),
+        axis("map.speed", low, high),
+    ];
+    if !case.feedback.depends_on_amplitude() {
+        window.push(("corrugation.amplitude".to_owned(), Value::Float(1e-6)));
+    }
+    window
+}
