@@ -272,7 +272,7 @@ mod tests {
     #[test]
     fn numbers_of_documents_are_those_of_the_draws() {
         let over = ramp().over(&|_| (), |drawn| {
-            let step = 1e10 * drawn.case.number("wear.coefficient").unwrap();
+            let step = 1e10 * drawn.case.file.wear.coefficient.si();
             let mut variants = vec![
                 json!({"title": "soft", "change": -step}),
                 json!({"title": "hard", "change": step}),
