@@ -63,7 +63,7 @@ pub struct ContactState {
     pub growth_rate: Option<f64>,
     /// What the wave's own geometry does; none where it has no part.
     pub wave: Option<WaveState>,
-    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`]; none where they stay.
+    /// Slip speed over V along the rail that the direction of the normal forces makes by itself \[-\], see [`Hubs`](super::Hubs); none where they stay.
     pub slip_by_direction: Option<Complex64>,
     /// What laws of damage say; none where wear is alone.
     pub damage: Option<DamageState>,
