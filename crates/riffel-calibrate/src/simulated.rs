@@ -111,7 +111,7 @@ fn the_truth_lies_anywhere_among_draws_of_linear_levels() {
 
 /// Set b, 60 times: with as few, intervals of 90 % hold the truth within 12 %, three standard deviations.
 #[test]
-#[ignore = "half an hour without optimisation"]
+#[ignore = "more than half an hour"]
 fn the_truth_lies_anywhere_among_draws_of_three_dates() {
     let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
     let plan = root.join("../../validation/calibration/b-three-dates/plan.toml");
