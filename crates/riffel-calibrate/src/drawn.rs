@@ -30,10 +30,8 @@ impl Plan {
     /// # Errors
     /// [`CalibrationError::Refused`] where the case or the traffic refuses the values of a draw.
     pub fn drawn(&self, chains: &Chains, most: usize) -> Result<Vec<Drawn>, CalibrationError> {
-        let all: Vec<_> = chains.draws.iter().flatten().collect();
-        let count = all.len().min(most);
-        let drawn = (0..count).into_par_iter().map(|index| {
-            let values = self.posterior.values(&all[index * all.len() / count].place);
+        let drawn = chains.evenly(most).into_par_iter().map(|draw| {
+            let values = self.posterior.values(&draw.place);
             self.with_values(&values)
                 .map_err(|error| CalibrationError::Refused(error.to_string()))
         });

@@ -5,7 +5,7 @@ use std::f64::consts::LN_10;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
 
-use crate::chain::{Draw, random};
+use crate::chain::random;
 use crate::data::Levels;
 use crate::error::CalibrationError;
 use crate::nuts::normal;
@@ -76,10 +76,9 @@ impl Plan {
     /// L_b and d_b are drawn from their distribution under the values of each draw: generalised least squares over all dates.
     pub(crate) fn rail_draws(&self, chains: &Chains) -> Result<Vec<RailDraw>, CalibrationError> {
         let (named, levels) = self.levels()?;
-        let all: Vec<&Draw> = chains.draws.iter().flatten().collect();
-        let count = all.len().min(MOST);
-        let drawn = (0..count).into_par_iter().map(|index| {
-            let place = all[index * all.len() / count].place.clone();
+        let draws = chains.evenly(MOST).into_par_iter().enumerate();
+        let drawn = draws.map(|(index, draw)| {
+            let place = draw.place.clone();
             let values = self.posterior.values(&place);
             let trial = self.posterior.model.trial(&values);
             let rail = levels.rail(&trial, &named.sizes(&values))?;

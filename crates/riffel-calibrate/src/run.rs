@@ -26,6 +26,17 @@ pub struct Chains {
     pub(crate) draws: Vec<Vec<Draw>>,
 }
 
+impl Chains {
+    /// Draws that lie evenly in all chains, so many at most.
+    pub(crate) fn evenly(&self, most: usize) -> Vec<&Draw> {
+        let all: Vec<&Draw> = self.draws.iter().flatten().collect();
+        let count = all.len().min(most);
+        (0..count)
+            .map(|index| all[index * all.len() / count])
+            .collect()
+    }
+}
+
 /// A folder of results.
 pub struct Folder<'a> {
     plan: &'a Plan,

@@ -181,19 +181,12 @@ impl Plan {
             return Ok(());
         }
         let choices = self.choices()?;
-        let levels = self
-            .posterior
-            .blocks
-            .iter()
-            .find_map(|named| named.block.as_levels());
-        for changes in choices
-            .actions
-            .iter()
-            .filter_map(|action| action.changes.as_ref())
-        {
-            if let Some(levels) = levels {
-                self.posterior.model.changed(levels.view(), changes)?;
-            }
+        let Ok((_, levels)) = self.levels() else {
+            return Ok(());
+        };
+        let actions = choices.actions.iter();
+        for changes in actions.filter_map(|action| action.changes.as_ref()) {
+            self.posterior.model.changed(levels.view(), changes)?;
         }
         Ok(())
     }
