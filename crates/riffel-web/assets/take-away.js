@@ -1,6 +1,6 @@
 // Take away: the case as a link or a file, and back from a file.
 
-import { askOnce } from './server.js';
+import { askOnce, work } from './server.js';
 import { currentLanguage, t, t2 } from './words.js';
 
 export function save(blob, name) {
@@ -65,12 +65,17 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
 
   /** A case file fills the form; one with an error says at which field and line. */
   async function openFile(file) {
+    // Under way from the first byte read until the case is shown.
+    const opening = new AbortController();
+    work.begin(opening);
     try {
       const answer = await (await askOnce('/api/case', { case: { toml: await file.text() } })).json();
       replace({ case: answer.keys, point: null, tab: state.view }, t('comments_gone', file.name));
       banner.clear();
     } catch (fault) {
       complain(fault, { what: t2('file_fault', file.name, fault.line) });
+    } finally {
+      work.end(opening);
     }
   }
 

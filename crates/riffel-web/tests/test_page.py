@@ -171,6 +171,16 @@ def test_by_keyboard_alone(page):
 
 def open_case(page, text, name="case.toml"):
     page.page.set_input_files("#open-toml", files=[{"name": name, "mimeType": "text/plain", "buffer": text.encode()}])
+    page.settle()
+
+
+@pytest.mark.without_curves
+def test_a_case_file_that_is_read_slowly_is_awaited(open_page):
+    page = open_page()
+    page.page.evaluate("() => { const text = File.prototype.text; File.prototype.text = async function () { await new Promise((done) => setTimeout(done, 1000)); return text.call(this); }; }")
+    open_case(page, NOMINAL.replace("friction = 0.4", "friction = 0.35"))
+    assert page.page.locator("#key-contact-friction").input_value() == "0.35"
+    page.close()
 
 
 @pytest.mark.parametrize(
