@@ -3,10 +3,12 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use rand_xoshiro::rand_core::SeedableRng;
 
+use crate::emulator::Emulator;
 use crate::matrix::Matrix;
+use crate::moments::Moments;
 use crate::nuts::{Place, Statistics, transition, uniform};
 use crate::optimum::{climb, covariance};
-use crate::posterior::Posterior;
+use crate::posterior::{Point, Posterior};
 
 /// Places of the prior from which a chain looks for a top.
 const STARTS: u64 = 4;
@@ -16,6 +18,15 @@ const MOST_TRIALS: u64 = 200;
 const ACCEPTANCE: f64 = 0.9;
 /// Draws to which the covariance of the start counts as much.
 const PRIOR_DRAWS: f64 = 10.0;
+/// Of so many draws one follows the density of the model all along: it reaches where the emulator is not to be trusted.
+const ALONG_THE_MODEL: u64 = 20;
+/// Share of its proposals that the model must keep, or a new emulator is made at the end of a window.
+const GOOD_KEPT: f64 = 0.95;
+/// After so many proposals in a row that the model does not keep, the warm-up goes on by the model alone: the emulator is wrong where
+/// the chain is.
+const MOST_REFUSED: f64 = 3.0;
+/// Share of the draws that an emulator proposes of which the model must keep more.
+const LEAST_KEPT: f64 = 0.2;
 
 /// A chain between two draws. All its numbers fit a file, and the random ones follow from seed, chain and draw: one that was
 /// kept goes on with the same draws.
@@ -26,13 +37,18 @@ pub(crate) struct Chain {
     warmup: u64,
     /// Draws that are made, those of the warm-up among them.
     pub(crate) done: u64,
-    /// In coordinates of unit covariance.
-    place: Place,
+    /// Where it is, in coordinates of unit covariance, and ln of the density of the model there.
+    at: Vec<f64>,
+    log_density: f64,
     /// z = middle + spread · coordinate.
     middle: Vec<f64>,
     spread: Matrix,
     step: Step,
     window: Window,
+    /// Whether an emulator proposes, and middle and spread of the draws that it is made for: it follows from them.
+    emulates: bool,
+    made_for: (Vec<f64>, Matrix),
+    emulator: Option<Emulator>,
 }
 
 /// The length of steps by dual averaging: Hoffman & Gelman (2014), algorithm 5.
@@ -45,12 +61,15 @@ struct Step {
     centre: f64,
 }
 
-/// Mean and scatter of the draws of a window, by Welford.
+/// The draws of a window.
 #[derive(Debug, Clone)]
 struct Window {
-    count: f64,
-    mean: Vec<f64>,
-    scatter: Matrix,
+    moments: Moments,
+    /// Those that an emulator proposed, and how many of them the model kept.
+    proposed: f64,
+    kept: f64,
+    /// In a row.
+    refused: f64,
 }
 
 /// A draw: its place in z and what the sampler says of it.
@@ -117,15 +136,15 @@ impl Chain {
             index,
             warmup,
             done: 0,
-            place: Place {
-                at: vec![0.0; size],
-                log_density: top.log_density,
-                gradient: spread.transposed().times(&top.gradient),
-            },
+            at: vec![0.0; size],
+            log_density: top.log_density,
+            made_for: (top.at.clone(), spread.clone()),
             middle: top.at,
             spread,
             step: Step::new(0.5),
             window: Window::new(size),
+            emulates: true,
+            emulator: None,
         };
         // Beside the top, where the density reaches: a chain shows where it came from.
         let mut random = random(seed, index, u64::MAX - STARTS);
@@ -133,27 +152,22 @@ impl Chain {
             let at: Vec<f64> = (0..size)
                 .map(|_| 2.0 * uniform(&mut random) - 1.0)
                 .collect();
-            let there = chain.potential(posterior)(&at);
-            if let Some((log_density, gradient)) = there {
-                chain.place = Place {
-                    at,
-                    log_density,
-                    gradient,
-                };
+            if let Some(log_density) = posterior.log_density(&chain.in_z(&at)) {
+                (chain.at, chain.log_density) = (at, log_density);
                 break;
             }
         }
         Some(chain)
     }
 
-    /// The density in coordinates of unit covariance.
-    fn potential<'a>(
+    /// A density of z in the coordinates of unit covariance.
+    fn turned<'a>(
         &'a self,
-        posterior: &'a Posterior,
+        density: impl Fn(&[f64]) -> Option<Point> + 'a,
     ) -> impl Fn(&[f64]) -> Option<(f64, Vec<f64>)> + 'a {
         let turned = self.spread.transposed();
         move |at| {
-            let point = posterior.at(&self.in_z(at))?;
+            let point = density(&self.in_z(at))?;
             Some((point.log_density, turned.times(&point.gradient)))
         }
     }
@@ -165,16 +179,19 @@ impl Chain {
 
     /// The next draw.
     pub(crate) fn draw(&mut self, posterior: &Posterior) -> Draw {
-        let mut random = random(self.seed, self.index, self.done);
         let warm = self.done >= self.warmup;
         let step = match warm {
             true => self.step.log_mean.exp(),
             false => self.step.log.exp(),
         };
-        let (place, statistics) =
-            transition(&self.potential(posterior), &self.place, step, &mut random);
-        self.place = place;
-        let place = self.in_z(&self.place.at);
+        if self.emulates && self.emulator.is_none() {
+            let random = &mut random(self.seed, self.index, u64::MAX - STARTS - 1);
+            let (middle, spread) = &self.made_for;
+            self.emulator = Emulator::train(posterior, (middle, spread), random);
+            self.emulates = self.emulator.is_some();
+        }
+        let statistics = self.advance(posterior, step);
+        let place = self.in_z(&self.at);
         if !warm {
             self.step.adapt(statistics.acceptance);
             self.adapt(&place);
@@ -182,10 +199,69 @@ impl Chain {
         self.done += 1;
         Draw {
             place,
-            log_density: self.place.log_density,
+            log_density: self.log_density,
             statistics,
             step,
         }
+    }
+
+    /// Go to the place of the next draw.
+    fn advance(&mut self, posterior: &Posterior, step: f64) -> Statistics {
+        let random = &mut random(self.seed, self.index, self.done);
+        let misled = self.done < self.warmup && self.window.refused >= MOST_REFUSED;
+        let emulator = self.emulator.as_ref().filter(|_| !misled);
+        if let Some(emulator) = emulator
+            && !self.done.is_multiple_of(ALONG_THE_MODEL)
+            && let Some((statistics, kept)) = self.propose(posterior, emulator, step, random)
+        {
+            self.window.proposed += 1.0;
+            self.window.refused += 1.0;
+            if let Some((at, log_density)) = kept {
+                self.window.kept += 1.0;
+                self.window.refused = 0.0;
+                (self.at, self.log_density) = (at, log_density);
+            }
+            return statistics;
+        }
+        let along = |place: &[f64]| match emulator {
+            Some(emulator) => emulator.along(posterior, place),
+            None => posterior.at(place),
+        };
+        let along = self.turned(along);
+        let Some(start) = Place::of(&along, &self.at) else {
+            // No slope leads on from here.
+            return Statistics::default();
+        };
+        let (place, statistics) = transition(&along, &start, step, random);
+        drop(along);
+        self.window.refused = 0.0;
+        (self.at, self.log_density) = (place.at, place.log_density);
+        statistics
+    }
+
+    /// A transition under the density of an emulator, and where it leads if the model keeps it; none where the emulator does not
+    /// reach.
+    ///
+    /// Source: Liu (2001), *Monte Carlo Strategies in Scientific Computing*, section 9.4.3: a transition that is reversible under
+    /// another density, kept with the probability that the ratio of the two densities asks.
+    fn propose(
+        &self,
+        posterior: &Posterior,
+        emulator: &Emulator,
+        step: f64,
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Option<(Statistics, Option<(Vec<f64>, f64)>)> {
+        let emulated = self.turned(|place| emulator.at(posterior, place));
+        let start = Place::of(&emulated, &self.at)?;
+        let (end, mut statistics) = transition(&emulated, &start, step, random);
+        // Where an emulator runs away, the model need not.
+        statistics.diverging = false;
+        let kept = posterior.log_density(&self.in_z(&end.at));
+        let kept = kept.filter(|log_density| {
+            let gain = log_density - self.log_density;
+            uniform(random).ln() < gain - (end.log_density - start.log_density)
+        });
+        Some((statistics, kept.map(|log_density| (end.at, log_density))))
     }
 
     /// Take a draw of the warm-up into the window, and at the end of that its covariance.
@@ -197,26 +273,34 @@ impl Chain {
         if number <= first || number > last {
             return;
         }
-        self.window.add(place);
+        self.window.moments.add(place);
         if !ends_window(number, first, last) {
             return;
         }
         let size = place.len();
-        let share = self.window.count / (self.window.count + PRIOR_DRAWS);
+        let Moments {
+            count,
+            mean,
+            scatter,
+        } = &self.window.moments;
+        let share = count / (count + PRIOR_DRAWS);
         let before = self.spread.product(&self.spread.transposed());
         let after = Matrix::of(size, |i, j| {
-            share * self.window.scatter.at(i, j) / (self.window.count - 1.0).max(1.0)
-                + (1.0 - share) * before.at(i, j)
+            share * scatter.at(i, j) / (count - 1.0).max(1.0) + (1.0 - share) * before.at(i, j)
         });
         if let Some(spread) = after.cholesky() {
-            // The same place and force in the new coordinates.
-            let force = self.spread.transposed().backward(&self.place.gradient);
-            self.middle = self.window.mean.clone();
+            self.middle = mean.clone();
             let beside: Vec<f64> = place.iter().zip(&self.middle).map(|(z, m)| z - m).collect();
-            self.place.at = spread.forward(beside);
-            self.place.gradient = spread.transposed().times(&force);
+            self.at = spread.forward(beside);
             self.spread = spread;
             self.step = Step::new(self.step.log.exp());
+        }
+        if number == last {
+            self.emulates &= self.window.kept > LEAST_KEPT * self.window.proposed;
+        }
+        if self.window.kept < GOOD_KEPT * self.window.proposed {
+            self.made_for = (self.middle.clone(), self.spread.clone());
+            self.emulator = None;
         }
         self.window = Window::new(size);
     }
@@ -231,18 +315,25 @@ impl Chain {
             centre,
         } = self.step;
         let mut numbers = vec![self.done as f64, log, log_mean, bias, count, centre];
-        numbers.push(self.place.log_density);
+        numbers.extend([self.log_density, f64::from(u8::from(self.emulates))]);
         for part in [
-            &self.place.at,
-            &self.place.gradient,
+            &self.at,
             &self.middle,
             &self.spread.values,
-            &self.window.mean,
-            &self.window.scatter.values,
+            &self.made_for.0,
+            &self.made_for.1.values,
+            &self.window.moments.mean,
+            &self.window.moments.scatter.values,
         ] {
             numbers.extend(part);
         }
-        numbers.push(self.window.count);
+        let Window {
+            moments,
+            proposed,
+            kept,
+            refused,
+        } = &self.window;
+        numbers.extend([moments.count, *proposed, *kept, *refused]);
         numbers
     }
 
@@ -258,7 +349,7 @@ impl Chain {
             rest = behind;
             Some(part.to_vec())
         };
-        let head = take(7)?;
+        let head = take(8)?;
         let square = |values: Vec<f64>| Matrix { size, values };
         let chain = Self {
             seed,
@@ -272,17 +363,22 @@ impl Chain {
                 count: head[4],
                 centre: head[5],
             },
-            place: Place {
-                log_density: head[6],
-                at: take(size)?,
-                gradient: take(size)?,
-            },
+            log_density: head[6],
+            emulates: head[7] != 0.0,
+            emulator: None,
+            at: take(size)?,
             middle: take(size)?,
             spread: square(take(size * size)?),
+            made_for: (take(size)?, square(take(size * size)?)),
             window: Window {
-                mean: take(size)?,
-                scatter: square(take(size * size)?),
-                count: take(1)?[0],
+                moments: Moments {
+                    mean: take(size)?,
+                    scatter: square(take(size * size)?),
+                    count: take(1)?[0],
+                },
+                proposed: take(1)?[0],
+                kept: take(1)?[0],
+                refused: take(1)?[0],
             },
         };
         rest.is_empty().then_some(chain)
@@ -331,29 +427,10 @@ impl Step {
 impl Window {
     fn new(size: usize) -> Self {
         Self {
-            count: 0.0,
-            mean: vec![0.0; size],
-            scatter: Matrix::of(size, |_, _| 0.0),
-        }
-    }
-
-    fn add(&mut self, place: &[f64]) {
-        self.count += 1.0;
-        let before: Vec<f64> = place
-            .iter()
-            .zip(&self.mean)
-            .map(|(z, mean)| z - mean)
-            .collect();
-        for (mean, before) in self.mean.iter_mut().zip(&before) {
-            *mean += before / self.count;
-        }
-        let after = place.iter().zip(&self.mean).map(|(z, mean)| z - mean);
-        let after: Vec<f64> = after.collect();
-        let rows = self.scatter.values.chunks_exact_mut(place.len());
-        for (row, before) in rows.zip(before) {
-            for (entry, after) in row.iter_mut().zip(&after) {
-                *entry += before * after;
-            }
+            moments: Moments::new(size),
+            proposed: 0.0,
+            kept: 0.0,
+            refused: 0.0,
         }
     }
 }
@@ -361,7 +438,6 @@ impl Window {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::matrix::dot;
 
     /// 867 draws from the 84th on: 57, 114, 228 and the rest.
     #[test]
@@ -388,17 +464,5 @@ mod tests {
             assert_eq!(one.log_density, other.log_density);
         }
         assert_eq!(chain.numbers(), kept.numbers());
-    }
-
-    /// Mean and covariance of a window are those of the sums.
-    #[test]
-    fn a_window_has_the_moments_of_its_draws() {
-        let draws = [[1.0, 2.0], [3.0, -1.0], [0.5, 0.0], [-2.0, 4.0]];
-        let mut window = Window::new(2);
-        draws.iter().for_each(|draw| window.add(draw));
-        let column = |index: usize| draws.map(|draw| draw[index] - window.mean[index]);
-        for (i, j) in [(0, 0), (0, 1), (1, 0), (1, 1)] {
-            assert!((window.scatter.at(i, j) - dot(&column(i), &column(j))).abs() < 1e-12);
-        }
     }
 }

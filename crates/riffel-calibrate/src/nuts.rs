@@ -115,6 +115,19 @@ pub(crate) fn transition(
     (tree.proposal, statistics)
 }
 
+impl Place {
+    /// A place under a density; none where it is zero.
+    pub(crate) fn of(density: &Potential<'_>, at: &[f64]) -> Option<Self> {
+        let (log_density, gradient) = density(at)?;
+        let at = at.to_vec();
+        Some(Self {
+            at,
+            log_density,
+            gradient,
+        })
+    }
+}
+
 impl Phase {
     fn energy(&self) -> f64 {
         0.5 * dot(&self.momentum, &self.momentum) - self.place.log_density

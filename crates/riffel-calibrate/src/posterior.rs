@@ -49,6 +49,11 @@ impl Posterior {
             .collect()
     }
 
+    /// One z of a place as a [smooth coordinate](crate::Prior), with its derivative.
+    pub(crate) fn smooth(&self, place: &[f64], index: usize) -> (f64, f64) {
+        self.model.parameters[index].prior.smooth(place[index])
+    }
+
     /// Place in z of values in SI.
     pub fn place(&self, values: &[f64]) -> Vec<f64> {
         let parameters = self.model.parameters.iter().zip(values);
@@ -131,29 +136,56 @@ impl Posterior {
         sum.is_finite().then_some(sum)
     }
 
-    /// The same with its gradient.
-    pub fn at(&self, place: &[f64]) -> Option<Point> {
-        let (prior, mut gradient) = self.prior(place);
-        if !prior.is_finite() {
+    /// What the model says of each datum at a place in z, block by block; none outside the priors and where the case refuses its
+    /// values.
+    pub(crate) fn predictions_at(&self, place: &[f64]) -> Option<Vec<Vec<f64>>> {
+        let is_within = self.prior(place).0.is_finite();
+        is_within.then(|| self.predictions(&self.values(place)).ok())?
+    }
+
+    /// ln of the density for predictions of all blocks, with its gradient but for what the predictions change by, and the
+    /// densities of the blocks; none outside the priors.
+    pub(crate) fn with_predictions(
+        &self,
+        place: &[f64],
+        predicted: &[Vec<f64>],
+    ) -> Option<(Point, Vec<Density>)> {
+        let (mut log_density, mut gradient) = self.prior(place);
+        if !log_density.is_finite() {
             return None;
         }
         let values = self.values(place);
-        let trial = self.model.trial(&values);
-        let mut log_density = prior;
-        let mut known: Vec<(Vec<f64>, Density)> = Vec::new();
-        for named in &self.blocks {
-            let predicted = named.block.predict(&trial).ok()?;
-            let density = named.density(&predicted, &values)?;
+        let mut densities = Vec::new();
+        for (named, predicted) in self.blocks.iter().zip(predicted) {
+            let density = named.density(predicted, &values)?;
             log_density += density.value;
             for (size, slope) in named.sizes.iter().zip(&density.by_size) {
                 if let Size::Unknown(index) = size {
                     gradient[*index] += slope * values[*index];
                 }
             }
-            let coarse = named.block.predict_coarsely(&trial).transpose().ok()?;
-            known.push((coarse.unwrap_or(predicted), density));
+            densities.push(density);
         }
-        for (index, gradient) in gradient.iter_mut().enumerate() {
+        let point = Point {
+            log_density,
+            gradient,
+        };
+        Some((point, densities))
+    }
+
+    /// The same as [`log_density`](Self::log_density) with its gradient.
+    pub fn at(&self, place: &[f64]) -> Option<Point> {
+        let predicted = self.predictions_at(place)?;
+        let (mut point, densities) = self.with_predictions(place, &predicted)?;
+        let values = self.values(place);
+        let trial = self.model.trial(&values);
+        let known = self.blocks.iter().zip(predicted).zip(densities);
+        let known = known.map(|((named, predicted), density)| {
+            let coarse = named.block.predict_coarsely(&trial).transpose().ok()?;
+            Some((coarse.unwrap_or(predicted), density))
+        });
+        let known: Vec<(Vec<f64>, Density)> = known.collect::<Option<_>>()?;
+        for (index, gradient) in point.gradient.iter_mut().enumerate() {
             let touched: Vec<usize> = (0..self.blocks.len())
                 .filter(|block| self.blocks[*block].touched_by.contains(&index))
                 .collect();
@@ -163,11 +195,7 @@ impl Posterior {
             let slope = self.slope(place, index, &touched, &known, STEP);
             *gradient += slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
         }
-        let whole = log_density.is_finite() && gradient.iter().all(|slope| slope.is_finite());
-        whole.then_some(Point {
-            log_density,
-            gradient,
-        })
+        point.is_finite().then_some(point)
     }
 
     /// Derivative of the ln likelihood of some blocks by one z; none where a step leads out of the model.
@@ -228,6 +256,12 @@ impl Posterior {
         Ok(Matrix::of(place.len(), |i, j| {
             dot(&columns[i], &columns[j])
         }))
+    }
+}
+
+impl Point {
+    pub(crate) fn is_finite(&self) -> bool {
+        self.log_density.is_finite() && self.gradient.iter().all(|slope| slope.is_finite())
     }
 }
 

@@ -67,6 +67,20 @@ impl Prior {
         }
     }
 
+    /// A coordinate in which a model is smooth, and its derivative by z: x itself where it lies between two ends, since z goes far
+    /// where x hardly moves; z elsewhere.
+    pub(crate) fn smooth(&self, z: f64) -> (f64, f64) {
+        match *self {
+            Self::Of(
+                Distribution::Uniform { min, max } | Distribution::Triangular { min, max, .. },
+            ) => {
+                let x = self.value(z);
+                (x, (x - min) * (max - x) / (max - min))
+            }
+            _ => (z, 1.0),
+        }
+    }
+
     /// z of x.
     pub fn place(&self, x: f64) -> f64 {
         match *self {

@@ -226,7 +226,8 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     );
 }
 
-/// `decide.json`: mean costs to 3 %, the worth of knowing to 0.02 thousand a year.
+/// `decide.json`: mean costs to 3 %, the worth of knowing to three standard errors: that of 1000 draws is 9 a year (seven seeds), and
+/// the reference has as many.
 pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) {
     let found = Decision::of(plan, chains).unwrap();
     let expected = json("b-three-dates", "decide.json");
@@ -261,9 +262,10 @@ pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) 
             );
         }
     }
+    const THREE_ERRORS: f64 = 38.0;
     let evpi = 1e3 * expected["evpi"].as_f64().unwrap();
     assert!(
-        (found.evpi_per_year - evpi).abs() < 20.0,
+        (found.evpi_per_year - evpi).abs() < THREE_ERRORS,
         "{}",
         found.evpi_per_year
     );
@@ -272,7 +274,10 @@ pub(crate) fn check_three_dates(plan: &Plan, chains: &riffel_calibrate::Chains) 
         .iter()
         .find(|it| it.title == "vehicle.speed.standard_deviation");
     let evppi = 1e3 * expected["evppi"]["Vs"].as_f64().unwrap();
-    assert!((speed.unwrap().per_year - evppi).abs() < 20.0, "{speed:?}");
+    assert!(
+        (speed.unwrap().per_year - evppi).abs() < THREE_ERRORS,
+        "{speed:?}"
+    );
 }
 
 /// Levels that the model made of a wear coefficient of 3e-9 kg/J, good to 0.01 dB, at two dates: at a third that nobody measured

@@ -45,22 +45,19 @@ fn check(set: &str, (warmup, draws): (u64, u64), most: f64) -> (Plan, Chains) {
 
 /// Means within 0.1 standard deviations, standard deviations within 10 %.
 #[test]
-#[ignore = "minutes without optimisation"]
 fn posterior_of_hammer_and_decay() {
     check("a-hammer-and-decay", (1000, 1000), 0.1);
 }
 
-/// The same, and the decision on it; chains of a third of the length have errors of 0.03 of their own, as those of the reference.
+/// The same, and the decision on it. More draws: one in some hundred lies far out at hard pads, on which their deviation hangs.
 #[test]
-#[ignore = "minutes without optimisation"]
 fn posterior_of_three_dates() {
-    let (plan, chains) = check("b-three-dates", (400, 500), 0.15);
+    let (plan, chains) = check("b-three-dates", (1000, 2500), 0.1);
     check_three_dates(&plan, &chains);
 }
 
-/// The same.
+/// The same; chains of a third of the length have errors of 0.03 of their own, as those of the reference.
 #[test]
-#[ignore = "minutes without optimisation"]
 fn posterior_of_all_together() {
     check("c-all-together", (300, 300), 0.15);
 }
