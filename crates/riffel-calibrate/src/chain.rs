@@ -19,7 +19,9 @@ const ACCEPTANCE: f64 = 0.9;
 /// Draws to which the covariance of the start counts as much.
 const PRIOR_DRAWS: f64 = 10.0;
 /// Of so many draws one follows the density of the model all along: it reaches where the emulator is not to be trusted.
-const ALONG_THE_MODEL: u64 = 20;
+const ALONG_THE_MODEL: u64 = 10;
+/// Transitions under the density of an emulator until the model is asked.
+const TRANSITIONS: usize = 2;
 /// Share of its proposals that the model must keep, or a new emulator is made at the end of a window.
 const GOOD_KEPT: f64 = 0.95;
 /// After so many proposals in a row that the model does not keep, the warm-up goes on by the model alone: the emulator is wrong where
@@ -70,6 +72,12 @@ struct Window {
     kept: f64,
     /// In a row.
     refused: f64,
+}
+
+/// What an emulator proposes, and the place with ln of the density there if the model keeps it.
+struct Proposal {
+    statistics: Statistics,
+    kept: Option<(Vec<f64>, f64)>,
 }
 
 /// A draw: its place in z and what the sampler says of it.
@@ -212,7 +220,8 @@ impl Chain {
         let emulator = self.emulator.as_ref().filter(|_| !misled);
         if let Some(emulator) = emulator
             && !self.done.is_multiple_of(ALONG_THE_MODEL)
-            && let Some((statistics, kept)) = self.propose(posterior, emulator, step, random)
+            && let Some(Proposal { statistics, kept }) =
+                self.propose(posterior, emulator, step, random)
         {
             self.window.proposed += 1.0;
             self.window.refused += 1.0;
@@ -239,10 +248,9 @@ impl Chain {
         statistics
     }
 
-    /// A transition under the density of an emulator, and where it leads if the model keeps it; none where the emulator does not
-    /// reach.
+    /// Transitions under the density of an emulator; none where the emulator does not reach.
     ///
-    /// Source: Liu (2001), *Monte Carlo Strategies in Scientific Computing*, section 9.4.3: a transition that is reversible under
+    /// Source: Liu (2001), *Monte Carlo Strategies in Scientific Computing*, section 9.4.3: transitions that are reversible under
     /// another density, kept with the probability that the ratio of the two densities asks.
     fn propose(
         &self,
@@ -250,10 +258,13 @@ impl Chain {
         emulator: &Emulator,
         step: f64,
         random: &mut Xoshiro256PlusPlus,
-    ) -> Option<(Statistics, Option<(Vec<f64>, f64)>)> {
+    ) -> Option<Proposal> {
         let emulated = self.turned(|place| emulator.at(posterior, place));
         let start = Place::of(&emulated, &self.at)?;
-        let (end, mut statistics) = transition(&emulated, &start, step, random);
+        let (mut end, mut statistics) = (start.clone(), Statistics::default());
+        for _ in 0..TRANSITIONS {
+            (end, statistics) = transition(&emulated, &end, step, random);
+        }
         // Where an emulator runs away, the model need not.
         statistics.diverging = false;
         let kept = posterior.log_density(&self.in_z(&end.at));
@@ -261,7 +272,10 @@ impl Chain {
             let gain = log_density - self.log_density;
             uniform(random).ln() < gain - (end.log_density - start.log_density)
         });
-        Some((statistics, kept.map(|log_density| (end.at, log_density))))
+        Some(Proposal {
+            statistics,
+            kept: kept.map(|log_density| (end.at, log_density)),
+        })
     }
 
     /// Take a draw of the warm-up into the window, and at the end of that its covariance.

@@ -26,7 +26,7 @@ fn one_value(rows: &str, more: &str) -> TempDir {
     let head = "passages,wavelength_mm,level_db,standard_error_db\n";
     fs::write(copy.path().join("roughness.csv"), format!("{head}{rows}")).unwrap();
     let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nchains = 2\nwarmup = 200\ndraws = 500\nseed = 3\n\
+        [sampler]\nchains = 2\nwarmup = 200\ndraws = 2000\nseed = 3\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
         discrepancy = { kind = \"band\", standard_deviation = 0.0 }\n";
@@ -140,14 +140,15 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     for (place, action) in found.actions.iter().enumerate() {
         let cost = mean(&|(costs, _)| costs[place]);
         means.push(cost);
-        // 1000 draws of chains: 1 % of a cost, 0.05 of a chance.
+        // 1000 draws that hardly follow from each other: costs scatter by up to a fifth, of which three standard errors are
+        // 2 %; 0.05 of a chance.
         assert!(
-            (action.mean_cost_per_year / cost - 1.0).abs() < 0.01,
+            (action.mean_cost_per_year / cost - 1.0).abs() < 0.02,
             "{action:?} {cost}"
         );
         let regret = action.expected_regret_per_year;
         assert!(
-            (regret - (cost - best)).abs() < 0.01 * cost,
+            (regret - (cost - best)).abs() < 0.02 * cost,
             "{action:?} {best}"
         );
         let cheapest = mean(&|(costs, _)| f64::from(u8::from(costs[place] == least(costs))));
@@ -206,7 +207,7 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
             (0..3).filter(|other| (!holds[*other], means[*other]) < (!holds[place], means[place]));
         assert_eq!(action.rank, 1 + before.count(), "{means:?} {holds:?}");
         let regret = action.expected_regret_per_year;
-        assert!((regret - (means[place] - best)).abs() < 0.01 * means[place]);
+        assert!((regret - (means[place] - best)).abs() < 0.02 * means[place]);
     }
     assert!(
         holds.contains(&true) && holds.contains(&false) && unsure >= 3,
