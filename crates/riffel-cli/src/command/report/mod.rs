@@ -1,5 +1,6 @@
 //! `riffel report`
 
+mod drawn;
 mod fit;
 
 use std::path::Path;
@@ -7,7 +8,7 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
-use riffel_answers::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
+use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
 use riffel_answers::noise::{NoiseAnswer, NoiseQuestion};
 use riffel_answers::report::{
@@ -111,16 +112,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         .transpose()?;
     let limits = limits(&arguments.limit)?;
     let record = &arguments.record;
-    let rail = match &arguments.roughness {
-        Some(path) => {
-            let case = given.as_ref().map(|given| &given.case);
-            Some((path.as_path(), measured(path, case, record, &limits)?))
-        }
-        None => {
-            check_without_roughness(arguments)?;
-            None
-        }
-    };
+    let rail = measured_rail(arguments, given.as_ref().map(|given| &given.case), &limits)?;
     let now = rail
         .as_ref()
         .and_then(|(path, rail)| now(path, rail, record));
@@ -157,14 +149,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let map = map.transpose()?;
     let posterior_forecast = match &posterior {
         Some((plan, chains)) if plan.has_levels() => {
-            let limit = level_limit(arguments, &limits).ok_or_else(|| CliError::Argument {
-                argument: "--limit",
-                value: arguments.limit.join(", "),
-                rule: "a limit of levels where there is a --posterior".to_owned(),
-            })?;
-            let limit = riffel_answers::level_limit(&limit)?;
-            let months = arguments.months.unwrap_or(MONTHS_OF_NOISE);
-            Some(PosteriorForecast::new(plan, chains, &limit, months)?)
+            Some(drawn::forecast(arguments, &limits, plan, chains)?)
         }
         _ => None,
     };
@@ -213,6 +198,20 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         arguments.output.display()
     ))?;
     Ok(())
+}
+
+/// The rail with the path of its file, if one was given.
+fn measured_rail<'a>(
+    arguments: &'a Report,
+    case: Option<&Case>,
+    limits: &[LimitTable],
+) -> miette::Result<Option<(&'a Path, Measured)>> {
+    let Some(path) = &arguments.roughness else {
+        check_without_roughness(arguments)?;
+        return Ok(None);
+    };
+    let rail = measured(path, case, &arguments.record, limits)?;
+    Ok(Some((path, rail)))
 }
 
 /// The files that the report is made of; `understood` is what that of the rail was understood as.
