@@ -121,189 +121,121 @@ fn draw(path: &str, figure: &LineFigure) -> Outcome {
     fs::write(root().join(path), picture).map_err(|error| format!("cannot write {path}: {error}"))
 }
 
+/// Commands in words, the picture that each makes and the name that it gets.
+const PICTURES: [(&str, &str, &str); 22] = [
+    (
+        "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum validation/reference/sbb-track-noise/rail_roughness.csv \
+         --where laboratory=MBBM --date-column date",
+        "forecast.png",
+        "forecast.png",
+    ),
+    (
+        "compare cases/discrete-supports.toml --with cases/soft-pads.toml \
+         --with cases/speed-spread.toml --with cases/friction-management.toml \
+         --speed 110km/h",
+        "compare.png",
+        "compare.png",
+    ),
+    (
+        "roughness validation/reference/sbb-track-noise/rail_roughness.csv \
+         --where laboratory=MBBM --by campaign",
+        "roughness.png",
+        "niederwangen.png",
+    ),
+    (
+        "noise cases/main-line.toml --roughness validation/reference/sbb-track-noise/rail_roughness.csv \
+         --where laboratory=MBBM --speed 136km/h --wheel-roughness cnossos-disc-brakes \
+         --track-transfer cnossos-monobloc-hard-pads --vehicle-transfer cnossos-wheel-920",
+        "noise.png",
+        "noise.png",
+    ),
+    // The second goes on from the first.
+    (
+        "simulate cases/bhaskar-track.toml --speed 30 --spectrum validation/reference/sbb-track-noise/rail_roughness.csv \
+         --length 12m --passages 2e7",
+        "profile.png",
+        "evolution-profile.png",
+    ),
+    (
+        "simulate cases/bhaskar-track.toml --speed 30 --spectrum validation/reference/sbb-track-noise/rail_roughness.csv \
+         --length 12m --passages 8e7",
+        "spectrum.png",
+        "evolution.png",
+    ),
+    ("map cases/nominal.toml", "map.png", "nominal-map.png"),
+    (
+        "map cases/discrete-supports.toml --bay",
+        "bay-map.png",
+        "bay-map.png",
+    ),
+    ("map cases/curve.toml", "map.png", "curve-map.png"),
+    (
+        "map cases/metro-curve.toml --wheels",
+        "map.png",
+        "metro-curve-wheels.png",
+    ),
+    (
+        "map cases/metro-curve.toml --wheels",
+        "growth.png",
+        "metro-curve-growth.png",
+    ),
+    (
+        "map cases/class-roaring-rails.toml",
+        "map.png",
+        "class-roaring-rails.png",
+    ),
+    (
+        "map cases/class-rutting.toml",
+        "map.png",
+        "class-rutting.png",
+    ),
+    (
+        "map cases/class-contact-fatigue.toml",
+        "map.png",
+        "class-contact-fatigue.png",
+    ),
+    (
+        "map cases/class-booted-sleeper.toml",
+        "map.png",
+        "class-booted-sleeper.png",
+    ),
+    (
+        "map cases/class-soft-slab.toml",
+        "map.png",
+        "class-soft-slab.png",
+    ),
+    ("curve cases/bogie.toml", "curve.png", "bogie-curve.png"),
+    (
+        "profile cases/profiles.toml --wheelset",
+        "wheelset.png",
+        "contact-geometry.png",
+    ),
+    ("wheelset cases/curve.toml", "modes.png", "curve-modes.png"),
+    (
+        "compare cases/wheelset-coach.toml --models",
+        "models.png",
+        "models.png",
+    ),
+    (
+        "compare cases/wheelset-coach.toml --models frederick-1987",
+        "complex-plane.png",
+        "complex-plane.png",
+    ),
+    (
+        "receptance cases/discrete-supports.toml",
+        "receptance.png",
+        "receptance.png",
+    ),
+];
+
 /// The pictures that commands make for README and book.
 fn pictures(program: &Path) -> Outcome {
-    const PICTURES: [(&[&str], &str, &str); 22] = [
-        (
-            &[
-                "forecast",
-                "cases/nominal.toml",
-                "--traffic",
-                "cases/traffic.toml",
-                "--spectrum",
-                "validation/reference/sbb-track-noise/rail_roughness.csv",
-                "--where",
-                "laboratory=MBBM",
-                "--date-column",
-                "date",
-            ],
-            "forecast.png",
-            "forecast.png",
-        ),
-        (
-            &[
-                "compare",
-                "cases/discrete-supports.toml",
-                "--with",
-                "cases/soft-pads.toml",
-                "--with",
-                "cases/speed-spread.toml",
-                "--with",
-                "cases/friction-management.toml",
-                "--speed",
-                "110 km/h",
-            ],
-            "compare.png",
-            "compare.png",
-        ),
-        (
-            &[
-                "roughness",
-                "validation/reference/sbb-track-noise/rail_roughness.csv",
-                "--where",
-                "laboratory=MBBM",
-                "--by",
-                "campaign",
-            ],
-            "roughness.png",
-            "niederwangen.png",
-        ),
-        (
-            &[
-                "noise",
-                "cases/main-line.toml",
-                "--roughness",
-                "validation/reference/sbb-track-noise/rail_roughness.csv",
-                "--where",
-                "laboratory=MBBM",
-                "--speed",
-                "136 km/h",
-                "--wheel-roughness",
-                "cnossos-disc-brakes",
-                "--track-transfer",
-                "cnossos-monobloc-hard-pads",
-                "--vehicle-transfer",
-                "cnossos-wheel-920",
-            ],
-            "noise.png",
-            "noise.png",
-        ),
-        // The second goes on from the first.
-        (
-            &[
-                "simulate",
-                "cases/bhaskar-track.toml",
-                "--speed",
-                "30",
-                "--spectrum",
-                "validation/reference/sbb-track-noise/rail_roughness.csv",
-                "--length",
-                "12 m",
-                "--passages",
-                "2e7",
-            ],
-            "profile.png",
-            "evolution-profile.png",
-        ),
-        (
-            &[
-                "simulate",
-                "cases/bhaskar-track.toml",
-                "--speed",
-                "30",
-                "--spectrum",
-                "validation/reference/sbb-track-noise/rail_roughness.csv",
-                "--length",
-                "12 m",
-                "--passages",
-                "8e7",
-            ],
-            "spectrum.png",
-            "evolution.png",
-        ),
-        (&["map", "cases/nominal.toml"], "map.png", "nominal-map.png"),
-        (
-            &["map", "cases/discrete-supports.toml", "--bay"],
-            "bay-map.png",
-            "bay-map.png",
-        ),
-        (&["map", "cases/curve.toml"], "map.png", "curve-map.png"),
-        (
-            &["map", "cases/metro-curve.toml", "--wheels"],
-            "map.png",
-            "metro-curve-wheels.png",
-        ),
-        (
-            &["map", "cases/metro-curve.toml", "--wheels"],
-            "growth.png",
-            "metro-curve-growth.png",
-        ),
-        (
-            &["map", "cases/class-roaring-rails.toml"],
-            "map.png",
-            "class-roaring-rails.png",
-        ),
-        (
-            &["map", "cases/class-rutting.toml"],
-            "map.png",
-            "class-rutting.png",
-        ),
-        (
-            &["map", "cases/class-contact-fatigue.toml"],
-            "map.png",
-            "class-contact-fatigue.png",
-        ),
-        (
-            &["map", "cases/class-booted-sleeper.toml"],
-            "map.png",
-            "class-booted-sleeper.png",
-        ),
-        (
-            &["map", "cases/class-soft-slab.toml"],
-            "map.png",
-            "class-soft-slab.png",
-        ),
-        (
-            &["curve", "cases/bogie.toml"],
-            "curve.png",
-            "bogie-curve.png",
-        ),
-        (
-            &["profile", "cases/profiles.toml", "--wheelset"],
-            "wheelset.png",
-            "contact-geometry.png",
-        ),
-        (
-            &["wheelset", "cases/curve.toml"],
-            "modes.png",
-            "curve-modes.png",
-        ),
-        (
-            &["compare", "cases/wheelset-coach.toml", "--models"],
-            "models.png",
-            "models.png",
-        ),
-        (
-            &[
-                "compare",
-                "cases/wheelset-coach.toml",
-                "--models",
-                "frederick-1987",
-            ],
-            "complex-plane.png",
-            "complex-plane.png",
-        ),
-        (
-            &["receptance", "cases/discrete-supports.toml"],
-            "receptance.png",
-            "receptance.png",
-        ),
-    ];
     let results = root().join("target/generate");
     // Of an earlier version, perhaps, whose files this one does not know as its own.
     let _ = fs::remove_dir_all(&results);
     for (command, written, name) in PICTURES {
-        riffel(program, &[command, &["-o", "target/generate"]].concat())?;
+        let words = command.split_whitespace().chain(["-o", "target/generate"]);
+        riffel(program, &words.collect::<Vec<&str>>())?;
         fs::copy(
             results.join(written),
             root().join("docs/src/images").join(name),
