@@ -22,6 +22,7 @@ mod map;
 mod note;
 mod passage;
 mod point;
+mod remedies;
 mod reply;
 mod table;
 mod traffic;
@@ -62,10 +63,11 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 10] = [
+pub const QUESTIONS: [(&str, Reader); 11] = [
     ("/api/case", reader::<case::Question>),
     ("/api/map", reader::<map::Question>),
     ("/api/line", reader::<line::Question>),
+    ("/api/remedies", reader::<remedies::Question>),
     ("/api/point", reader::<point::Question>),
     ("/api/compare", reader::<compare::Question>),
     ("/api/growth", reader::<compare::CurvesQuestion>),

@@ -169,7 +169,7 @@ impl MechanismKind {
     }
 
     /// The measurement that is its own.
-    pub(super) fn own_measurement(self) -> &'static str {
+    pub fn own_measurement(self) -> &'static str {
         match self {
             Self::GrowthRidge => {
                 "friction or speed: friction management or a spread of speeds lowers its growth (compare maps with --set)"
