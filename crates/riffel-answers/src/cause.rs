@@ -28,7 +28,7 @@ pub struct Cause {
     /// What speaks against it.
     pub evidence_against: Vec<Message>,
     /// What would settle it.
-    pub measurement: &'static str,
+    pub measurement: String,
 }
 
 #[allow(clippy::trivially_copy_pass_by_ref)] // serde asks for a reference
@@ -62,9 +62,9 @@ impl Cause {
             }
         }
         let [low, high] = [slowest / wavelength, fastest / wavelength];
-        let others = resonances.iter().filter(|other| {
-            Some(**other) != found && (low..=high).contains(&other.1)
-        });
+        let others = resonances
+            .iter()
+            .filter(|other| Some(**other) != found && (low..=high).contains(&other.1));
         let others = others.map(|&(kind, frequency)| at(kind, frequency));
         let others = others.reduce(|one, other| say!(both, one = one, other = other));
         let millimetres = significant(1e3 * wavelength, 2);
@@ -95,7 +95,7 @@ impl Cause {
             frequency_hz: frequency,
             evidence_for,
             evidence_against,
-            measurement: mechanism.own_measurement(),
+            measurement: mechanism.settled_by(),
         })
     }
 
@@ -156,7 +156,9 @@ fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
     const TOO_NEAR: f64 = 1.1;
     let crest = |speed: f64| {
         let rate = |wavelength: f64| case.feedback.at(wavelength, speed).growth_rate;
-        over_the_window(case, false, speed, rate).1.filter(|it| !it.at_edge)
+        over_the_window(case, false, speed, rate)
+            .1
+            .filter(|it| !it.at_edge)
     };
     let [slowest, fastest] = speeds;
     if fastest < TOO_NEAR * slowest {

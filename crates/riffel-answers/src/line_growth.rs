@@ -76,7 +76,9 @@ impl LineGrowth {
             growth.cause = Cause::of(case, fastest.wavelength_m, growth.speeds_m_per_s);
             let cause = growth.cause.iter().map(|cause| cause.sentence().clone());
             growth.remarks.extend(cause);
-            growth.remarks.extend(fastest.doubts(case, growth.passages_per_day));
+            growth
+                .remarks
+                .extend(fastest.doubts(case, growth.passages_per_day));
         }
         Ok(growth)
     }
@@ -102,7 +104,9 @@ impl LineGrowth {
             fastest,
             cause: None,
             remarks: Vec::new(),
-            curve: lines.map(|(wavelength, rate)| [wavelength, *rate]).collect(),
+            curve: lines
+                .map(|(wavelength, rate)| [wavelength, *rate])
+                .collect(),
         })
     }
 

@@ -144,7 +144,9 @@ impl RemediesAnswer {
                 answer.left_out.push(LeftOut { title, reason });
                 continue;
             }
-            answer.remarks.extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
+            answer
+                .remarks
+                .extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
             answer.remedies.push(Remedy {
                 title,
                 changes,
@@ -154,7 +156,9 @@ impl RemediesAnswer {
             });
         }
         let effect = |remedy: &Remedy| remedy.change_of_fastest_growth;
-        answer.remedies.sort_by(|a, b| effect(a).total_cmp(&effect(b)));
+        answer
+            .remedies
+            .sort_by(|a, b| effect(a).total_cmp(&effect(b)));
         answer.left_out.push(LeftOut {
             title: say!(more_grinding),
             reason: say!(grinding_leaves_growth, time = before.time()),
@@ -228,8 +232,13 @@ fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
     let loss = file.rail.loss_factor.map_or(0.0, |loss| loss.si());
     let friction = file.contact.friction.si();
     let speeds = traffic.speeds().iter();
-    let widest = speeds.clone().map(SpeedDistribution::deviation).fold(0.0, f64::max);
-    let slowest = speeds.map(SpeedDistribution::mean).fold(f64::INFINITY, f64::min);
+    let widest = speeds
+        .clone()
+        .map(SpeedDistribution::deviation)
+        .fold(0.0, f64::max);
+    let slowest = speeds
+        .map(SpeedDistribution::mean)
+        .fold(f64::INFINITY, f64::min);
     let wider = (WIDER * widest).clamp(0.1 * slowest, WIDEST * slowest);
     let own = |title: Message, key: &'static str, value: f64| times(title, key, Some(value), 1.0);
     vec![
@@ -254,7 +263,12 @@ fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
                 false => Err(say!(friction_is_low, friction = number(friction))),
             },
         },
-        times(say!(lighter_wheel), mass_key, mass.map(|mass| mass.si()), 0.8),
+        times(
+            say!(lighter_wheel),
+            mass_key,
+            mass.map(|mass| mass.si()),
+            0.8,
+        ),
         Step {
             title: say!(wider_speeds),
             key: "speed.standard_deviation",
@@ -289,7 +303,12 @@ impl Answer for RemediesAnswer {
                     say!(remedy_changes_column),
                     of(&|it| Message::verbatim(in_words(&it.changes))),
                 ),
-                Column::fixed("growth_change_percent", say!(growth_change_column), change, 0),
+                Column::fixed(
+                    "growth_change_percent",
+                    say!(growth_change_column),
+                    change,
+                    0,
+                ),
                 Column::shown(say!(doubles_in_column), of(&Remedy::doubles_in)),
                 Column::optional("doubling_months", months),
                 Column::optional("growth_rate_per_passage", rates),
@@ -307,7 +326,10 @@ impl Answer for RemediesAnswer {
     fn figure(&self) -> LineFigure {
         let line = |label: String, curve: &[[f64; 2]]| Series {
             label,
-            x: curve.iter().map(|[wavelength, _]| 1e3 * wavelength).collect(),
+            x: curve
+                .iter()
+                .map(|[wavelength, _]| 1e3 * wavelength)
+                .collect(),
             y: curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
             ..Series::default()
         };

@@ -7,11 +7,11 @@ import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
 import { Form } from './form.js';
-import { said } from './german.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
 import { startMotion } from './motion.js';
+import { Outlook } from './outlook.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { startPrinting } from './printing.js';
@@ -23,7 +23,7 @@ import { save, startTakeAway } from './take-away.js';
 import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
-import { readVariants } from './variants.js';
+import { MOST_VARIANTS, ownName, readVariants } from './variants.js';
 import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
@@ -64,10 +64,9 @@ const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point
 view.onZoom = (zoomed) => ($('whole-map').hidden = !zoomed);
 $('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
-const lines = new Line('/api/line', json);
 const points = new Line('/api/point', json);
 
-maps.onCancel = lines.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+maps.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -85,8 +84,7 @@ function fresh(what) {
 function caseChanged() {
   const keys = structuredClone(state.keys);
   state.current = false;
-  stale('map');
-  stale('point');
+  for (const what of ['map', 'point', 'line', 'remedies']) stale(what);
   maps.ask({ case: { keys } }, (answer) => showMap(answer, keys), (fault) => refuseCase(fault, keys));
   for (const listener of listeners) listener('case');
   saveAddress();
@@ -114,7 +112,7 @@ function showMap({ head, values }, keys) {
   view.show(state.map);
   speedHandle();
   mapWords();
-  askLine();
+  outlook.ask();
   askPoint();
   if (otherTraffic) for (const listener of listeners) listener('traffic');
   for (const listener of listeners) listener('map');
@@ -125,22 +123,9 @@ function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
-  const sentences = [...(state.line ?? []), head.branches_in_words].map((note) => sentence(speedsIn(note[currentLanguage()])));
-  $('verdict').textContent = sentences.join(' ');
-  announce(sentences.join(' '));
+  $('branches').textContent = sentence(speedsIn(head.branches_in_words[currentLanguage()]));
   $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
   $('notes-panel').hidden = !head.remarks.length;
-}
-
-/** What grows fastest under the traffic of the line, asked when its map is shown: that takes longer. */
-function askLine() {
-  $('verdict').classList.add('pale');
-  const show = (notes) => {
-    state.line = notes;
-    $('verdict').classList.toggle('pale', lines.pending || !state.current);
-    mapWords();
-  };
-  lines.ask({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }, ({ notes }) => show(notes), (fault) => show([{ en: fault.message, de: said(fault.message).text }]));
 }
 
 /** The highest growth of the map at the speeds of the traffic; that of the whole map, where nothing grows at these. */
@@ -260,7 +245,7 @@ function trafficChanged() {
   view.draw();
   if (state.map) {
     state.map.highest = highestOfTraffic();
-    askLine();
+    outlook.ask();
     askPoint();
   }
   for (const listener of listeners) listener('traffic');
@@ -293,8 +278,7 @@ function speedHandle() {
 
 /** A case that is not accepted: each fault at its field, what has no field above the view. */
 async function refuseCase(fault, keys) {
-  stale('map', 0);
-  stale('point', 0);
+  for (const what of ['map', 'point', 'line', 'remedies']) stale(what, 0);
   if (fault.status !== 422 || !fault.key) return complain(fault, { until: 'case' });
   const show = (faults) => {
     const rest = form.refuse(faults);
@@ -485,7 +469,10 @@ function showView(name, asStep = false) {
     $(tab.getAttribute('aria-controls')).hidden = !chosen;
   }
   for (const listener of listeners) listener('view');
-  if (name === 'explore' && state.at) curves();
+  if (name === 'explore' && state.at) {
+    curves();
+    outlook.draw();
+  }
   saveAddress(asStep);
 }
 for (const tab of tabs) {
@@ -511,6 +498,7 @@ function redraw() {
     view.draw();
     mapWords();
     speedHandle();
+    outlook.reword();
   }
   if (state.at) showPoint(state.at);
   for (const listener of listeners) listener('words');
@@ -528,12 +516,35 @@ $('speed-unit').addEventListener('change', (event) => {
   redraw();
 });
 
-/** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic' or 'words' when that has changed. */
+/** The nearest place of the map: growth under the traffic is known a little beyond it. */
+function onMap(place) {
+  const within = (name) => Math.min(Math.max(place[name], state.map[name].min), state.map[name].max);
+  return { wavelength: within('wavelength'), speed: within('speed') };
+}
+
+/** Keep other variants beside the case at hand. */
+function setVariants(variants) {
+  state.variants = variants;
+  record();
+  saveAddress();
+  for (const listener of listeners) listener('variants');
+}
+
+/** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic', 'variants' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
+  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, setVariants, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
+const outlook = new Outlook($('view-explore'), {
+  ...shared, stale, fresh, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
+  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }),
+  onKeep: (name, keys) => {
+    if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));
+    setVariants([...state.variants, { name: ownName(name, state.variants), case: keys }]);
+    return banner.notice(t('remedy_kept', name), () => step(steps.undo()));
+  },
+});
 const tour = new Tour();
 const start = new Start({
   vocabulary, done: () => tour.begin(),
@@ -578,5 +589,5 @@ if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

@@ -95,7 +95,7 @@ def test_what_is_said_of_a_case_is_german(open_page, name):
     page = open_page(locale="de-DE")
     open_case(page, (ROOT / f"cases/{name}.toml").read_text(), f"{name}.toml")
     page.settle()
-    told = [page.text(place) for place in ("#why", "#verdict", "#notes") if page.page.locator(place).is_visible()]
+    told = [page.text(place) for place in ("#why", "#verdict", "#branches", "#cause", "#remedies-panel", "#notes") if page.page.locator(place).is_visible()]
     assert told and english("\n".join(told)) == []
     page.page.click("#tab-compare")
     page.page.click("#keep")

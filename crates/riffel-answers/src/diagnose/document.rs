@@ -89,7 +89,7 @@ struct CandidateDocument {
     source: &'static str,
     validity: &'static str,
     /// What would settle it.
-    measurement: &'static str,
+    measurement: String,
 }
 
 /// What the shares mean, for every reader of them.
@@ -190,7 +190,7 @@ impl CandidateDocument {
             reasons_against: candidate.reasons_against.clone(),
             source: candidate.kind.source(),
             validity: candidate.kind.validity(),
-            measurement: candidate.kind.own_measurement(),
+            measurement: candidate.kind.settled_by(),
         }
     }
 }

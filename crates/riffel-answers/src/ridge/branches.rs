@@ -132,7 +132,9 @@ impl BranchDocument {
             }
         };
         let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
-        let mechanism = self.kind.map(|kind| say!(before_comma, words = mechanism_name(kind)));
+        let mechanism = self
+            .kind
+            .map(|kind| say!(before_comma, words = mechanism_name(kind)));
         let edge = self.only_at_edge.then(|| say!(at_edge_of_window));
         say!(
             branch,
