@@ -20,6 +20,7 @@ mod figure;
 mod line;
 mod map;
 mod note;
+mod own_values;
 mod passage;
 mod point;
 mod remedies;
@@ -63,8 +64,9 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 11] = [
+pub const QUESTIONS: [(&str, Reader); 12] = [
     ("/api/case", reader::<case::Question>),
+    ("/api/own-values", reader::<own_values::Question>),
     ("/api/map", reader::<map::Question>),
     ("/api/line", reader::<line::Question>),
     ("/api/remedies", reader::<remedies::Question>),

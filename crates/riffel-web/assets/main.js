@@ -6,6 +6,7 @@ import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
+import { lead } from './elements.js';
 import { Form } from './form.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
@@ -16,6 +17,7 @@ import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { startPrinting } from './printing.js';
 import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
+import { Sidebar } from './sidebar.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
 import { Start } from './start.js';
@@ -104,6 +106,7 @@ function showMap({ head, values }, keys) {
   if (maps.pending) stale('map');
   form.show(state.keys, head.complete, state.current);
   form.fold(head.idle);
+  sidebar.show();
   const { wavelength, speed, highest } = state.map;
   const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
   if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
@@ -196,7 +199,7 @@ async function curves() {
     drawn = state.at;
     for (const [draw, place] of [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']]) {
       await new Promise((done) => setTimeout(done));
-      await draw($(place), drawn);
+      await draw($(place), drawn, ghost);
       if (drawn !== state.at && !maps.idle) break;
     }
   }
@@ -224,9 +227,17 @@ const form = new Form({
     caseChanged();
   },
 });
+const sidebar = new Sidebar($('keys'), { form, state });
 $('case').addEventListener('submit', (event) => event.preventDefault());
 // A drag of a slider is one step, which ends where it is let go.
-$('handles').addEventListener('change', () => steps.settle());
+// The curves of before stay behind those of now, pale, until then.
+let ghost = null;
+$('handles').addEventListener('input', () => (ghost ??= state.at), true);
+$('handles').addEventListener('change', () => {
+  steps.settle();
+  ghost = null;
+  if (state.at) showPoint({ ...state.at });
+});
 
 const traffic = new Traffic($('traffic'), {
   onTrouble: () => showTroubles(),
@@ -315,9 +326,7 @@ function showTroubles() {
 /** Show a field and put the cursor into it, from any view. */
 function leadTo(input) {
   if (state.view === 'paper') showView('explore');
-  input.closest('details').open = true;
-  input.closest('.row').scrollIntoView({ block: 'center' });
-  input.focus();
+  lead(input);
 }
 
 /** Tell a screen reader, but not every step of a slider. */
@@ -439,6 +448,7 @@ function open({ case: keys, variants = state.variants, point, tab, traffic: give
 
 /** Open a case in place of the one at hand, and say so with the way back. */
 function replace(given, text) {
+  sidebar.begin(given.case);
   open(given);
   banner.notice(text, () => step(steps.undo()));
 }
@@ -490,6 +500,7 @@ for (const tab of tabs) {
 
 function redraw() {
   form.reword();
+  sidebar.reword();
   form.show(state.keys, state.head?.complete, state.current);
   traffic.show(traffic.given);
   banner.render();
@@ -548,7 +559,10 @@ const outlook = new Outlook($('view-explore'), {
 const tour = new Tour();
 const start = new Start({
   vocabulary, done: () => tour.begin(),
-  open: (keys) => open({ case: keys, point: null, tab: 'explore' }),
+  open: (keys) => {
+    sidebar.begin(keys);
+    open({ case: keys, point: null, tab: 'explore' });
+  },
 });
 $('view-explore').prepend(start.panel);
 shared.listen((what) => what === 'words' && (start.reword(), tour.reword()));
@@ -583,11 +597,12 @@ const first = link ?? last ?? (isNew ? { ...nominal(), case: start.first } : nom
 Object.assign(state, { keys: first.case, variants: first.variants });
 traffic.show(first.traffic);
 steps.begin(snapshot());
+sidebar.begin(first.case);
 open(first, { asStep: false });
 start.panel.hidden = !isNew;
 if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !sidebar.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

@@ -51,6 +51,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "phasors.js": "text/javascript; charset=utf-8",
     "printing.js": "text/javascript; charset=utf-8",
     "remedies.js": "text/javascript; charset=utf-8",
+    "sidebar.js": "text/javascript; charset=utf-8",
     "server.js": "text/javascript; charset=utf-8",
     "svg-context.js": "text/javascript; charset=utf-8",
     "start.js": "text/javascript; charset=utf-8",
