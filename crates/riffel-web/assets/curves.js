@@ -42,6 +42,11 @@ export function layout(more = {}) {
   };
 }
 
+/** Curves of a view that is shown again: the window may have another size. */
+export function refit(view) {
+  loading?.then(({ Plots }) => view.querySelectorAll('.js-plotly-plot').forEach((plot) => plot.offsetParent && Plots?.resize(plot)));
+}
+
 /** How many curves are being drawn. */
 export const drawings = { open: 0 };
 

@@ -199,11 +199,15 @@ export class Form {
       for (const value of preset?.values ?? []) {
         bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${worded(value.value)}` }), ` ${t(value.badge)}. `, spoken('span', value.source)));
       }
+    };
+    // Inside the window, wherever its button is.
+    const place = () => {
       const { left, bottom } = button.getBoundingClientRect();
-      bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - 372))}px`;
-      bubble.style.top = `${Math.min(bottom + 6, innerHeight - 220)}px`;
+      bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - bubble.offsetWidth - 8))}px`;
+      bubble.style.top = `${Math.max(8, Math.min(bottom + 6, innerHeight - bubble.offsetHeight - 8))}px`;
     };
     bubble.addEventListener('beforetoggle', show);
+    bubble.addEventListener('toggle', place);
     let hovering;
     button.addEventListener('pointerenter', (event) => {
       if (event.pointerType === 'mouse') hovering = setTimeout(() => bubble.showPopover(), 150);

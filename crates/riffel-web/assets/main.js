@@ -4,7 +4,7 @@ import { Banner } from './banner.js';
 import { theme } from './colors.js';
 import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
-import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
+import { drawForce, drawGrowth, drawReceptance, drawings, refit } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
 import { lead } from './elements.js';
 import { Form } from './form.js';
@@ -479,6 +479,7 @@ function showView(name, asStep = false) {
     $(tab.getAttribute('aria-controls')).hidden = !chosen;
   }
   for (const listener of listeners) listener('view');
+  refit($(`view-${name}`));
   if (name === 'explore' && state.at) {
     curves();
     outlook.draw();
@@ -564,7 +565,7 @@ const start = new Start({
     open({ case: keys, point: null, tab: 'explore' });
   },
 });
-$('view-explore').prepend(start.panel);
+document.querySelector('.stage').before(start.panel);
 shared.listen((what) => what === 'words' && (start.reword(), tour.reword()));
 $('version').textContent = `Riffel ${vocabulary.version}`;
 $('help-start').addEventListener('click', () => {
@@ -599,7 +600,7 @@ traffic.show(first.traffic);
 steps.begin(snapshot());
 sidebar.begin(first.case);
 open(first, { asStep: false });
-start.panel.hidden = !isNew;
+if (isNew) start.show();
 if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 

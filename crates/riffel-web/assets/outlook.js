@@ -81,7 +81,7 @@ export class Outlook {
     const { fastest, doubles_in: time, cause, card: told } = answer;
     const helps = this.remedies.answer?.helps_most;
     this.verdict.textContent = [...answer.notes, ...(helps ? [helps] : [])].map((note) => sentence(words(note))).join(' ');
-    this.large.textContent = time ? `in ${words(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.large.textContent = time ? `In ${words(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
     this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
     this.cause.replaceChildren(told ? this.#card(cause, told) : element('p', { className: 'why', textContent: t('no_cause') }));

@@ -26,7 +26,7 @@ export class Remedies {
     const rows = answer?.remedies.map((one) => this.#row(one)) ?? [];
     const head = element('thead', {}, element('tr', {}, ...['remedy', 'growth_changes', 'doubles_in', ''].map((word) => (word ? worded('th', word, { scope: 'col' }) : element('td')))));
     this.table.replaceChildren(...(rows.length ? [head, element('tbody', {}, ...rows)] : []));
-    const left = answer?.left_out.map(({ title, reason }) => `${t('left_out')}: ${words(title)}. ${sentence(words(reason))}`) ?? [];
+    const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${words(title)}`)} ${sentence(words(reason))}`) ?? [];
     this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(words(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
   }

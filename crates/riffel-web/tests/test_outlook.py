@@ -32,7 +32,7 @@ def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
     open_case(page, "metro")
     growth = told(tmp_path, "map", "cases/metro.toml", "--set", "map.speed.points=5")["under_traffic"]
     early, late = (f"{months:.2g}" for months in growth["fastest"]["doubling_months_banded"]["band_80"])
-    assert page.text("#doubling") == (f"in {early} to {late} months" if locale == "en-GB" else f"in {early.replace('.', ',')} bis {late} Monaten")
+    assert page.text("#doubling") == (f"In {early} to {late} months" if locale == "en-GB" else f"In {early.replace('.', ',')} bis {late} Monaten")
     # The number is the largest text of the page.
     size = "(one) => parseFloat(getComputedStyle(one).fontSize)"
     assert page.page.locator("#doubling").evaluate(size) > 2 * page.page.locator("#verdict").evaluate(size)
@@ -88,4 +88,24 @@ def test_a_case_in_which_nothing_grows_says_so(open_page):
     page.page.wait_for_timeout(600)
     page.settle()
     assert page.page.locator("#remedies tbody tr").count() == 0
+    page.close()
+
+
+@pytest.mark.without_curves
+@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+def test_causes_of_a_measured_rail_are_cards(open_page, locale):
+    page = open_page(locale=locale)
+    page.page.click("#tab-measure")
+    page.page.click("#sample")
+    page.page.locator("#view-measure .card").first.wait_for()
+    page.settle()
+    cards = page.page.locator("#view-measure .card")
+    words = ("For", "Against", "Would settle it") if locale == "en-GB" else ("Dafür", "Dagegen", "Das entscheidet")
+    for card in cards.all():
+        assert card.locator("svg").count() == 1 and card.locator("meter").count() == 1
+        told = card.locator("dt").all_inner_texts()
+        assert told == [word for word in words if word in told] and words[2] in told
+        measurement = card.locator("dd").last
+        assert measurement.locator("span").get_attribute("lang") == locale[:2]
+    page.keep(f"causes-measured-{locale}", whole=True)
     page.close()
