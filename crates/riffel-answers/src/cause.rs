@@ -13,8 +13,9 @@ use crate::ridge::{NEAR, mechanism_name, nearest, resonances};
 #[derive(Debug, Clone, Serialize)]
 pub struct Cause {
     /// Its name; that of the growth ridge where no resonance is near.
-    #[serde(serialize_with = "name_of")]
-    pub mechanism: MechanismKind,
+    pub mechanism: &'static str,
+    #[serde(skip)]
+    kind: MechanismKind,
     /// Frequency of the resonance; none where none is near.
     pub resonance_hz: Option<f64>,
     /// The wavelength.
@@ -29,11 +30,6 @@ pub struct Cause {
     pub evidence_against: Vec<Message>,
     /// What would settle it.
     pub measurement: String,
-}
-
-#[allow(clippy::trivially_copy_pass_by_ref)] // serde asks for a reference
-fn name_of<S: serde::Serializer>(kind: &MechanismKind, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_str(kind.name())
 }
 
 impl Cause {
@@ -52,7 +48,7 @@ impl Cause {
         let frequency = speed / wavelength;
         let resonances = resonances(case);
         let found = nearest(&resonances, frequency);
-        let mechanism = found.map_or(MechanismKind::GrowthRidge, |(kind, _)| kind);
+        let kind = found.map_or(MechanismKind::GrowthRidge, |(kind, _)| kind);
         let mut evidence_for = vec![sentence(wavelength, speed, found)];
         let mut evidence_against = Vec::new();
         if let Some((kept, evidence)) = frequency_kept(case, [slowest, fastest]) {
@@ -88,21 +84,22 @@ impl Cause {
             evidence_against.push(say!(nothing_against));
         }
         Some(Self {
-            mechanism,
+            mechanism: kind.name(),
+            kind,
             resonance_hz: found.map(|(_, frequency)| frequency),
             wavelength_m: wavelength,
             speed_m_per_s: speed,
             frequency_hz: frequency,
             evidence_for,
             evidence_against,
-            measurement: mechanism.settled_by(),
+            measurement: kind.settled_by(),
         })
     }
 
     /// Its name for a reader.
     pub fn title(&self) -> Message {
         match self.resonance_hz {
-            Some(frequency) => at(self.mechanism, frequency),
+            Some(frequency) => at(self.kind, frequency),
             None => say!(cause_loop),
         }
     }

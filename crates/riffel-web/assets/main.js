@@ -6,7 +6,7 @@ import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings, refit } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
-import { lead } from './elements.js';
+import { element, lead } from './elements.js';
 import { Form } from './form.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
@@ -26,7 +26,7 @@ import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
 import { MOST_VARIANTS, ownName, readVariants } from './variants.js';
-import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, sentence, speed as inUnit, t, told, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -68,7 +68,8 @@ $('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
 const points = new Line('/api/point', json);
 
-maps.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+const onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+maps.onCancel = points.onCancel = onCancel;
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -126,8 +127,8 @@ function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
-  $('branches').textContent = sentence(speedsIn(head.branches_in_words[currentLanguage()]));
-  $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
+  $('branches').textContent = sentence(told(head.branches_in_words));
+  $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: told(remark) })));
   $('notes-panel').hidden = !head.remarks.length;
 }
 
@@ -142,11 +143,6 @@ function highestOfTraffic() {
 
 /** Passages with the time and the gross tonnes that they take. */
 const inWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
-
-/** Words with a capital at the beginning and a full stop. */
-function sentence(words) {
-  return `${words[0].toUpperCase()}${words.slice(1)}.`;
-}
 
 let moved = false;
 function movePoint(point, pinned) {
@@ -176,7 +172,7 @@ function showPoint(at) {
   state.at = at;
   drawPhasors($('phasors'), $('amplitudes'), at.state, inWords);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
-  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(at.reported_growth[currentLanguage()])].filter(Boolean).join(' ');
+  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(told(at.reported_growth))].filter(Boolean).join(' ');
   $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = inUnit(at.state.speed_m_per_s);
   curves();
@@ -549,7 +545,7 @@ const shared = {
   listen: (listener) => listeners.push(listener),
 };
 const outlook = new Outlook($('view-explore'), {
-  ...shared, stale, fresh, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
+  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
   question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }),
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));

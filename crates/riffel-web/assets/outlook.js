@@ -8,17 +8,16 @@ import { offer } from './figures.js';
 import { said } from './german.js';
 import { Remedies } from './remedies.js';
 import { Line, json } from './server.js';
-import { currentLanguage, speedsIn, t, translate } from './words.js';
+import { sentence, t, told, translate } from './words.js';
 
 /** Remedies are asked for when nothing has changed for so long [ms]: they take as long as eight headlines. */
 const CALM = 400;
-const words = (note) => speedsIn(note[currentLanguage()]);
-const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
 
 export class Outlook {
   /** `question` is the case with its traffic; `onPlace` takes a place of the map, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
-  constructor(view, { state, question, onPlace, announce, onFault, stale, fresh, save, ...ways }) {
+  constructor(view, { state, question, onPlace, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
     Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
+    this.line.onCancel = this.ranking.onCancel = onCancel;
     this.remedies = new Remedies({ state, save, ...ways });
     this.large = element('strong', { id: 'doubling' });
     this.until = element('small', {});
@@ -44,12 +43,15 @@ export class Outlook {
     this.stale('line');
     this.stale('remedies');
     clearTimeout(this.calm);
-    this.line.ask(this.question(), (answer) => {
+    const show = (answer) => {
       this.#show(answer);
       if (!this.line.pending && this.state.current) this.fresh('line');
+    };
+    this.line.ask(this.question(), (answer) => {
+      show(answer);
       clearTimeout(this.calm);
       this.calm = setTimeout(() => this.#rank(), CALM);
-    }, (fault) => this.#show({ notes: [{ en: fault.message, de: said(fault.message).text }], fault }));
+    }, (fault) => show({ notes: [{ en: fault.message, de: said(fault.message).text }], fault }));
   }
 
   /** Whether remedies are still to be asked for. */
@@ -78,21 +80,21 @@ export class Outlook {
   #tell() {
     const { answer } = this;
     if (!answer) return;
-    const { fastest, doubles_in: time, cause, card: told } = answer;
+    const { fastest, doubles_in: time, cause, card: evidence } = answer;
     const helps = this.remedies.answer?.helps_most;
-    this.verdict.textContent = [...answer.notes, ...(helps ? [helps] : [])].map((note) => sentence(words(note))).join(' ');
-    this.large.textContent = time ? `In ${words(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.verdict.textContent = [...answer.notes, ...(helps ? [helps] : [])].map((note) => sentence(told(note))).join(' ');
+    this.large.textContent = time ? `In ${told(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
     this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
-    this.cause.replaceChildren(told ? this.#card(cause, told) : element('p', { className: 'why', textContent: t('no_cause') }));
+    this.cause.replaceChildren(evidence ? this.#card(cause, evidence) : element('p', { className: 'why', textContent: t(answer.fault ? 'not_known' : 'no_cause') }));
     translate(this.panel);
     this.draw();
   }
 
   #card(cause, { title, evidence_for: own, evidence_against: others }) {
-    const items = (notes) => notes.map((note) => sentence(words(note)));
+    const items = (notes) => notes.map((note) => sentence(told(note)));
     const { text, language } = said(cause.measurement);
-    return card(cause.mechanism, [element('h3', { textContent: words(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
+    return card(cause.mechanism, [element('h3', { textContent: told(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
   }
 
   /** The evidence: the place on the map and the panel beside it. */

@@ -3,10 +3,7 @@
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { set, short, shownUnit } from './keys.js';
-import { currentLanguage, labelOf, number, t, translate } from './words.js';
-
-const words = (note) => note[currentLanguage()];
-const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
+import { labelOf, number, sentence, t, told, translate } from './words.js';
 
 export class Remedies {
   /** `onKeep` takes the name and the keys of a variant, `onTraffic` leads to the speeds of the traffic. */
@@ -16,18 +13,19 @@ export class Remedies {
     this.rest = element('ul', { className: 'fine' });
     const header = element('header', {}, worded('h2', 'what_helps'), worded('span', 'each_alone', { className: 'aside' }));
     offer(header, () => ({ name: 'remedies', table: this.table }), save, ['csv']);
-    this.panel = element('article', { className: 'panel remedies-panel of-remedies', id: 'remedies-panel' }, header, worded('p', 'remedies_come', { className: 'why' }), element('div', { className: 'sideways' }, this.table), this.rest);
+    this.panel = element('article', { className: 'panel remedies-panel of-remedies', id: 'remedies-panel' }, header, (this.hint = worded('p', 'remedies_come', { className: 'why' })), element('div', { className: 'sideways' }, this.table), this.rest);
   }
 
   /** Show an answer; null is that nothing is known yet. */
   show(answer) {
     this.answer = answer;
-    this.panel.querySelector('.why').hidden = Boolean(answer);
     const rows = answer?.remedies.map((one) => this.#row(one)) ?? [];
+    this.hint.hidden = rows.length > 0;
+    this.hint.dataset.t = answer ? 'nothing_grows' : 'remedies_come';
     const head = element('thead', {}, element('tr', {}, ...['remedy', 'growth_changes', 'doubles_in', ''].map((word) => (word ? worded('th', word, { scope: 'col' }) : element('td')))));
     this.table.replaceChildren(...(rows.length ? [head, element('tbody', {}, ...rows)] : []));
-    const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${words(title)}`)} ${sentence(words(reason))}`) ?? [];
-    this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(words(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
+    const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${told(title)}`)} ${sentence(told(reason))}`) ?? [];
+    this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(told(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
   }
 
@@ -36,17 +34,17 @@ export class Remedies {
     const bar = element('i', { className: change < 0 ? 'less' : 'more' });
     bar.style.width = `${Math.min(Math.abs(change), 100) / 2}%`;
     const changes = remedy.changes.map(({ key, value }) => this.#inUnit(key, value));
-    const name = element('th', { scope: 'row' }, words(remedy.name), element('small', { textContent: changes.map(({ text }) => text).join(', ') }));
+    const name = element('th', { scope: 'row' }, told(remedy.name), element('small', { textContent: changes.map(({ text }) => text).join(', ') }));
     const ofTraffic = remedy.changes[0].key.startsWith('speed.');
     const keep = worded('button', ofTraffic ? 'set_traffic' : 'keep_remedy', { type: 'button', className: 'plain small' });
     keep.addEventListener('click', () => {
       if (ofTraffic) return this.onTraffic();
       const keys = structuredClone(this.state.keys);
       for (const { key, given } of changes) set(keys, key, given);
-      return this.onKeep(words(remedy.name), keys);
+      return this.onKeep(told(remedy.name), keys);
     });
     const signed = `${change > 0 ? '+' : ''}${number(Math.round(change))} %`;
-    return element('tr', {}, name, element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), element('td', { textContent: words(remedy.doubles_in) }), element('td', {}, keep));
+    return element('tr', {}, name, element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), element('td', { textContent: told(remedy.doubles_in) }), element('td', {}, keep));
   }
 
   /** A key with its value [SI] as the form has it. */

@@ -347,6 +347,10 @@ export const speedsIn = (sentence) => (speedUnit === 'km/h' ? sentence : sentenc
   return `${converted.join('–')} ${speedUnit}`;
 }));
 
+/** A remark of the program, which comes in every language, and as a sentence. */
+export const told = (note) => speedsIn(note[language]);
+export const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
+
 /** A number as it stands in a case, with the comma of the language. */
 export const written = (text) => (language === 'de' ? String(text).replace(/(\d)\.(\d)/g, '$1,$2') : String(text));
 
