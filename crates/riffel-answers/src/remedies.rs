@@ -205,7 +205,11 @@ impl Remedy {
 /// Keys and values, to four digits: "track.pad.stiffness = 3e7".
 fn in_words(changes: &[Change]) -> String {
     let words = changes.iter().map(|Change { key, value }| match *value {
-        value if value < 1e5 => format!("{key} = {}", significant_digits(value, 4)),
+        value if value < 1e5 => {
+            // Without zeros at the end.
+            let rounded = significant_digits(value, 4).parse().unwrap_or(value);
+            format!("{key} = {rounded}")
+        }
         value => format!("{key} = {value:e}"),
     });
     words.collect::<Vec<_>>().join(", ")
