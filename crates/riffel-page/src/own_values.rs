@@ -14,7 +14,7 @@ pub(crate) struct Question {
 
 impl crate::Question for Question {
     fn subject(&self) -> Option<String> {
-        Some("own values".to_owned())
+        Some("own-values".to_owned())
     }
 
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
