@@ -344,7 +344,8 @@ impl Answer for RemediesAnswer {
         let series = std::iter::once(as_it_is).chain(remedies).chain([floor]);
         LineFigure {
             title: "Remedies".to_owned(),
-            caption: "Growth of the level by wavelength, positive where corrugation grows.".to_owned(),
+            caption: "Growth of the level by wavelength, positive where corrugation grows."
+                .to_owned(),
             panels: vec![rate_panel(series.collect())],
             ..LineFigure::default()
         }
