@@ -48,7 +48,7 @@ export class Sweep {
     });
     this.keep = worded('button', 'sweep_keep', { type: 'button', className: 'plain', id: 'sweep-keep', hidden: true });
     this.keep.addEventListener('click', () => onKeep(this.answer.steps.map(({ name, keys }) => ({ name, case: structuredClone(keys) }))));
-    this.note = element('p', { className: 'why' });
+    this.note = element('p', { className: 'fine' });
     this.plot = element('div', { className: 'curve tall', id: 'sweep-curves', hidden: true });
     this.table = element('table', { className: 'comparison', id: 'sweep-table', hidden: true });
     this.aside = element('span', { className: 'aside' });
