@@ -10,7 +10,7 @@ use riffel_case::{Case, Variant};
 use riffel_keys::{CaseError, Message, say, significant};
 use serde::{Serialize, Serializer};
 
-use crate::{Banded, wear_spread};
+use crate::{Banded, Cause, wear_spread};
 
 /// Growth under the traffic of a line: serialised, what documents hold as `under_traffic`.
 #[derive(Debug, Clone, Serialize)]
@@ -24,8 +24,13 @@ pub struct LineGrowth {
     pub passages_per_day: Option<f64>,
     /// What grows fastest; none where nothing grows.
     pub fastest: Option<FastestGrowth>,
+    /// What that follows; none where nothing grows under the wheel of the case.
+    pub cause: Option<Cause>,
     /// The answer in sentences, and whether growth is faster than any that was seen.
     pub remarks: Vec<Message>,
+    /// Wavelengths \[m\] with their growth rates per passage.
+    #[serde(skip)]
+    pub curve: Vec<[f64; 2]>,
 }
 
 /// The wavelengths that grow fastest.
@@ -64,42 +69,45 @@ impl LineGrowth {
             Some(traffic) => (None, traffic),
             None => (Some(usual.line), &usual.traffic()?),
         };
+        let mut growth = Self::under(case, traffic, &Variant::none(""))?;
+        growth.usual_traffic_of = line;
+        growth.remarks.push(growth.sentence(case));
+        if let Some(fastest) = growth.fastest {
+            growth.cause = Cause::of(case, fastest.wavelength_m, growth.speeds_m_per_s);
+            let cause = growth.cause.iter().map(|cause| cause.sentence().clone());
+            growth.remarks.extend(cause);
+            growth
+                .remarks
+                .extend(fastest.doubts(case, growth.passages_per_day));
+        }
+        Ok(growth)
+    }
+
+    /// The numbers of growth under a traffic on what a variant makes of a case.
+    pub(crate) fn under(
+        case: &Case,
+        traffic: &Traffic,
+        variant: &Variant,
+    ) -> Result<Self, CaseError> {
         let case = &case.sharing_parts();
-        let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+        let on = traffic.on(case, &bands_of(case), variant, &|_| ())?;
         let speeds = traffic.speeds().iter().map(span);
         let speeds = speeds.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         let per_day = on.passages_per_day;
         let fastest = FastestGrowth::of(case, &on.growth, per_day);
-        let mut growth = Self {
-            usual_traffic_of: line,
+        let rates = on.growth.rates().iter();
+        let lines = on.growth.wavelengths().into_iter().zip(rates);
+        Ok(Self {
+            usual_traffic_of: None,
             speeds_m_per_s: speeds.unwrap_or_default(),
             passages_per_day: per_day,
             fastest,
+            cause: None,
             remarks: Vec::new(),
-        };
-        growth.remarks.push(growth.sentence(case));
-        if let Some(fastest) = &growth.fastest {
-            let middle = (case.wavelength.min() * case.wavelength.max()).sqrt();
-            growth.remarks.extend(fastest.at_edge.then(|| {
-                say!(
-                    fastest_at_edge,
-                    wavelength = significant(1e3 * fastest.wavelength_m, 2),
-                    beyond = match fastest.wavelength_m < middle {
-                        true => say!(shorter_waves),
-                        false => say!(longer_waves),
-                    }
-                )
-            }));
-            let reported = per_day.and_then(|per_day| {
-                reported_growth(
-                    fastest.wavelength_m,
-                    fastest.growth_rate_per_passage,
-                    per_day,
-                )
-            });
-            growth.remarks.extend(reported);
-        }
-        Ok(growth)
+            curve: lines
+                .map(|(wavelength, rate)| [wavelength, *rate])
+                .collect(),
+        })
     }
 
     /// Whose traffic it is: "the usual traffic of a metro, 40–70 km/h, 6000 axles a day".
@@ -169,6 +177,25 @@ impl FastestGrowth {
             doubling_months: months,
             doubling_months_banded: months.and_then(banded),
         })
+    }
+
+    /// Whether it sits at the edge of the bands, and whether it is faster than any growth that was seen.
+    fn doubts(&self, case: &Case, per_day: Option<f64>) -> impl Iterator<Item = Message> {
+        let middle = (case.wavelength.min() * case.wavelength.max()).sqrt();
+        let edge = self.at_edge.then(|| {
+            say!(
+                fastest_at_edge,
+                wavelength = significant(1e3 * self.wavelength_m, 2),
+                beyond = match self.wavelength_m < middle {
+                    true => say!(shorter_waves),
+                    false => say!(longer_waves),
+                }
+            )
+        });
+        let reported = per_day.and_then(|per_day| {
+            reported_growth(self.wavelength_m, self.growth_rate_per_passage, per_day)
+        });
+        edge.into_iter().chain(reported)
     }
 
     /// In what it doubles, as in "5 to 14 months": years above three of them, days below two months.

@@ -259,6 +259,45 @@ right = rechts
 
 growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und wear.coefficient prüfen
 
+## Wem die schnellste Wellenlänge folgt
+
+cause-near = { $wavelength } mm wächst am stärksten bei { $speed } km/h, wo { $frequency } Hz { $distance } % neben { $resonance } Hz liegt ({ $mechanism })
+cause-alone = { $wavelength } mm wächst am stärksten bei { $speed } km/h, bei { $frequency } Hz; keine Resonanz von Gleis oder Radsatz liegt näher als { $within } %
+cause-loop = keine Resonanz: der Kreis von Kraft, Schlupf und Verschleiß
+frequency-is-kept = von { $slow } bis { $fast } km/h geht die schnellste Wellenlänge von { $first } bis { $last } mm und ihre Frequenz von { $low } bis { $high } Hz: fest ist eine Frequenz, keine Länge
+frequency-is-not-kept = von { $slow } bis { $fast } km/h geht die Frequenz der schnellsten Wellenlänge von { $low } bis { $high } Hz: keine eine Frequenz ist fest
+others-in-reach = Züge dieses Verkehrs rollen mit { $low } bis { $high } Hz über { $wavelength } mm, und dort liegt auch { $others }
+others-out-of-reach = keine andere Resonanz liegt bei { $low } bis { $high } Hz, mit denen Züge dieses Verkehrs über { $wavelength } mm rollen
+mechanism-at = { $mechanism } ({ $frequency } Hz)
+nothing-against = nichts, was der Fall weiß, spricht dagegen
+
+## Maßnahmen
+
+softer-ballast = halbe Steifigkeit unter den Schwellen
+more-rail-loss = Schienendämpfer, die den Verlustfaktor der Schiene um { $loss } erhöhen
+friction-treatment = Reibung behandelt bis auf { $friction }
+lighter-wheel = ein Fünftel weniger unabgefederte Masse
+wider-speeds = weiter gestreute Geschwindigkeiten
+slower-trains = um ein Fünftel langsamere Züge
+more-grinding = kürzerer Abstand des Schleifens
+remedy-column = Maßnahme
+remedy-changes-column = ändert
+growth-change-column = Wachstum %
+doubles-in-column = verdoppelt sich in
+nothing-grows-then = nichts wächst
+helps-most = am meisten hilft: { $title }; das Wachstum fällt um { $percent } % und verdoppelt in { $time }
+helps-most-of-all = am meisten hilft: { $title }; dann wächst nichts
+helps-nothing = keine dieser Maßnahmen bremst das Wachstum
+left-out-for = ausgelassen: { $title }; { $reason }
+remedy-lacks-key = der Fall hat keinen Wert von { $key }
+remedy-has-no-effect = { $key } ändert in diesem Fall nichts
+remedy-is-refused = damit lässt sich dieser Fall nicht berechnen
+friction-is-low = die Reibung ist schon { $friction }
+grinding-leaves-growth = Schleifen senkt den Pegel und lässt das Wachstum, wie es ist: 6 dB in { $time }
+steps-are-chosen = wie weit jede Maßnahme geht, ist gewählt; was ein Produkt bewirkt, steht in seinem Datenblatt
+speeds-are-wide = die Geschwindigkeiten streuen schon etwa so weit, wie es eine Normalverteilung kann
+treatment-keeps-force = auf behandelter Reibung ziehen und bremsen Züge mit derselben Kraft und mehr Schlupf; wo ein Bogen den Schlupf bestimmt, contact.creepage anstelle von contact.tractive_ratio angeben
+
 ## Wachstum unter dem Verkehr einer Strecke
 
 traffic-of-main-line = dem üblichen Verkehr einer Hauptstrecke

@@ -267,6 +267,45 @@ right = right
 
 growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and wear.coefficient
 
+## What the fastest wavelength follows
+
+cause-near = { $wavelength } mm grows most at { $speed } km/h, where { $frequency } Hz lies { $distance } % from { $resonance } Hz ({ $mechanism })
+cause-alone = { $wavelength } mm grows most at { $speed } km/h, at { $frequency } Hz; no resonance of track or wheelset lies within { $within } % of that
+cause-loop = no resonance: the loop of force, creepage and wear
+frequency-is-kept = from { $slow } to { $fast } km/h the fastest wavelength goes from { $first } to { $last } mm and its frequency from { $low } to { $high } Hz: a frequency is fixed, not a length
+frequency-is-not-kept = from { $slow } to { $fast } km/h the frequency of the fastest wavelength goes from { $low } to { $high } Hz: no one frequency is fixed
+others-in-reach = trains of this traffic pass over { $wavelength } mm at { $low } to { $high } Hz, and there are also { $others }
+others-out-of-reach = no other resonance lies at { $low } to { $high } Hz, at which trains of this traffic pass over { $wavelength } mm
+mechanism-at = { $mechanism } ({ $frequency } Hz)
+nothing-against = nothing that the case knows speaks against it
+
+## Remedies
+
+softer-ballast = half the stiffness under the sleepers
+more-rail-loss = rail dampers that raise the loss factor of the rail by { $loss }
+friction-treatment = friction treatment down to { $friction }
+lighter-wheel = a fifth less unsprung mass
+wider-speeds = speeds spread more widely
+slower-trains = trains a fifth slower
+more-grinding = a shorter grinding interval
+remedy-column = remedy
+remedy-changes-column = changes
+growth-change-column = growth %
+doubles-in-column = doubles in
+nothing-grows-then = nothing grows
+helps-most = what helps most is { $title }: growth falls by { $percent } % and doubles in { $time }
+helps-most-of-all = what helps most is { $title }: nothing grows then
+helps-nothing = none of these remedies slows growth
+left-out-for = left out: { $title }; { $reason }
+remedy-lacks-key = the case has no value of { $key }
+remedy-has-no-effect = { $key } changes nothing in this case
+remedy-is-refused = this case cannot be computed with it
+friction-is-low = friction is { $friction } already
+grinding-leaves-growth = grinding lowers the level and leaves growth as it is, 6 dB in { $time }
+steps-are-chosen = how far each remedy goes is chosen; what a product does stands in its data sheet
+speeds-are-wide = speeds are spread about as widely as a normal distribution can be
+treatment-keeps-force = with the friction treatment trains pull and brake with the same force, at more creepage; where a curve sets the creepage, give contact.creepage in place of contact.tractive_ratio
+
 ## Growth under the traffic of a line
 
 traffic-of-main-line = the usual traffic of a main line

@@ -35,7 +35,7 @@ impl crate::Question for Question {
             keys,
             toml,
             complete: case.file,
-            remarks: case.remarks.iter().map(Note::from).collect(),
+            remarks: Note::all(&case.remarks),
         })
     }
 }

@@ -76,7 +76,7 @@ struct Compared {
 enum UnderTraffic {
     Answered {
         #[serde(flatten)]
-        growth: LineGrowth,
+        growth: Box<LineGrowth>,
         /// In what it doubles, "5 to 14 months"; none where nothing grows.
         doubles_in: Option<Note>,
     },
@@ -90,7 +90,7 @@ impl UnderTraffic {
         match LineGrowth::new(case, traffic) {
             Ok(growth) => Self::Answered {
                 doubles_in: growth.fastest.as_ref().map(|it| Note::from(&it.time())),
-                growth,
+                growth: Box::new(growth),
             },
             Err(error) => Self::Refused {
                 fault: error.into(),

@@ -20,8 +20,10 @@ mod figure;
 mod line;
 mod map;
 mod note;
+mod own_values;
 mod passage;
 mod point;
+mod remedies;
 mod reply;
 mod table;
 mod traffic;
@@ -62,10 +64,12 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 10] = [
+pub const QUESTIONS: [(&str, Reader); 12] = [
     ("/api/case", reader::<case::Question>),
+    ("/api/own-values", reader::<own_values::Question>),
     ("/api/map", reader::<map::Question>),
     ("/api/line", reader::<line::Question>),
+    ("/api/remedies", reader::<remedies::Question>),
     ("/api/point", reader::<point::Question>),
     ("/api/compare", reader::<compare::Question>),
     ("/api/growth", reader::<compare::CurvesQuestion>),

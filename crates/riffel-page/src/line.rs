@@ -1,6 +1,6 @@
-//! `POST /api/line`: what grows fastest under the traffic of the line.
+//! `POST /api/line`: what grows fastest under the traffic of the line, and what that follows.
 
-use riffel_answers::LineGrowth;
+use riffel_answers::{Cause, LineGrowth};
 use serde::{Deserialize, Serialize};
 
 use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
@@ -14,10 +14,33 @@ pub(crate) struct Question {
 }
 
 #[derive(Serialize)]
-struct Answer {
+struct Answer<'a> {
     #[serde(flatten)]
-    growth: LineGrowth,
+    growth: &'a LineGrowth,
+    /// In what the fastest doubles; none where nothing grows.
+    doubles_in: Option<Note>,
     notes: Vec<Note>,
+    card: Option<Card>,
+    /// Wavelengths \[m\] with their growth rates per passage under the traffic.
+    curve: &'a [[f64; 2]],
+}
+
+/// What the fastest follows, in words.
+#[derive(Serialize)]
+struct Card {
+    title: Note,
+    evidence_for: Vec<Note>,
+    evidence_against: Vec<Note>,
+}
+
+impl From<&Cause> for Card {
+    fn from(cause: &Cause) -> Self {
+        Self {
+            title: Note::from(&cause.title()),
+            evidence_for: Note::all(&cause.evidence_for),
+            evidence_against: Note::all(&cause.evidence_against),
+        }
+    }
 }
 
 impl crate::Question for Question {
@@ -29,8 +52,11 @@ impl crate::Question for Question {
         let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
         let growth = LineGrowth::new(&self.case.read()?, traffic.as_ref())?;
         Reply::json(&Answer {
-            notes: growth.remarks.iter().map(Note::from).collect(),
-            growth,
+            doubles_in: growth.fastest.map(|it| Note::from(&it.time())),
+            notes: Note::all(&growth.remarks),
+            card: growth.cause.as_ref().map(Card::from),
+            curve: &growth.curve,
+            growth: &growth,
         })
     }
 }

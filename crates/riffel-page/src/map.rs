@@ -201,7 +201,7 @@ impl Computed {
                 derived: Derived::of(case),
                 complete: case.file.clone(),
                 idle: idle(case),
-                remarks: case.remarks.iter().map(Note::from).collect(),
+                remarks: Note::all(&case.remarks),
                 usual_traffic: case.into(),
             },
             values: map

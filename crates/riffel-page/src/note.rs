@@ -21,6 +21,11 @@ impl From<&Message> for Note {
 }
 
 impl Note {
+    /// Several remarks.
+    pub fn all<'a>(remarks: impl IntoIterator<Item = &'a Message>) -> Vec<Self> {
+        remarks.into_iter().map(Self::from).collect()
+    }
+
     /// The same remark in other words.
     pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
         Self {

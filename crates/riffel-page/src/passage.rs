@@ -87,7 +87,7 @@ impl crate::Question for Question {
             },
             contact_loss_fraction: answer.settled.contact_loss,
             static_normal_force_n: static_normal_force,
-            remarks: answer.remarks.iter().map(Note::from).collect(),
+            remarks: Note::all(&answer.remarks),
             course,
         })
     }

@@ -10,7 +10,7 @@ import { Line, framed, json } from './server.js';
 import { Sweep, drawCurves } from './sweep.js';
 import { reportOf } from './variant-report.js';
 import { MOST_VARIANTS, ownName } from './variants.js';
-import { currentLanguage, labelOf, number, passages, power, speed, t, translate, written } from './words.js';
+import { labelOf, number, passages, power, speed, t, told, translate, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
 const PATIENCE = 150;
@@ -19,7 +19,7 @@ const PATIENCE = 150;
 const flat = (table, path = '') =>
   Object.entries(table ?? {}).flatMap(([key, value]) => (value !== null && typeof value === 'object' ? flat(value, `${path}${key}.`) : [[path + key, value]]));
 
-export function startCompare({ state, traffic, listen, complain, record, replace, save, saveAddress, unitOf }) {
+export function startCompare({ state, traffic, listen, complain, setVariants, replace, save, unitOf }) {
   const place = document.getElementById('view-compare');
   const maps = new Line('/api/compare', framed);
   const growth = new Line('/api/growth', json);
@@ -68,15 +68,8 @@ export function startCompare({ state, traffic, listen, complain, record, replace
   const table = element('table', { className: 'comparison' });
   const common = element('p', { className: 'fine', id: 'compare-window' });
   const tablePanel = element('article', { className: 'panel wide', hidden: true }, common, element('div', { className: 'sideways' }, table));
-  const sweep = new Sweep({ state, traffic, complain, save, onKeep: (variants) => setVariants(variants) });
+  const sweep = new Sweep({ state, traffic, complain, save, onKeep: setVariants });
   place.append(bar, ...panels.map(({ panel }) => panel), curvesPanel, tablePanel, sweep.panel);
-
-  function setVariants(variants) {
-    state.variants = variants;
-    record();
-    saveAddress();
-    ask();
-  }
 
   keep.addEventListener('click', () => {
     if (state.variants.length < MOST_VARIANTS) setVariants([...state.variants, { name: ownName('', state.variants), case: structuredClone(state.keys) }]);
@@ -244,7 +237,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
       if (fault) return [said(fault.message).text, '–', '–', '–'];
       if (!fastest) return [t('nothing_grows_here'), '–', '–', '–'];
       const count = fastest.doubling_passages;
-      return [millimetres(fastest.wavelength_m, 2), time[currentLanguage()], passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];
+      return [millimetres(fastest.wavelength_m, 2), told(time), passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];
     };
     common.textContent = windowInWords(all, heads[0].window);
     const columns = heads.map((head) => {
@@ -275,7 +268,7 @@ export function startCompare({ state, traffic, listen, complain, record, replace
     } else if (what === 'traffic') {
       ask();
       sweep.show();
-    } else if (what === 'case' || what === 'view') ask();
+    } else if (what === 'case' || what === 'view' || what === 'variants') ask();
     else if (what === 'point') {
       askCurves();
       sweep.caseChanged();

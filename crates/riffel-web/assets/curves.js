@@ -42,6 +42,11 @@ export function layout(more = {}) {
   };
 }
 
+/** Curves of a view that is shown again: the window may have another size. */
+export function refit(view) {
+  loading?.then(({ Plots }) => view.querySelectorAll('.js-plotly-plot').forEach((plot) => plot.offsetParent && Plots?.resize(plot)));
+}
+
 /** How many curves are being drawn. */
 export const drawings = { open: 0 };
 
@@ -57,6 +62,9 @@ export async function draw(place, traces, shape) {
 
 const line = (x, y, name, color, more = {}) => ({ type: 'scatter', mode: 'lines', x, y, name, line: { color, width: 1.6, ...more.line }, hovertemplate: `%{x:.4~g} · %{y:.3~g}<extra>${name}</extra>`, ...more.trace });
 
+/** The same curve of the state before, pale. */
+const ghostly = (x, y) => ({ ...line(x, y, '', theme().line, { line: { width: 3 } }), hoverinfo: 'skip', hovertemplate: null, name: 'ghost' });
+
 const upright = (x, color, dash = 'solid') => ({ type: 'line', xref: 'x', yref: 'paper', x0: x, x1: x, y0: 0, y1: 1, line: { color, width: 1, dash } });
 
 /** Whole powers of ten: plotly.js writes them with styles that the policy of the page forbids. */
@@ -68,13 +76,15 @@ export function decades(values) {
 }
 const hertz = () => axis(`${t('frequency')} f [Hz]`, { type: 'log', tickvals: [20, 50, 100, 200, 500, 1000, 2000, 5000], range: [Math.log10(20), Math.log10(5000)] });
 
-export async function drawReceptance(place, { spectrum, state }) {
+export async function drawReceptance(place, { spectrum, state }, ghost) {
   const [, blue, orange, green] = palette();
   const f = spectrum.frequency_hz;
   const size = (pairs) => pairs.map(([re, im]) => 1e9 * Math.hypot(re, im));
   const contact = 1e9 / state.contact_stiffness_n_per_m;
   const [rail, wheel] = [size(spectrum.rail_receptance_m_per_n), size(spectrum.wheel_receptance_m_per_n)];
+  const before = ghost ? [ghost.spectrum.rail_receptance_m_per_n, ghost.spectrum.wheel_receptance_m_per_n].map((pairs) => ghostly(ghost.spectrum.frequency_hz, size(pairs))) : [];
   const traces = [
+    ...before,
     line(f, rail, t('rail'), blue),
     line(f, wheel, t('wheel'), orange, { line: { dash: 'dash' } }),
     line([f[0], f.at(-1)], [contact, contact], t('contact'), green, { line: { dash: 'dot' } }),
@@ -82,19 +92,21 @@ export async function drawReceptance(place, { spectrum, state }) {
   await draw(place, traces, layout({ xaxis: hertz(), yaxis: axis('|H| [nm/N]', decades([...rail, ...wheel])), showlegend: true, margin: { l: 4 * letterSize(), r: 10, t: 2 * letterSize(), b: 3 * letterSize() }, shapes: [upright(state.frequency_hz, theme().soft)] }));
 }
 
-export async function drawForce(place, { spectrum, state }) {
+export async function drawForce(place, { spectrum, state }, ghost) {
   const [, blue] = palette();
-  const ratio = spectrum.normal_force_ratio.map(([re, im]) => Math.hypot(re, im));
+  const size = (one) => one.normal_force_ratio.map(([re, im]) => Math.hypot(re, im));
+  const ratio = size(spectrum);
+  const before = ghost ? [ghostly(ghost.spectrum.frequency_hz, size(ghost.spectrum))] : [];
   const phase = spectrum.normal_force_ratio.map(([re, im]) => (180 * Math.atan2(im, re)) / Math.PI);
   const trace = line(spectrum.frequency_hz, ratio, '|P₁/P₀|', blue, { trace: { customdata: phase, hovertemplate: '%{x:.4~g} Hz · %{y:.3~g} · %{customdata:.0f}°<extra></extra>' } });
   const { warm, soft } = theme();
   // Above one wheel and rail part.
   const apart = { type: 'line', xref: 'paper', yref: 'y', x0: 0, x1: 1, y0: 1, y1: 1, line: { color: warm, width: 1, dash: 'dash' } };
   const shapes = [upright(state.frequency_hz, soft), ...(Math.max(...ratio) > 0.8 ? [apart] : [])];
-  await draw(place, [trace], layout({ xaxis: hertz(), yaxis: axis('|P₁/P₀| [-]', { rangemode: 'tozero' }), shapes }));
+  await draw(place, [...before, trace], layout({ xaxis: hertz(), yaxis: axis('|P₁/P₀| [-]', { rangemode: 'tozero' }), shapes }));
 }
 
-export async function drawGrowth(place, { growth, state }) {
+export async function drawGrowth(place, { growth, state }, ghost) {
   const { warm, soft } = theme();
   const [, blue] = palette();
   const mm = growth.wavelength_m.map((value) => 1e3 * value);
@@ -102,7 +114,9 @@ export async function drawGrowth(place, { growth, state }) {
   // One power of ten for the whole axis, in its title.
   const most = growth.growth_rate_per_passage.reduce((most, rate) => Math.max(most, Math.abs(rate)), 0);
   const unit = 10 ** Math.floor(Math.log10(most || 1));
+  const before = ghost ? [ghostly(ghost.growth.wavelength_m.map((value) => 1e3 * value), ghost.growth.growth_rate_per_passage.map((rate) => rate / unit))] : [];
   const traces = [
+    ...before,
     { ...line(mm, growth.growth_rate_per_passage.map((rate) => rate / unit), '', blue), fill: 'tozeroy', fillcolor: 'rgba(0,114,178,.10)' },
     { type: 'scatter', mode: 'markers', x: lines.map((line) => 1e3 * line.wavelength_m), y: lines.map((line) => line.growth_rate_per_passage / unit), marker: { color: warm, size: 7 }, customdata: lines.map((line) => line.frequency_hz), hovertemplate: '%{x:.3~g} mm · %{customdata:.0f} Hz<extra></extra>' },
   ];

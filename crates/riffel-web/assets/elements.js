@@ -6,6 +6,13 @@ export function element(tag, properties = {}, ...children) {
   return made;
 }
 
+/** Show a field of the case and put the cursor into it. */
+export function lead(input) {
+  input.closest('details').open = true;
+  input.closest('.row').scrollIntoView({ block: 'center' });
+  input.focus();
+}
+
 /** An element with a word of the catalogue, which follows the language. */
 export function worded(tag, word, properties = {}, ...children) {
   const made = element(tag, properties, ...children);

@@ -78,13 +78,13 @@ export class Form {
   // Making it ----------------------------------------------------------------------------------------
 
   #build() {
-    const general = this.#section('general', true);
+    const general = this.#section('general');
     this.place.append(general);
     for (const [key, node] of Object.entries(this.schema.properties)) {
       if (NOT_HERE.includes(key)) continue;
       const resolved = resolve(this.schema, node);
       if (resolved.properties) {
-        const section = this.#section(key, ['track', 'contact'].includes(key));
+        const section = this.#section(key);
         this.#rows(section.lastChild, key, resolved);
         this.place.append(section);
       } else {
@@ -107,10 +107,10 @@ export class Form {
     this.place.append(this.all);
   }
 
-  #section(key, open) {
+  #section(key) {
     const heading = element('summary', {}, element('span', {}));
     heading.firstChild.dataset.name = key;
-    return element('details', { open, className: 'group' }, heading, element('div', { className: 'rows' }));
+    return element('details', { className: 'group' }, heading, element('div', { className: 'rows' }));
   }
 
   #rows(place, parent, node) {
@@ -199,11 +199,15 @@ export class Form {
       for (const value of preset?.values ?? []) {
         bubble.append(element('p', {}, element('b', { textContent: `${nameOf(value.key)} = ${worded(value.value)}` }), ` ${t(value.badge)}. `, spoken('span', value.source)));
       }
+    };
+    // Inside the window, wherever its button is.
+    const place = () => {
       const { left, bottom } = button.getBoundingClientRect();
-      bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - 372))}px`;
-      bubble.style.top = `${Math.min(bottom + 6, innerHeight - 220)}px`;
+      bubble.style.left = `${Math.max(8, Math.min(left, innerWidth - bubble.offsetWidth - 8))}px`;
+      bubble.style.top = `${Math.max(8, Math.min(bottom + 6, innerHeight - bubble.offsetHeight - 8))}px`;
     };
     bubble.addEventListener('beforetoggle', show);
+    bubble.addEventListener('toggle', place);
     let hovering;
     button.addEventListener('pointerenter', (event) => {
       if (event.pointerType === 'mouse') hovering = setTimeout(() => bubble.showPopover(), 150);
@@ -235,7 +239,10 @@ export class Form {
       const value = short(Number((slider.value() / factor).toPrecision(3)));
       this.#change(key, unit ? `${value} ${unit}` : Number(value), `slide ${key}`);
     });
-    this.handles.append(element('div', { className: 'handle' }, label, output, input, note));
+    const ticks = element('datalist', { id: `ticks-${idOf(key)}` });
+    input.setAttribute('list', ticks.id);
+    this.handles.append(element('div', { className: 'handle' }, label, output, input, ticks, note));
+    slider.ticks = ticks;
     this.sliders.set(key, slider);
   }
 
@@ -259,7 +266,7 @@ export class Form {
     this.folded = folded;
     this.idle = folded.filter(Boolean).length;
     [...this.fields.values()].forEach(({ input }, k) => input.closest('.row').classList.toggle('idle', folded[k]));
-    for (const group of this.place.querySelectorAll('.subgroup, .group')) {
+    for (const group of this.place.querySelectorAll('.subgroup, .group:not(#changed)')) {
       group.classList.toggle('idle', ![...group.querySelectorAll('.row')].some((row) => !row.classList.contains('idle')));
     }
     this.#tellIdle();
@@ -268,6 +275,17 @@ export class Form {
   #tellIdle() {
     this.all.hidden = !this.idle;
     this.all.textContent = t(this.place.classList.contains('all-keys') ? 'fold_keys' : 'all_keys', this.idle);
+  }
+
+  /** A tick at each slider where its value would be without what was changed [SI]. */
+  tick(values) {
+    for (const [key, { ticks, place }] of this.sliders) ticks.replaceChildren(...(values[key] > 0 ? [element('option', { value: place(values[key]) })] : []));
+  }
+
+  /** Give a key a value, or none; as by hand. */
+  change(key, value) {
+    this.fields.get(key).typed = null;
+    this.#change(key, value);
   }
 
   #showField(field) {

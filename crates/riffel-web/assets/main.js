@@ -4,18 +4,20 @@ import { Banner } from './banner.js';
 import { theme } from './colors.js';
 import { startBogie } from './bogie.js';
 import { startCompare } from './compare.js';
-import { drawForce, drawGrowth, drawReceptance, drawings } from './curves.js';
+import { drawForce, drawGrowth, drawReceptance, drawings, refit } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
+import { element, lead } from './elements.js';
 import { Form } from './form.js';
-import { said } from './german.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
 import { startMotion } from './motion.js';
+import { Outlook } from './outlook.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { startPrinting } from './printing.js';
 import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
+import { Sidebar } from './sidebar.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
 import { Start } from './start.js';
@@ -23,8 +25,8 @@ import { save, startTakeAway } from './take-away.js';
 import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
-import { readVariants } from './variants.js';
-import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, nameOf, number, power, speed as inUnit, speedsIn, t, translate, unitOfSpeed } from './words.js';
+import { MOST_VARIANTS, ownName, readVariants } from './variants.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, sentence, speed as inUnit, t, told, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -64,10 +66,10 @@ const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point
 view.onZoom = (zoomed) => ($('whole-map').hidden = !zoomed);
 $('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
-const lines = new Line('/api/line', json);
 const points = new Line('/api/point', json);
 
-maps.onCancel = lines.onCancel = points.onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+const onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
+maps.onCancel = points.onCancel = onCancel;
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -85,8 +87,7 @@ function fresh(what) {
 function caseChanged() {
   const keys = structuredClone(state.keys);
   state.current = false;
-  stale('map');
-  stale('point');
+  for (const what of ['map', 'point', 'line', 'remedies']) stale(what);
   maps.ask({ case: { keys } }, (answer) => showMap(answer, keys), (fault) => refuseCase(fault, keys));
   for (const listener of listeners) listener('case');
   saveAddress();
@@ -106,6 +107,7 @@ function showMap({ head, values }, keys) {
   if (maps.pending) stale('map');
   form.show(state.keys, head.complete, state.current);
   form.fold(head.idle);
+  sidebar.show();
   const { wavelength, speed, highest } = state.map;
   const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
   if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
@@ -114,7 +116,7 @@ function showMap({ head, values }, keys) {
   view.show(state.map);
   speedHandle();
   mapWords();
-  askLine();
+  outlook.ask();
   askPoint();
   if (otherTraffic) for (const listener of listeners) listener('traffic');
   for (const listener of listeners) listener('map');
@@ -125,22 +127,9 @@ function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
-  const sentences = [...(state.line ?? []), head.branches_in_words].map((note) => sentence(speedsIn(note[currentLanguage()])));
-  $('verdict').textContent = sentences.join(' ');
-  announce(sentences.join(' '));
-  $('notes').replaceChildren(...head.remarks.map((remark) => Object.assign(document.createElement('li'), { textContent: remark[currentLanguage()] })));
+  $('branches').textContent = sentence(told(head.branches_in_words));
+  $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: told(remark) })));
   $('notes-panel').hidden = !head.remarks.length;
-}
-
-/** What grows fastest under the traffic of the line, asked when its map is shown: that takes longer. */
-function askLine() {
-  $('verdict').classList.add('pale');
-  const show = (notes) => {
-    state.line = notes;
-    $('verdict').classList.toggle('pale', lines.pending || !state.current);
-    mapWords();
-  };
-  lines.ask({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }, ({ notes }) => show(notes), (fault) => show([{ en: fault.message, de: said(fault.message).text }]));
 }
 
 /** The highest growth of the map at the speeds of the traffic; that of the whole map, where nothing grows at these. */
@@ -154,11 +143,6 @@ function highestOfTraffic() {
 
 /** Passages with the time and the gross tonnes that they take. */
 const inWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
-
-/** Words with a capital at the beginning and a full stop. */
-function sentence(words) {
-  return `${words[0].toUpperCase()}${words.slice(1)}.`;
-}
 
 let moved = false;
 function movePoint(point, pinned) {
@@ -188,7 +172,7 @@ function showPoint(at) {
   state.at = at;
   drawPhasors($('phasors'), $('amplitudes'), at.state, inWords);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
-  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(at.reported_growth[currentLanguage()])].filter(Boolean).join(' ');
+  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(told(at.reported_growth))].filter(Boolean).join(' ');
   $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = inUnit(at.state.speed_m_per_s);
   curves();
@@ -211,7 +195,7 @@ async function curves() {
     drawn = state.at;
     for (const [draw, place] of [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']]) {
       await new Promise((done) => setTimeout(done));
-      await draw($(place), drawn);
+      await draw($(place), drawn, ghost);
       if (drawn !== state.at && !maps.idle) break;
     }
   }
@@ -239,9 +223,17 @@ const form = new Form({
     caseChanged();
   },
 });
+const sidebar = new Sidebar($('keys'), { form, state });
 $('case').addEventListener('submit', (event) => event.preventDefault());
 // A drag of a slider is one step, which ends where it is let go.
-$('handles').addEventListener('change', () => steps.settle());
+// The curves of before stay behind those of now, pale, until then.
+let ghost = null;
+$('handles').addEventListener('input', () => (ghost ??= state.at), true);
+$('handles').addEventListener('change', () => {
+  steps.settle();
+  ghost = null;
+  if (state.at) showPoint({ ...state.at });
+});
 
 const traffic = new Traffic($('traffic'), {
   onTrouble: () => showTroubles(),
@@ -260,7 +252,7 @@ function trafficChanged() {
   view.draw();
   if (state.map) {
     state.map.highest = highestOfTraffic();
-    askLine();
+    outlook.ask();
     askPoint();
   }
   for (const listener of listeners) listener('traffic');
@@ -293,8 +285,7 @@ function speedHandle() {
 
 /** A case that is not accepted: each fault at its field, what has no field above the view. */
 async function refuseCase(fault, keys) {
-  stale('map', 0);
-  stale('point', 0);
+  for (const what of ['map', 'point', 'line', 'remedies']) stale(what, 0);
   if (fault.status !== 422 || !fault.key) return complain(fault, { until: 'case' });
   const show = (faults) => {
     const rest = form.refuse(faults);
@@ -331,9 +322,7 @@ function showTroubles() {
 /** Show a field and put the cursor into it, from any view. */
 function leadTo(input) {
   if (state.view === 'paper') showView('explore');
-  input.closest('details').open = true;
-  input.closest('.row').scrollIntoView({ block: 'center' });
-  input.focus();
+  lead(input);
 }
 
 /** Tell a screen reader, but not every step of a slider. */
@@ -455,6 +444,7 @@ function open({ case: keys, variants = state.variants, point, tab, traffic: give
 
 /** Open a case in place of the one at hand, and say so with the way back. */
 function replace(given, text) {
+  sidebar.begin(given.case);
   open(given);
   banner.notice(text, () => step(steps.undo()));
 }
@@ -485,7 +475,11 @@ function showView(name, asStep = false) {
     $(tab.getAttribute('aria-controls')).hidden = !chosen;
   }
   for (const listener of listeners) listener('view');
-  if (name === 'explore' && state.at) curves();
+  refit($(`view-${name}`));
+  if (name === 'explore' && state.at) {
+    curves();
+    outlook.draw();
+  }
   saveAddress(asStep);
 }
 for (const tab of tabs) {
@@ -503,6 +497,7 @@ for (const tab of tabs) {
 
 function redraw() {
   form.reword();
+  sidebar.reword();
   form.show(state.keys, state.head?.complete, state.current);
   traffic.show(traffic.given);
   banner.render();
@@ -511,6 +506,7 @@ function redraw() {
     view.draw();
     mapWords();
     speedHandle();
+    outlook.reword();
   }
   if (state.at) showPoint(state.at);
   for (const listener of listeners) listener('words');
@@ -528,18 +524,44 @@ $('speed-unit').addEventListener('change', (event) => {
   redraw();
 });
 
-/** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic' or 'words' when that has changed. */
+/** The nearest place of the map: growth under the traffic is known a little beyond it. */
+function onMap(place) {
+  const within = (name) => Math.min(Math.max(place[name], state.map[name].min), state.map[name].max);
+  return { wavelength: within('wavelength'), speed: within('speed') };
+}
+
+/** Keep other variants beside the case at hand. */
+function setVariants(variants) {
+  state.variants = variants;
+  record();
+  saveAddress();
+  for (const listener of listeners) listener('variants');
+}
+
+/** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic', 'variants' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, saveAddress, record, replace, showView, leadTo, save,
+  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, setVariants, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
+const outlook = new Outlook($('view-explore'), {
+  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
+  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }),
+  onKeep: (name, keys) => {
+    if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));
+    setVariants([...state.variants, { name: ownName(name, state.variants), case: keys }]);
+    return banner.notice(t('remedy_kept', name), () => step(steps.undo()));
+  },
+});
 const tour = new Tour();
 const start = new Start({
   vocabulary, done: () => tour.begin(),
-  open: (keys) => open({ case: keys, point: null, tab: 'explore' }),
+  open: (keys) => {
+    sidebar.begin(keys);
+    open({ case: keys, point: null, tab: 'explore' });
+  },
 });
-$('view-explore').prepend(start.panel);
+document.querySelector('.stage').before(start.panel);
 shared.listen((what) => what === 'words' && (start.reword(), tour.reword()));
 $('version').textContent = `Riffel ${vocabulary.version}`;
 $('help-start').addEventListener('click', () => {
@@ -572,11 +594,12 @@ const first = link ?? last ?? (isNew ? { ...nominal(), case: start.first } : nom
 Object.assign(state, { keys: first.case, variants: first.variants });
 traffic.show(first.traffic);
 steps.begin(snapshot());
+sidebar.begin(first.case);
 open(first, { asStep: false });
-start.panel.hidden = !isNew;
+if (isNew) start.show();
 if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until: 'closed' });
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !sidebar.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

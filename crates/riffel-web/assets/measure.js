@@ -1,5 +1,6 @@
 // Measure: a file of a measured rail, held against limits and against the case.
 
+import { card } from './causes.js';
 import { Along, metres } from './along.js';
 import { letterSize } from './colors.js';
 import { Columns } from './columns.js';
@@ -267,20 +268,19 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
     notes.replaceChildren(...remarks.map((remark) => item(remark)));
     panels.at(-1).hidden = !remarks.length;
+    translate(dominant);
     drawSpectrum();
     drawMap();
   }
 
   function finding(one) {
     const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}`, lang: currentLanguage() }));
-    const shares = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => {
-      const row = element('div', { className: 'share', title: [...candidate.reasons_for, ...candidate.reasons_against, candidate.source].map(inWords).join('\n') },
-        spoken('span', candidate.mechanism), element('meter', { value: candidate.share, max: 1, ariaLabel: inWords(candidate.mechanism) }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }));
-      return row;
-    });
+    const cards = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => card(candidate.mechanism, [
+      spoken('h4', candidate.mechanism), element('meter', { value: candidate.share, max: 1, ariaLabel: inWords(candidate.mechanism) }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }),
+    ], [candidate.reasons_for, candidate.reasons_against].map((reasons) => reasons.map((reason) => spoken('span', reason))), spoken('span', candidate.measurement)));
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
     const course = one.course ? [element('p', { className: 'aside course', textContent: courseWords(one.course), lang: currentLanguage() })] : [];
-    return element('section', {}, heading, ...where, ...course, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...shares);
+    return element('section', {}, heading, ...where, ...course, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...cards);
   }
 
   /** The wear coefficient that was fitted, in the place of that of the case. */

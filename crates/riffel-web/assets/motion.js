@@ -8,7 +8,7 @@ import { said } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';
-import { caseTitle, currentLanguage, number, speed, t, translate } from './words.js';
+import { caseTitle, currentLanguage, number, speed, t, told, translate } from './words.js';
 
 /** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
 const SWING = 1800;
@@ -82,7 +82,7 @@ export function startMotion({ state, listen, banner, labels, save }) {
       textContent: lost > 0 ? t('wave_apart', { percent: number(100 * lost, 2) }) : t(least < 0.5 ? 'wave_large' : 'wave_small', { share: number(Math.min(...course.normal_force_n) / mean, 2) }),
       lang: currentLanguage(),
     });
-    waveNotes.replaceChildren(...answer.remarks.map((note) => element('li', { textContent: note[currentLanguage()] })));
+    waveNotes.replaceChildren(...answer.remarks.map((note) => element('li', { textContent: told(note) })));
     drawPassage(answer);
   }
 

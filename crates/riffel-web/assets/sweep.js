@@ -48,7 +48,7 @@ export class Sweep {
     });
     this.keep = worded('button', 'sweep_keep', { type: 'button', className: 'plain', id: 'sweep-keep', hidden: true });
     this.keep.addEventListener('click', () => onKeep(this.answer.steps.map(({ name, keys }) => ({ name, case: structuredClone(keys) }))));
-    this.note = element('p', { className: 'fine', hidden: true });
+    this.note = element('p', { className: 'fine' });
     this.plot = element('div', { className: 'curve tall', id: 'sweep-curves', hidden: true });
     this.table = element('table', { className: 'comparison', id: 'sweep-table', hidden: true });
     this.aside = element('span', { className: 'aside' });
@@ -88,8 +88,7 @@ export class Sweep {
     if (!kind || state.view !== 'compare' || !state.map || !state.point) return;
     const complete = state.head?.complete;
     const noPads = kind === 'pads' && complete && (complete.track?.model === 'free-beam' || !si(complete, 'track.pad.stiffness'));
-    this.note.hidden = !noPads;
-    this.note.textContent = noPads ? t('no_pads') : '';
+    this.noPads = noPads;
     if (noPads) {
       this.answer = null;
       return this.show();
@@ -107,6 +106,8 @@ export class Sweep {
   show() {
     const { answer, kind } = this;
     this.plot.hidden = this.table.hidden = !answer;
+    this.note.hidden = Boolean(answer) || (kind && !this.noPads);
+    this.note.textContent = t(kind ? 'no_pads' : 'sweep_comes');
     this.keep.hidden = !answer || kind === 'speeds';
     this.aside.textContent = answer && kind !== 'speeds' ? t('at_speed', inUnit(answer.steps[0].speed)) : '';
     if (!answer) return;

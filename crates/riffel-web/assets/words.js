@@ -24,11 +24,15 @@ const WORDS = {
     gone: 'The program does not answer. Is riffel serve still running?',
     no_pads: 'this track model has no pads', no_turning: 'not used: the wheel turns in a limit',
     from_preset: 'from preset or default', none: '—', sources: 'Sources', measured: 'measured', typical: 'typical', assumed: 'assumed',
+    search_key: 'Search a key', no_key_found: 'No key has this name.', own_values: 'Own values', not_given: 'as it was', back_to: 'Back to',
+    headline: 'What to expect', show_why: 'Why there', show_helps: 'What helps', why_there: 'Why there', traffic_curve: 'Growth under the traffic', no_cause: 'Under the wheel of the case nothing grows at these speeds.', not_known: 'not known',
+    until_doubled: (band) => `the waves will be twice as high${band ? ' (80 % band)' : ''}`, speaks_for: 'For', speaks_against: 'Against', would_settle: 'Would settle it',
+    what_helps: 'What helps', each_alone: 'each alone, under the traffic', remedies_come: 'Remedies come here, ranked by what each does to growth under the traffic.', remedy: 'remedy', growth_changes: 'growth', doubles_in: 'doubles in', keep_remedy: 'Keep as variant', set_traffic: 'To the traffic…', remedy_kept: (name) => `Kept to compare: ${name}.`,
     keep: 'Keep this variant', drop: 'Remove', now: 'Now', difference: 'Difference', first: 'First map', second: 'Second map',
     nothing_kept: 'Keep a variant, then change the case: maps, their difference, growth curves and a table appear here, of up to six variants.',
     most_kept: (n) => `${n} variants are kept: remove one first.`, name_of_variant: 'Name of the variant', open_variant: 'Open', variant_open: (name) => `${name} is open.`,
     report_variants: 'Report of the variants', report_of_variants: 'Riffel: report of variants', opens_variants: 'This link opens the variants in riffel serve.', maps_of_variants: 'Growth maps and their difference',
-    sweep: 'Sweep', sweep_pads: 'Pad stiffness 50–500 MN/m', sweep_friction: 'Friction 0.1–0.6', sweep_tractive: 'Tractive ratio 0.15–0.9', sweep_speeds: 'Speed', sweep_keep: 'Keep these six as variants',
+    sweep: 'Sweep', sweep_comes: 'Choose one: curves of growth over wavelength come here, with a table of the highest growth of each.', sweep_pads: 'Pad stiffness 50–500 MN/m', sweep_friction: 'Friction 0.1–0.6', sweep_tractive: 'Tractive ratio 0.15–0.9', sweep_speeds: 'Speed', sweep_keep: 'Keep these six as variants',
     sweep_columns: ['highest growth rate per passage', 'wavelength there', 'frequency there', 'to double'], at_speed: (v) => `at ${v}`, nothing_grows_here: 'nothing grows', at_edge: 'at the edge of the window', take_figure: 'Save',
     compare_rows: ['grows fastest under the traffic', 'doubles in', 'axle passages to double', 'gross tonnes to double', 'highest growth rate of the map, per passage', 'wavelength there', 'speed there', 'frequency there', 'frequency of the strongest branch', 'creepage', 'contact stiffness'],
     less: 'less growth', more: 'more growth', quoted: (name) => `“${name}”`, untitled: 'case without a title', measured_against: (title) => `Held against the case ${title}.`,
@@ -117,11 +121,15 @@ const WORDS = {
     gone: 'Das Programm antwortet nicht. Läuft riffel serve noch?',
     no_pads: 'dieses Gleismodell hat keine Zwischenlagen', no_turning: 'ohne Wirkung: das Rad dreht in einem Grenzfall',
     from_preset: 'aus Vorgabe', none: '—', sources: 'Quellen', measured: 'gemessen', typical: 'typisch', assumed: 'angenommen',
+    search_key: 'Wert suchen', no_key_found: 'Kein Wert heißt so.', own_values: 'Eigene Werte', not_given: 'wie zuvor', back_to: 'Zurück zu',
+    headline: 'Was zu erwarten ist', show_why: 'Warum dort', show_helps: 'Was hilft', why_there: 'Warum dort', traffic_curve: 'Wachstum im Verkehr', no_cause: 'Unter dem Rad des Falls wächst bei diesen Geschwindigkeiten nichts.', not_known: 'nicht bekannt',
+    until_doubled: (band) => `sind die Wellen doppelt so hoch${band ? ' (80-%-Band)' : ''}`, speaks_for: 'Dafür', speaks_against: 'Dagegen', would_settle: 'Das entscheidet',
+    what_helps: 'Was hilft', each_alone: 'jedes allein, im Verkehr', remedies_come: 'Hier erscheinen Maßnahmen, geordnet nach ihrer Wirkung auf das Wachstum im Verkehr.', remedy: 'Maßnahme', growth_changes: 'Wachstum', doubles_in: 'verdoppelt sich in', keep_remedy: 'Als Variante merken', set_traffic: 'Zum Verkehr…', remedy_kept: (name) => `Zum Vergleich gemerkt: ${name}.`,
     keep: 'Diese Variante merken', drop: 'Entfernen', now: 'Jetzt', difference: 'Unterschied', first: 'Erste Karte', second: 'Zweite Karte',
     nothing_kept: 'Eine Variante merken und den Fall ändern: hier erscheinen Karten, ihr Unterschied, Wachstumskurven und eine Tabelle von bis zu sechs Varianten.',
     most_kept: (n) => `${n} Varianten sind gemerkt: erst eine entfernen.`, name_of_variant: 'Name der Variante', open_variant: 'Öffnen', variant_open: (name) => `${name} ist geöffnet.`,
     report_variants: 'Bericht der Varianten', report_of_variants: 'Riffel: Bericht von Varianten', opens_variants: 'Dieser Link öffnet die Varianten in riffel serve.', maps_of_variants: 'Wachstumskarten und ihr Unterschied',
-    sweep: 'Durchlauf', sweep_pads: 'Steifigkeit der Zwischenlagen 50–500 MN/m', sweep_friction: 'Reibung 0,1–0,6', sweep_tractive: 'Kraftschlussausnutzung 0,15–0,9', sweep_speeds: 'Geschwindigkeit', sweep_keep: 'Diese sechs als Varianten merken',
+    sweep: 'Durchlauf', sweep_comes: 'Eines wählen: Hier erscheinen Wachstumskurven über der Wellenlänge und eine Tabelle des höchsten Wachstums.', sweep_pads: 'Steifigkeit der Zwischenlagen 50–500 MN/m', sweep_friction: 'Reibung 0,1–0,6', sweep_tractive: 'Kraftschlussausnutzung 0,15–0,9', sweep_speeds: 'Geschwindigkeit', sweep_keep: 'Diese sechs als Varianten merken',
     sweep_columns: ['höchste Wachstumsrate je Überrollung', 'Wellenlänge dort', 'Frequenz dort', 'bis zur Verdopplung'], at_speed: (v) => `bei ${v}`, nothing_grows_here: 'nichts wächst', at_edge: 'am Rand des Fensters', take_figure: 'Sichern',
     compare_rows: ['wächst am schnellsten im Verkehr', 'verdoppelt sich in', 'Überrollungen bis zur Verdopplung', 'Tonnen bis zur Verdopplung', 'höchste Wachstumsrate der Karte, je Überrollung', 'Wellenlänge dort', 'Geschwindigkeit dort', 'Frequenz dort', 'Frequenz des stärksten Astes', 'Schlupf', 'Kontaktsteifigkeit'],
     less: 'weniger Wachstum', more: 'mehr Wachstum', quoted: (name) => `„${name}“`, untitled: 'Fall ohne Titel', measured_against: (title) => `Verglichen mit dem Fall ${title}.`,
@@ -338,6 +346,10 @@ export const speedsIn = (sentence) => (speedUnit === 'km/h' ? sentence : sentenc
   const converted = ends.slice(0, 2).filter(Boolean).map((end) => number(Number(end.replace(',', '.')) / 3.6 / SPEED_UNITS[speedUnit]));
   return `${converted.join('–')} ${speedUnit}`;
 }));
+
+/** A remark of the program, which comes in every language, and as a sentence. */
+export const told = (note) => speedsIn(note[language]);
+export const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
 
 /** A number as it stands in a case, with the comma of the language. */
 export const written = (text) => (language === 'de' ? String(text).replace(/(\d)\.(\d)/g, '$1,$2') : String(text));

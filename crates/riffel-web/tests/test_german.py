@@ -46,7 +46,7 @@ def test_a_measured_rail_is_judged_in_german(open_page, tmp_path):
     assert "Höhen fehlen" in told and "Schiene rechts liegt vorn: jetzt über der Grenze" in told
     assert english(told) == []
     assert '"das Rad des Falls"' in told and "the wheel of the case" not in told
-    reasons = page.page.locator(".share").evaluate_all("(all) => all.map(({ title }) => title)")
+    reasons = page.page.locator("#view-measure .card dd").all_inner_texts()
     assert any("gemessen 40,0 mm" in reason for reason in reasons)
     assert english("\n".join(reasons)) == []
     with page.page.expect_download() as download:
@@ -95,7 +95,7 @@ def test_what_is_said_of_a_case_is_german(open_page, name):
     page = open_page(locale="de-DE")
     open_case(page, (ROOT / f"cases/{name}.toml").read_text(), f"{name}.toml")
     page.settle()
-    told = [page.text(place) for place in ("#why", "#verdict", "#notes") if page.page.locator(place).is_visible()]
+    told = [page.text(place) for place in ("#why", "#verdict", "#branches", "#cause", "#remedies-panel", "#notes") if page.page.locator(place).is_visible()]
     assert told and english("\n".join(told)) == []
     page.page.click("#tab-compare")
     page.page.click("#keep")

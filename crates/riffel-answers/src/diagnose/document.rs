@@ -88,6 +88,8 @@ struct CandidateDocument {
     reasons_against: Vec<String>,
     source: &'static str,
     validity: &'static str,
+    /// What would settle it.
+    measurement: String,
 }
 
 /// What the shares mean, for every reader of them.
@@ -188,6 +190,7 @@ impl CandidateDocument {
             reasons_against: candidate.reasons_against.clone(),
             source: candidate.kind.source(),
             validity: candidate.kind.validity(),
+            measurement: candidate.kind.settled_by(),
         }
     }
 }

@@ -14,7 +14,7 @@ use serde::Serialize;
 ///
 /// Growth is highest where phases have turned, some per cent beside the resonance that turns them; the resonances of one
 /// track lie farther apart than this. The share is a choice: a branch beyond it has no name rather than a wrong one.
-const NEAR: f64 = 0.10;
+pub(crate) const NEAR: f64 = 0.10;
 /// The same for natural modes of the wheelset, which have little damping and lie closer together.
 const NEAR_MODE: f64 = 0.05;
 /// Branches whose frequencies are nearer to one another by ratio are pieces of one line: a map of coarse speeds parts it, and so
@@ -108,13 +108,8 @@ impl BranchDocument {
     fn new(branch: &RidgeBranch, resonances: &[(MechanismKind, f64)]) -> Self {
         let frequency_hz = branch.frequency();
         let only_at_edge = branch.only_at_edge();
-        let distance =
-            |(_, frequency): &(MechanismKind, f64)| (frequency / frequency_hz - 1.0).abs();
-        let kind = resonances
-            .iter()
-            .filter(|resonance| !only_at_edge && distance(resonance) <= near(resonance.0))
-            .min_by(|a, b| distance(a).total_cmp(&distance(b)))
-            .map(|(kind, _)| *kind);
+        let kind = nearest(resonances, frequency_hz).filter(|_| !only_at_edge);
+        let kind = kind.map(|(kind, _)| kind);
         Self {
             frequency_hz,
             speed_m_per_s: branch.speeds().into(),
@@ -137,7 +132,9 @@ impl BranchDocument {
             }
         };
         let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
-        let mechanism = self.kind.map(|kind| say!(before_comma, words = name(kind)));
+        let mechanism = self
+            .kind
+            .map(|kind| say!(before_comma, words = mechanism_name(kind)));
         let edge = self.only_at_edge.then(|| say!(at_edge_of_window));
         say!(
             branch,
@@ -195,6 +192,18 @@ fn share(ratio: f64) -> Value {
     }
 }
 
+/// The resonance that a frequency \[Hz\] is named by; none where none is near.
+pub(crate) fn nearest(
+    resonances: &[(MechanismKind, f64)],
+    frequency: f64,
+) -> Option<(MechanismKind, f64)> {
+    let distance = |resonance: &(MechanismKind, f64)| (resonance.1 / frequency - 1.0).abs();
+    let named = resonances.iter().copied();
+    named
+        .filter(|resonance| distance(resonance) <= near(resonance.0))
+        .min_by(|a, b| distance(a).total_cmp(&distance(b)))
+}
+
 /// How near a branch must be to a resonance that it is named by, as a share of its frequency.
 fn near(kind: MechanismKind) -> f64 {
     match kind {
@@ -205,7 +214,7 @@ fn near(kind: MechanismKind) -> f64 {
 
 /// The frequencies of the case that its loop can follow \[Hz\]: those of the track vertically, and those at which its
 /// wheelset twists or bends.
-fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
+pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     let vertical = |kind: MechanismKind| kind != MechanismKind::LateralPinnedPinned;
     let (mechanisms, _) = case.mechanisms();
     let of_track = mechanisms
@@ -229,7 +238,7 @@ fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
 }
 
 /// The name of a mechanism; in English alone where it has no other.
-fn name(kind: MechanismKind) -> Message {
+pub(crate) fn mechanism_name(kind: MechanismKind) -> Message {
     match kind {
         MechanismKind::P2 => say!(mechanism_p2),
         MechanismKind::WheelsetTorsion => say!(mechanism_wheelset_torsion),
@@ -268,8 +277,8 @@ mod tests {
             MechanismKind::GivenPeak,
             MechanismKind::GivenDip,
         ] {
-            assert_eq!(name(kind).text(Language::English), kind.name());
-            assert_ne!(name(kind).text(Language::German), kind.name());
+            assert_eq!(mechanism_name(kind).text(Language::English), kind.name());
+            assert_ne!(mechanism_name(kind).text(Language::German), kind.name());
         }
     }
 }

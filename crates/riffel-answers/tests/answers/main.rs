@@ -3,8 +3,10 @@
 mod all_axes;
 mod axlebox;
 mod branches;
+mod cause;
 mod comparison;
 mod forecast;
 mod line_growth;
 mod motions;
+mod remedies;
 mod shakedown;

@@ -176,6 +176,7 @@ fn models(text: &str) -> Result<Models, UnknownModel> {
         title = \"soft pads, slower\"\n  [track]\n  pad = { stiffness = \"120 MN/m\" }\n  [speed]\n  factor = 0.8\n\n\
         [speed] takes mean or factor, and standard_deviation. What lasts longest after grinding: \
         riffel compare case.toml --with soft-pads.toml --traffic traffic.toml --from-limit \"-6 dB\"\n\n\
+        What helps most: riffel compare case.toml --remedies\n\n\
         The same case by the models of the field: riffel compare case.toml --models --speed \"100 km/h\""
 )]
 pub(crate) struct Compare {
@@ -183,8 +184,15 @@ pub(crate) struct Compare {
     pub(crate) case: CaseArguments,
 
     /// File of changes to the case and its speeds; may be repeated.
-    #[arg(long = "with", value_name = "TOML", required_unless_present = "models")]
+    #[arg(long = "with", value_name = "TOML", required_unless_present_any = ["models", "remedies"])]
     pub(crate) variants: Vec<PathBuf>,
+
+    /// Remedies in place of variants: those that the case has keys for, ranked by what each does to growth.
+    #[arg(long, conflicts_with_all = [
+        "variants", "models", "speed", "posterior", "hold", "spectrum", "ground", "from_limit", "format", "spacing",
+        "height_unit", "position_unit", "rail", "from", "to", "choose", "limit",
+    ])]
+    pub(crate) remedies: bool,
 
     /// The case by models of the field in place of variants: all that fit, or those named, as in --models
     /// grassie-johnson-1985,riffel.

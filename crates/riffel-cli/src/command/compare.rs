@@ -22,6 +22,9 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     if let Some(Models(models)) = &arguments.models {
         return super::models::run(arguments, models);
     }
+    if arguments.remedies {
+        return super::remedies::run(arguments);
+    }
     let survey = match &arguments.spectrum {
         Some(path) => Some(survey(path, &arguments.layout)?),
         None => None,

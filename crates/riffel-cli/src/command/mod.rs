@@ -21,6 +21,7 @@ pub(crate) mod point;
 pub(crate) mod presets;
 pub(crate) mod profile;
 pub(crate) mod receptance;
+mod remedies;
 pub(crate) mod report;
 pub(crate) mod roughness;
 pub(crate) mod schema;

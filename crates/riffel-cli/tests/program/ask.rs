@@ -54,6 +54,16 @@ fn the_answer_is_that_of_the_command() {
     });
     let command = "point cases/nominal.toml --set contact.friction=0.3 --wavelength '56 mm' --speed 30 --json";
     assert_eq!(answer(&sandbox, "point", &point), sandbox.json(command));
+    let remedies = json!({ "case": "cases/nominal.toml", "remedies": true });
+    let ranked = answer(&sandbox, "compare", &remedies);
+    assert_eq!(
+        ranked,
+        sandbox.json("compare cases/nominal.toml --remedies --json")
+    );
+    assert_eq!(
+        ranked["remedies"][0]["changes"][0]["key"],
+        "speed.standard_deviation"
+    );
     let presets = answer(&sandbox, "presets", &json!({ "name": "60E1" }));
     assert_eq!(presets, sandbox.json("presets 60E1 --json"));
 }

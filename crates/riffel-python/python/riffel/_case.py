@@ -627,7 +627,8 @@ class Case:
         -------
         dict
             ``under_traffic`` of ``riffel map --json``: ``usual_traffic_of``, ``speeds_m_per_s``, ``passages_per_day``, ``fastest``,
-            None where nothing grows, with the band of the wear coefficient, and ``remarks``, the answer in sentences first.
+            None where nothing grows, with the band of the wear coefficient, ``cause``, the resonance that it follows with the evidence,
+            and ``remarks``, the answer in sentences first.
 
         Examples
         --------

@@ -53,21 +53,8 @@ pub fn tell_apart(
             "Time: repeat this record ({when}). Corrugation rises, a grinding mark falls."
         ));
     }
-    for candidate in &worth {
-        measurements.push(format!(
-            "{}: {}.",
-            capital(candidate.kind.name()),
-            candidate.kind.own_measurement()
-        ));
-    }
+    measurements.extend(worth.iter().map(|candidate| candidate.kind.settled_by()));
     measurements
-}
-
-fn capital(words: &str) -> String {
-    let mut letters = words.chars();
-    letters.next().map_or_else(String::new, |first| {
-        first.to_uppercase().chain(letters).collect()
-    })
 }
 
 #[cfg(test)]

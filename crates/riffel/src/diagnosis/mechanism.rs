@@ -168,8 +168,18 @@ impl MechanismKind {
         }
     }
 
+    /// Its name with the measurement that would settle it, as a sentence.
+    pub fn settled_by(self) -> String {
+        let (first, rest) = self.name().split_at(1);
+        format!(
+            "{}{rest}: {}.",
+            first.to_uppercase(),
+            self.own_measurement()
+        )
+    }
+
     /// The measurement that is its own.
-    pub(super) fn own_measurement(self) -> &'static str {
+    fn own_measurement(self) -> &'static str {
         match self {
             Self::GrowthRidge => {
                 "friction or speed: friction management or a spread of speeds lowers its growth (compare maps with --set)"

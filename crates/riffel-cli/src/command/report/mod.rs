@@ -490,6 +490,7 @@ fn what_if(
         case: given.arguments(),
         variants: arguments.variants.clone(),
         models: None,
+        remedies: false,
         speed: now
             .filter(|_| traffic.is_none())
             .map(|now| Quantity::new(now.speed).into()),

@@ -1,0 +1,357 @@
+//! What would slow growth under a traffic: the remedies that a case has keys for, ranked by what they do.
+
+use riffel::forecast::SpeedDistribution;
+use riffel_case::traffic::{Traffic, UsualTraffic};
+use riffel_case::{Case, Hold, Variant};
+use riffel_keys::{CaseError, Message, fixed, number, say, significant_digits};
+use riffel_plot::{LineFigure, Series};
+use serde::Serialize;
+
+use crate::forecast::{per_million, rate_panel, zero};
+use crate::{Answer, Column, FastestGrowth, LineGrowth, Table};
+
+/// Friction of a treated rail: chosen, that of a friction modifier which works well.
+const TREATED_FRICTION: f64 = 0.25;
+/// What rail dampers add to the loss factor of the rail: chosen.
+const RAIL_DAMPERS: f64 = 0.1;
+/// How much more widely speeds are spread: chosen.
+const WIDER: f64 = 1.5;
+/// Standard deviation of a speed as a share of the mean, at most: a normal distribution with more reaches standstill.
+const WIDEST: f64 = 0.24;
+
+/// The remedies of a case under a traffic, the one that helps most first.
+#[derive(Serialize)]
+pub struct RemediesAnswer {
+    riffel_version: &'static str,
+    /// As it is.
+    pub under_traffic: LineGrowth,
+    /// What the remedies do; none where nothing grows.
+    pub remedies: Vec<Remedy>,
+    /// What is no remedy here, and why.
+    pub left_out: Vec<LeftOut>,
+    /// What the reader should know.
+    pub remarks: Vec<Message>,
+}
+
+/// A remedy with what it does to growth.
+#[derive(Serialize)]
+pub struct Remedy {
+    /// What is done.
+    pub title: Message,
+    /// Keys of a file of changes, dotted, with their values in SI: of the case, or of the speeds.
+    pub changes: Vec<Change>,
+    /// Of the growth rate of the fastest wavelength, relative to the case as it is; −1 where nothing grows.
+    pub change_of_fastest_growth: f64,
+    /// What then grows fastest; none where nothing does.
+    pub fastest: Option<FastestGrowth>,
+    #[serde(skip)]
+    curve: Vec<[f64; 2]>,
+}
+
+/// A key with its value.
+#[derive(Clone, Serialize)]
+pub struct Change {
+    key: &'static str,
+    value: f64,
+}
+
+/// A remedy that the case has no number for.
+#[derive(Serialize)]
+pub struct LeftOut {
+    /// What would be done.
+    pub title: Message,
+    /// Why it is left out.
+    pub reason: Message,
+}
+
+/// One key changed, or why it cannot be.
+struct Step {
+    title: Message,
+    key: &'static str,
+    value: Result<f64, Message>,
+}
+
+impl Step {
+    /// What it changes, and what becomes of growth.
+    fn taken(&self, case: &Case, traffic: &Traffic) -> Result<(Vec<Change>, LineGrowth), Message> {
+        let (key, value) = (self.key, self.value.clone()?);
+        if case.idle_because(key).is_some() {
+            return Err(say!(remedy_has_no_effect, key = key));
+        }
+        let mut changes = vec![Change { key, value }];
+        let variant = Variant::parse("remedy", &format!("{key} = {value:?}\n"));
+        let growth = variant.and_then(|mut variant| {
+            if key == "contact.friction" && keeps_force(case) {
+                variant.hold = Some(Hold::Force);
+                let value = case.steady.tractive_ratio() * case.file.contact.friction.si() / value;
+                let key = "contact.tractive_ratio";
+                changes.push(Change { key, value });
+            }
+            LineGrowth::under(case, traffic, &variant)
+        });
+        match growth {
+            Ok(growth) => Ok((changes, growth)),
+            Err(_) => Err(say!(remedy_is_refused)),
+        }
+    }
+}
+
+/// Trains pull and brake as before on another friction, unless a curve or the case itself sets the creepage.
+fn keeps_force(case: &Case) -> bool {
+    case.file.contact.creepage.is_none() && case.file.contact.from.is_none()
+}
+
+impl RemediesAnswer {
+    /// The remedies of a case under a traffic, or else under the usual one of its line. `progress` is told of each.
+    ///
+    /// # Errors
+    /// [`CaseError`] as of [`LineGrowth::new`].
+    pub fn new(
+        case: &Case,
+        traffic: Option<&Traffic>,
+        progress: &(dyn Fn(usize) + Sync),
+    ) -> Result<Self, CaseError> {
+        let under_traffic = LineGrowth::new(case, traffic)?;
+        let mut answer = Self {
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            remedies: Vec::new(),
+            left_out: Vec::new(),
+            remarks: Vec::new(),
+            under_traffic,
+        };
+        let Some(before) = answer.under_traffic.fastest else {
+            return Ok(answer);
+        };
+        let usual = match traffic {
+            Some(traffic) => traffic.clone(),
+            None => UsualTraffic::of(case).traffic()?,
+        };
+        for step in steps(case, &usual) {
+            progress(1);
+            let taken = step.taken(case, &usual);
+            let Step { title, key, .. } = step;
+            let (changes, growth) = match taken {
+                Ok(taken) => taken,
+                Err(reason) => {
+                    answer.left_out.push(LeftOut { title, reason });
+                    continue;
+                }
+            };
+            let after = |fastest: FastestGrowth| fastest.growth_rate_per_passage;
+            let change = growth.fastest.map_or(0.0, after) / before.growth_rate_per_passage - 1.0;
+            if change == 0.0 {
+                let reason = say!(remedy_has_no_effect, key = key);
+                answer.left_out.push(LeftOut { title, reason });
+                continue;
+            }
+            answer
+                .remarks
+                .extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
+            answer.remedies.push(Remedy {
+                title,
+                changes,
+                change_of_fastest_growth: change,
+                fastest: growth.fastest,
+                curve: growth.curve,
+            });
+        }
+        let effect = |remedy: &Remedy| remedy.change_of_fastest_growth;
+        answer
+            .remedies
+            .sort_by(|a, b| effect(a).total_cmp(&effect(b)));
+        answer.left_out.push(LeftOut {
+            title: say!(more_grinding),
+            reason: say!(grinding_leaves_growth, time = before.time()),
+        });
+        answer.remarks.push(say!(steps_are_chosen));
+        Ok(answer)
+    }
+
+    /// How many steps there are at most, for whom waits.
+    pub fn steps(case: &Case) -> usize {
+        UsualTraffic::of(case)
+            .traffic()
+            .map_or(0, |usual| steps(case, &usual).len())
+    }
+
+    /// What helps most, in one sentence; none where nothing grows.
+    pub fn helps_most(&self) -> Option<Message> {
+        self.under_traffic.fastest?;
+        let best = self.remedies.first();
+        let Some(best) = best.filter(|best| best.change_of_fastest_growth < 0.0) else {
+            return Some(say!(helps_nothing));
+        };
+        let title = best.title.clone();
+        Some(match best.fastest {
+            Some(fastest) => say!(
+                helps_most,
+                title = title,
+                percent = fixed(-100.0 * best.change_of_fastest_growth, 0),
+                time = fastest.time()
+            ),
+            None => say!(helps_most_of_all, title = title),
+        })
+    }
+}
+
+impl Remedy {
+    /// In what growth then doubles.
+    pub fn doubles_in(&self) -> Message {
+        self.fastest
+            .map_or_else(|| say!(nothing_grows_then), |fastest| fastest.time())
+    }
+}
+
+/// Keys and values, to four digits: "track.pad.stiffness = 3e7".
+fn in_words(changes: &[Change]) -> String {
+    let words = changes.iter().map(|Change { key, value }| match *value {
+        value if value < 1e5 => {
+            // Without zeros at the end.
+            let rounded = significant_digits(value, 4).parse().unwrap_or(value);
+            format!("{key} = {rounded}")
+        }
+        value => format!("{key} = {value:e}"),
+    });
+    words.collect::<Vec<_>>().join(", ")
+}
+
+/// What is changed, one key at a time.
+fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
+    let file = &case.file;
+    let times = |title: Message, key: &'static str, value: Option<f64>, factor: f64| Step {
+        title,
+        key,
+        value: value
+            .map(|value| factor * value)
+            .ok_or_else(|| say!(remedy_lacks_key, key = key)),
+    };
+    let stiffness = |support: &Option<riffel_case::file::Support>| {
+        support.as_ref()?.stiffness.map(|stiffness| stiffness.si())
+    };
+    let pad = stiffness(&file.track.pad);
+    let (mass_key, mass) = match &file.wheelset {
+        Some(wheelset) => ("wheelset.mass", wheelset.mass),
+        None => ("wheel.mass", file.wheel.mass),
+    };
+    let loss = file.rail.loss_factor.map_or(0.0, |loss| loss.si());
+    let friction = file.contact.friction.si();
+    let speeds = traffic.speeds().iter();
+    let widest = speeds
+        .clone()
+        .map(SpeedDistribution::deviation)
+        .fold(0.0, f64::max);
+    let slowest = speeds
+        .map(SpeedDistribution::mean)
+        .fold(f64::INFINITY, f64::min);
+    let wider = (WIDER * widest).clamp(0.1 * slowest, WIDEST * slowest);
+    let own = |title: Message, key: &'static str, value: f64| times(title, key, Some(value), 1.0);
+    vec![
+        times(say!(softer_pads), "track.pad.stiffness", pad, 0.5),
+        times(say!(stiffer_pads), "track.pad.stiffness", pad, 2.0),
+        times(
+            say!(softer_ballast),
+            "track.ballast.stiffness",
+            stiffness(&file.track.ballast),
+            0.5,
+        ),
+        own(
+            say!(more_rail_loss, loss = number(RAIL_DAMPERS)),
+            "rail.loss_factor",
+            loss + RAIL_DAMPERS,
+        ),
+        Step {
+            title: say!(friction_treatment, friction = number(TREATED_FRICTION)),
+            key: "contact.friction",
+            value: match friction > TREATED_FRICTION {
+                true => Ok(TREATED_FRICTION),
+                false => Err(say!(friction_is_low, friction = number(friction))),
+            },
+        },
+        times(
+            say!(lighter_wheel),
+            mass_key,
+            mass.map(|mass| mass.si()),
+            0.8,
+        ),
+        Step {
+            title: say!(wider_speeds),
+            key: "speed.standard_deviation",
+            value: match wider > 1.05 * widest {
+                true => Ok(wider),
+                false => Err(say!(speeds_are_wide)),
+            },
+        },
+        own(say!(slower_trains), "speed.factor", 0.8),
+    ]
+}
+
+impl Answer for RemediesAnswer {
+    const NAME: &'static str = "remedies";
+
+    fn introduction(&self) -> Vec<Message> {
+        self.under_traffic.remarks.clone()
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        let of = |value: &dyn Fn(&Remedy) -> Message| self.remedies.iter().map(value).collect();
+        let numbers = |value: fn(&Remedy) -> Option<f64>| self.remedies.iter().map(value);
+        let change = numbers(|it| Some(100.0 * it.change_of_fastest_growth));
+        let months = numbers(|it| it.fastest?.doubling_months).collect();
+        let rates = numbers(|it| Some(it.fastest?.growth_rate_per_passage)).collect();
+        vec![Table {
+            name: "remedies",
+            columns: vec![
+                Column::words("remedy", say!(remedy_column), of(&|it| it.title.clone())),
+                Column::words(
+                    "change",
+                    say!(remedy_changes_column),
+                    of(&|it| Message::verbatim(in_words(&it.changes))),
+                ),
+                Column::fixed(
+                    "growth_change_percent",
+                    say!(growth_change_column),
+                    change,
+                    0,
+                ),
+                Column::shown(say!(doubles_in_column), of(&Remedy::doubles_in)),
+                Column::optional("doubling_months", months),
+                Column::optional("growth_rate_per_passage", rates),
+            ],
+        }]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let left_out = self.left_out.iter().map(|LeftOut { title, reason }| {
+            say!(left_out_for, title = title.clone(), reason = reason.clone())
+        });
+        self.helps_most().into_iter().chain(left_out).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        let line = |label: String, curve: &[[f64; 2]]| Series {
+            label,
+            x: curve
+                .iter()
+                .map(|[wavelength, _]| 1e3 * wavelength)
+                .collect(),
+            y: curve.iter().map(|[_, rate]| per_million(*rate)).collect(),
+            ..Series::default()
+        };
+        let as_it_is = line("as it is".to_owned(), &self.under_traffic.curve);
+        let floor = zero(&as_it_is.x);
+        let remedies = self.remedies.iter();
+        let remedies = remedies.map(|it| line(it.title.to_string(), &it.curve));
+        let series = std::iter::once(as_it_is).chain(remedies).chain([floor]);
+        LineFigure {
+            title: "Remedies".to_owned(),
+            caption: "Growth of the level by wavelength, positive where corrugation grows."
+                .to_owned(),
+            panels: vec![rate_panel(series.collect())],
+            ..LineFigure::default()
+        }
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}

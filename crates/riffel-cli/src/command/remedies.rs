@@ -1,0 +1,23 @@
+//! `riffel compare --remedies`
+
+use riffel_answers::remedies::RemediesAnswer;
+use riffel_case::traffic::Traffic;
+
+use crate::arguments::Compare;
+use crate::output::Progress;
+use crate::results::Results;
+
+pub(super) fn run(arguments: &Compare) -> miette::Result<()> {
+    let case = arguments.case.read()?;
+    let traffic = arguments.traffic.as_deref().map(Traffic::read);
+    let traffic = traffic.transpose()?;
+    let progress = Progress::new("growth with remedies", RemediesAnswer::steps(&case));
+    let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|by| progress.advance(by))?;
+    drop(progress);
+    let results = Results {
+        command: "remedies",
+        case: &arguments.case,
+        to: &arguments.results,
+    };
+    Ok(results.answer(&answer)?)
+}

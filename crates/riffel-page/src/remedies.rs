@@ -1,0 +1,62 @@
+//! `POST /api/remedies`: what would slow growth under the traffic of the line.
+
+use riffel_answers::remedies::{RemediesAnswer, Remedy};
+use serde::{Deserialize, Serialize};
+
+use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+    /// The traffic of the line; none, and it is the usual one.
+    #[serde(default)]
+    traffic: Option<Traffic>,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    helps_most: Option<Note>,
+    remedies: Vec<Ranked<'a>>,
+    left_out: Vec<LeftOut>,
+    notes: Vec<Note>,
+}
+
+#[derive(Serialize)]
+struct Ranked<'a> {
+    name: Note,
+    doubles_in: Note,
+    #[serde(flatten)]
+    remedy: &'a Remedy,
+}
+
+#[derive(Serialize)]
+struct LeftOut {
+    title: Note,
+    reason: Note,
+}
+
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("remedies".to_owned())
+    }
+
+    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+        let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
+        let answer = RemediesAnswer::new(&self.case.read()?, traffic.as_ref(), &|_| ())?;
+        let ranked = answer.remedies.iter().map(|remedy| Ranked {
+            name: Note::from(&remedy.title),
+            doubles_in: Note::from(&remedy.doubles_in()),
+            remedy,
+        });
+        let left_out = answer.left_out.iter().map(|it| LeftOut {
+            title: Note::from(&it.title),
+            reason: Note::from(&it.reason),
+        });
+        Reply::json(&Answer {
+            helps_most: answer.helps_most().as_ref().map(Note::from),
+            remedies: ranked.collect(),
+            left_out: left_out.collect(),
+            notes: Note::all(&answer.remarks),
+        })
+    }
+}

@@ -1,0 +1,119 @@
+// The headline: what grows fastest under the traffic and in what time, what it follows, and what helps most.
+
+import { card } from './causes.js';
+import { drawCurves } from './sweep.js';
+import { palette } from './curves.js';
+import { element, worded } from './elements.js';
+import { offer } from './figures.js';
+import { said } from './german.js';
+import { Remedies } from './remedies.js';
+import { Line, json } from './server.js';
+import { sentence, t, told, translate } from './words.js';
+
+/** Remedies are asked for when nothing has changed for so long [ms]: they take as long as eight headlines. */
+const CALM = 400;
+
+export class Outlook {
+  /** `question` is the case with its traffic; `onPlace` takes a place of the map, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
+  constructor(view, { state, question, onPlace, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
+    Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
+    this.line.onCancel = this.ranking.onCancel = onCancel;
+    this.remedies = new Remedies({ state, save, ...ways });
+    this.large = element('strong', { id: 'doubling' });
+    this.until = element('small', {});
+    this.verdict = element('p', { className: 'verdict', id: 'verdict' });
+    const why = worded('button', 'show_why', { type: 'button', className: 'plain small', id: 'show-why' });
+    why.addEventListener('click', () => this.#lead());
+    const helps = worded('button', 'show_helps', { type: 'button', className: 'plain small', id: 'show-helps' });
+    helps.addEventListener('click', () => this.remedies.panel.scrollIntoView({ block: 'center' }));
+    const buttons = element('div', { className: 'buttons' }, why, helps);
+    this.why = why;
+    this.headline = element('article', { className: 'panel wide headline of-line', id: 'headline' }, worded('h2', 'headline', { className: 'away' }), element('p', { className: 'large' }, this.large, this.until), element('div', {}, this.verdict, buttons));
+    this.cause = element('div', { id: 'cause' });
+    this.curve = element('div', { className: 'curve', id: 'traffic-curve' });
+    const header = element('header', {}, worded('h2', 'why_there'));
+    offer(header, () => (this.answer ? { name: 'growth-under-traffic', plot: this.curve } : null), save);
+    this.panel = element('article', { className: 'panel of-line', id: 'cause-panel', tabIndex: -1 }, header, this.cause, worded('h3', 'traffic_curve'), this.curve);
+    view.prepend(this.headline);
+    view.querySelector('.loop-panel').after(this.panel, this.remedies.panel);
+  }
+
+  /** Ask anew; both answers of before pale. */
+  ask() {
+    this.stale('line');
+    this.stale('remedies');
+    clearTimeout(this.calm);
+    const show = (answer) => {
+      this.#show(answer);
+      if (!this.line.pending && this.state.current) this.fresh('line');
+    };
+    this.line.ask(this.question(), (answer) => {
+      show(answer);
+      clearTimeout(this.calm);
+      this.calm = setTimeout(() => this.#rank(), CALM);
+    }, (fault) => show({ notes: [{ en: fault.message, de: said(fault.message).text }], fault }));
+  }
+
+  /** Whether remedies are still to be asked for. */
+  get isWaiting() {
+    return Boolean(this.calm);
+  }
+
+  #rank() {
+    this.calm = null;
+    if (!this.state.current) return;
+    this.ranking.ask(this.question(), (answer) => {
+      if (this.calm || this.ranking.pending) return;
+      this.remedies.show(answer);
+      this.fresh('remedies');
+      this.#tell();
+    }, (fault) => this.onFault(fault));
+  }
+
+  #show(answer) {
+    this.answer = answer;
+    this.remedies.answer = null;
+    this.#tell();
+    this.announce(this.verdict.textContent);
+  }
+
+  #tell() {
+    const { answer } = this;
+    if (!answer) return;
+    const { fastest, doubles_in: time, cause, card: evidence } = answer;
+    const helps = this.remedies.answer?.helps_most;
+    this.verdict.textContent = [...answer.notes, ...(helps ? [helps] : [])].map((note) => sentence(told(note))).join(' ');
+    this.large.textContent = time ? `In ${told(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
+    this.why.hidden = !cause;
+    this.cause.replaceChildren(evidence ? this.#card(cause, evidence) : element('p', { className: 'why', textContent: t(answer.fault ? 'not_known' : 'no_cause') }));
+    translate(this.panel);
+    this.draw();
+  }
+
+  #card(cause, { title, evidence_for: own, evidence_against: others }) {
+    const items = (notes) => notes.map((note) => sentence(told(note)));
+    const { text, language } = said(cause.measurement);
+    return card(cause.mechanism, [element('h3', { textContent: told(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
+  }
+
+  /** The evidence: the place on the map and the panel beside it. */
+  #lead() {
+    const { wavelength_m: wavelength, speed_m_per_s: speed } = this.answer.cause;
+    this.onPlace({ wavelength, speed });
+    this.panel.scrollIntoView({ block: 'nearest' });
+    this.panel.focus({ preventScroll: true });
+  }
+
+  draw() {
+    const curve = this.answer?.curve;
+    if (!curve || this.view.hidden) return;
+    drawCurves(this.curve, [{ name: t('traffic'), color: palette()[1], width: 2, wavelength_m: curve.map(([wavelength]) => wavelength), growth_rate_per_passage: curve.map(([, rate]) => rate) }]);
+  }
+
+  reword() {
+    for (const one of [this.headline, this.panel]) translate(one);
+    if (this.remedies.answer) this.remedies.show(this.remedies.answer);
+    this.#tell();
+  }
+}

@@ -1,0 +1,111 @@
+"""The headline, what it follows, and what helps: as the program answers them."""
+
+import json
+import subprocess
+
+import pytest
+from conftest import PROGRAM, ROOT
+
+HELD = "() => window.riffel.state.variants.map(({ name, case: keys }) => [name, keys.track.pad?.stiffness ?? null])"
+
+
+def open_case(page, name):
+    page.page.set_input_files("#open-toml", {"name": f"{name}.toml", "mimeType": "text/plain", "buffer": (ROOT / f"cases/{name}.toml").read_bytes()})
+    page.settle()
+
+
+def told(folder, *command):
+    run = subprocess.run([PROGRAM, *command, "--json", "-o", str(folder)], cwd=ROOT, check=True, capture_output=True, text=True)
+    return json.loads(run.stdout)
+
+
+def ranked(page):
+    page.until(lambda: page.page.locator("#remedies tbody tr").count() > 0)
+    page.settle()
+    cells = "(table) => [...table.tBodies[0].rows].map((row) => [...row.cells].map((cell) => cell.innerText.trim()))"
+    return page.page.locator("#remedies").evaluate(cells)
+
+
+@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
+    page = open_page(locale=locale)
+    open_case(page, "metro")
+    growth = told(tmp_path, "map", "cases/metro.toml", "--set", "map.speed.points=5")["under_traffic"]
+    early, late = (f"{months:.2g}" for months in growth["fastest"]["doubling_months_banded"]["band_80"])
+    assert page.text("#doubling") == (f"In {early} to {late} months" if locale == "en-GB" else f"In {early.replace('.', ',')} bis {late} Monaten")
+    # The number is the largest text of the page.
+    size = "(one) => parseFloat(getComputedStyle(one).fontSize)"
+    assert page.page.locator("#doubling").evaluate(size) > 2 * page.page.locator("#verdict").evaluate(size)
+    assert growth["cause"]["mechanism"] == "P2 resonance"
+    frequency = f"{growth['cause']['resonance_hz']:.0f} Hz"
+    assert frequency in page.text("#verdict")
+    card = page.text("#cause")
+    assert frequency in card and ("vertical axle-box" if locale == "en-GB" else "vertikale Achslager") in card
+    assert page.page.locator("#cause svg .moves circle").count() == 1
+    # One click shows the place on the map and the panel with the curve of the traffic.
+    page.page.click("#show-why")
+    page.settle()
+    speed = page.page.evaluate("() => window.riffel.state.point.speed")
+    assert speed == pytest.approx(growth["cause"]["speed_m_per_s"])
+    assert page.page.evaluate("() => document.activeElement.id") == "cause-panel"
+    curve = page.page.evaluate("() => document.getElementById('traffic-curve').data[0].x.length")
+    assert curve > 20
+    page.keep(f"outlook-{locale}", whole=True)
+    page.close()
+
+
+@pytest.mark.without_curves
+def test_remedies_are_those_of_the_program_and_become_variants(page, tmp_path):
+    open_case(page, "metro")
+    answer = told(tmp_path, "compare", "cases/metro.toml", "--remedies")
+    rows = ranked(page)
+    assert [row[0].split("\n")[0] for row in rows] == [remedy["title"] for remedy in answer["remedies"]]
+    for row, remedy in zip(rows, answer["remedies"]):
+        change = round(100 * remedy["change_of_fastest_growth"])
+        assert row[1] == f"{'+' if change > 0 else ''}{change} %".replace("-", "−")
+    best = answer["remedies"][0]
+    assert best["changes"][0]["key"] == "track.pad.stiffness" and f"What helps most is {best['title']}" in page.text("#verdict")
+    assert "left out: half the stiffness under the sleepers" in page.text("#remedies-panel").lower()
+    # Kept, it is the case with that one value, and undo takes it away.
+    page.page.locator("#remedies tbody tr").first.locator("button").click()
+    assert page.page.evaluate(HELD) == [[best["title"], "30 MN/m"]]
+    assert page.page.evaluate("() => window.riffel.state.keys.track.pad?.stiffness ?? null") is None
+    page.page.keyboard.press("Control+z")
+    page.settle()
+    assert page.page.evaluate(HELD) == []
+    # What is of the traffic leads to its speeds.
+    page.page.locator("#remedies button", has_text="To the traffic").first.click()
+    assert page.page.evaluate("() => document.activeElement.id") == "traffic-to"
+
+
+@pytest.mark.without_curves
+def test_a_case_in_which_nothing_grows_says_so(open_page):
+    page = open_page(locale="de-DE")
+    page.set("map.wavelength.max", "30 mm")
+    page.settle()
+    assert page.text("#doubling") == "nichts wächst" and "wächst" in page.text("#cause")
+    assert page.page.locator("#show-why").is_hidden()
+    page.page.wait_for_timeout(600)
+    page.settle()
+    assert page.page.locator("#remedies tbody tr").count() == 0
+    page.close()
+
+
+@pytest.mark.without_curves
+@pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
+def test_causes_of_a_measured_rail_are_cards(open_page, locale):
+    page = open_page(locale=locale)
+    page.page.click("#tab-measure")
+    page.page.click("#sample")
+    page.page.locator("#view-measure .card").first.wait_for()
+    page.settle()
+    cards = page.page.locator("#view-measure .card")
+    words = ("For", "Against", "Would settle it") if locale == "en-GB" else ("Dafür", "Dagegen", "Das entscheidet")
+    for card in cards.all():
+        assert card.locator("svg").count() == 1 and card.locator("meter").count() == 1
+        told = card.locator("dt").all_inner_texts()
+        assert told == [word for word in words if word in told] and words[2] in told
+        measurement = card.locator("dd").last
+        assert measurement.locator("span").get_attribute("lang") == locale[:2]
+    page.keep(f"causes-measured-{locale}", whole=True)
+    page.close()
