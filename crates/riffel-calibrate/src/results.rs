@@ -26,7 +26,16 @@ struct Written {
 }
 
 impl Folder<'_> {
-    /// Write `summary.csv`, `posterior.zarr` and `plan.toml`; their names.
+    /// Write `plan.toml`, the text of the plan.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Write`].
+    pub fn write_plan(&self, plan: &Plan) -> Result<(), CalibrationError> {
+        let path = self.path().join("plan.toml");
+        whole_file::write(&path, plan.text.as_bytes()).map_err(CalibrationError::write(&path))
+    }
+
+    /// Write `summary.csv` and `posterior.zarr`; their names.
     ///
     /// # Errors
     /// [`CalibrationError::Write`].
@@ -36,14 +45,11 @@ impl Folder<'_> {
         chains: &Chains,
         summary: &Summary,
     ) -> Result<Vec<&'static str>, CalibrationError> {
-        let write = |name: &str, bytes: &[u8]| {
-            let path = self.path().join(name);
-            whole_file::write(&path, bytes).map_err(CalibrationError::write(&path))
-        };
         write_groups(&self.path().join("posterior.zarr"), plan, chains)?;
-        write("plan.toml", plan.text.as_bytes())?;
-        write("summary.csv", summary.csv().as_bytes())?;
-        Ok(vec!["summary.csv", "posterior.zarr", "plan.toml"])
+        let path = self.path().join("summary.csv");
+        let csv = summary.csv();
+        whole_file::write(&path, csv.as_bytes()).map_err(CalibrationError::write(&path))?;
+        Ok(vec!["summary.csv", "posterior.zarr"])
     }
 }
 
