@@ -87,6 +87,7 @@ fn axes(group: &'static str, chains: u64, draws: u64) -> [Written; 2] {
         array: Array {
             name: format!("{group}/{name}"),
             attributes: json!({}),
+            data_type: DataType::Int64,
             ..Array::axis(name, name, length, "", "")
         },
         values: (0..length).map(|index| index as f64).collect(),
@@ -110,19 +111,27 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
     }
     written.extend(axes("posterior", count, draws));
     type Of = fn(&Draw) -> f64;
-    let statistics: [(&str, Of); 7] = [
-        ("lp", |draw| draw.log_density),
-        ("diverging", |draw| {
+    let statistics: [(&str, DataType, Of); 7] = [
+        ("lp", DataType::Float64, |draw| draw.log_density),
+        ("diverging", DataType::Bool, |draw| {
             f64::from(u8::from(draw.statistics.diverging))
         }),
-        ("energy", |draw| draw.statistics.energy),
-        ("tree_depth", |draw| f64::from(draw.statistics.depth)),
-        ("n_steps", |draw| f64::from(draw.statistics.steps)),
-        ("step_size", |draw| draw.step),
-        ("acceptance_rate", |draw| draw.statistics.acceptance),
+        ("energy", DataType::Float64, |draw| draw.statistics.energy),
+        ("tree_depth", DataType::Int64, |draw| {
+            f64::from(draw.statistics.depth)
+        }),
+        ("n_steps", DataType::Int64, |draw| {
+            f64::from(draw.statistics.steps)
+        }),
+        ("step_size", DataType::Float64, |draw| draw.step),
+        ("acceptance_rate", DataType::Float64, |draw| {
+            draw.statistics.acceptance
+        }),
     ];
-    for (name, value) in statistics {
-        written.push(over_draws("sample_stats", name, "", chains, value));
+    for (name, data_type, value) in statistics {
+        let mut of_draws = over_draws("sample_stats", name, "", chains, value);
+        of_draws.array.data_type = data_type;
+        written.push(of_draws);
     }
     written.extend(axes("sample_stats", count, draws));
     for (index, parameter) in parameters.iter().enumerate() {

@@ -133,7 +133,24 @@ impl Case {
             return None;
         }
         let mut keys = self.keys.clone();
+        let by_preset = |key: &str| self.keys.text.filled_in.contains(key);
         for (key, value) in numbers {
+            // Where a key is written, a preset leaves out what goes with it.
+            let file = &mut keys.file;
+            match *key {
+                "wheel.mass" if by_preset("wheel.inertia") => {
+                    let radius = file.wheel.rolling_radius.si();
+                    let own = RigidInertia::reduced_inertia(file.wheel.mass?.si(), radius);
+                    file.wheel.inertia = Some(Quantity::new(own));
+                }
+                "track.pad.loss_factor" if by_preset("track.pad.damping") => {
+                    file.track.pad.as_mut()?.damping = None;
+                }
+                "track.ballast.loss_factor" if by_preset("track.ballast.damping") => {
+                    file.track.ballast.as_mut()?.damping = None;
+                }
+                _ => {}
+            }
             let (_, write) = NUMBERS.iter().find(|(known, _)| known == key)?;
             write(&mut keys.file, *value)?;
         }
