@@ -306,3 +306,38 @@ impl Answer for CompetingModels {
         &self.remarks
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A lead of 0.01 makes no winner; one that all others are told apart from is the best.
+    #[test]
+    fn the_best_is_told_apart_from_all_others() {
+        let model = |behind: f64, is_worse: bool| ModelScore {
+            title: None,
+            log_density: -behind,
+            behind,
+            error: 0.1,
+            is_worse,
+            scores: Vec::new(),
+            doubts: 0,
+        };
+        let verdicts = |models: Vec<ModelScore>| {
+            let answer = CompetingModels {
+                riffel_version: "",
+                title: None,
+                comparison: Comparison { models },
+                remarks: Vec::new(),
+            };
+            let models = answer.comparison.models.iter();
+            let verdicts = models.map(|model| answer.verdict(model).to_string());
+            verdicts.collect::<Vec<String>>()
+        };
+        let (first, close, far) = (model(0.0, false), model(0.01, false), model(9.0, true));
+        let found = verdicts(vec![close, first.clone(), far.clone()]);
+        assert_eq!(found, ["not told apart", "not told apart", "worse"]);
+        assert_eq!(verdicts(vec![far, first.clone()]), ["worse", "best"]);
+        assert_eq!(verdicts(vec![first]), ["–"]);
+    }
+}

@@ -407,10 +407,8 @@ fn models_are_compared_by_what_they_predict() {
     };
     assert_eq!(verdict("no growth"), "worse", "{table}");
     for model in ["model of the plan", "share known"] {
-        assert!(
-            ["best", "not told apart"].contains(&verdict(model)),
-            "{table}"
-        );
+        // One of the two has the larger sum, which makes it no winner.
+        assert_eq!(verdict(model), "not told apart", "{table}");
         let row = rows.iter().find(|row| row[0] == model).unwrap();
         assert_eq!(row[column("inside_90_percent")], "100.000000", "{table}");
     }
