@@ -251,6 +251,41 @@ mod tests {
         );
     }
 
+    /// Hammer, decay rates, dates and a run take other data in the order of their own, and a bound stays one only above the rate.
+    #[test]
+    fn every_kind_takes_simulated_data() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let set = root.join("../../validation/calibration/c-all-together");
+        let folder = tempfile::TempDir::new().unwrap();
+        for entry in std::fs::read_dir(set).unwrap() {
+            let path = entry.unwrap().path();
+            std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+        }
+        let decay = "frequency_hz,decay_rate_db_per_m,upper_bound\n500,10,0\n630,5,1\n";
+        std::fs::write(folder.path().join("decay.csv"), decay).unwrap();
+        let plan = Plan::read(&folder.path().join("plan.toml")).unwrap();
+        assert_eq!(plan.posterior.blocks.len(), 3);
+        for named in &plan.posterior.blocks {
+            let moved = |by: f64| {
+                let data: Vec<f64> = named.block.observed().iter().map(|it| it + by).collect();
+                (named.block.with_data(&data).unwrap().observed(), data)
+            };
+            let (taken, mut given) = moved(-0.1);
+            if named.names == ["decay"] {
+                given[1] = 5f64.ln();
+            }
+            let (higher, all) = moved(0.1);
+            let pairs = taken.iter().zip(&given).chain(higher.iter().zip(&all));
+            for (taken, given) in pairs {
+                assert!(
+                    (taken - given).abs() < 1e-9,
+                    "{:?}: {taken} {given}",
+                    named.names
+                );
+            }
+        }
+    }
+
     fn u1(runs: u64, wider: f64) -> Simulated {
         let posterior = U1::read().posterior_of_errors(wider);
         let run = |index: u64| ranks(&posterior, 17, index, [150, 297], &Stop::default());
