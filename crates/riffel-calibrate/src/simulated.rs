@@ -160,6 +160,9 @@ fn ranks(
     [warmup, draws]: [u64; 2],
     stop: &Stop,
 ) -> Result<Option<Vec<usize>>, CalibrationError> {
+    if stop.is_asked() {
+        return Ok(None);
+    }
     let nowhere = || CalibrationError::NoStart {
         reason: "simulated data are too unlikely for numbers".to_owned(),
     };
