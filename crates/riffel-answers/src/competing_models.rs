@@ -3,7 +3,7 @@
 use riffel_calibrate::{
     CalibrationError, Chains, Comparison, Held, MOST_SHAPE, ModelScore, Plan, Sampler, Score,
 };
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
 
@@ -44,31 +44,57 @@ impl CompetingModels {
         models.max_by(|one, other| one.log_density.total_cmp(&other.log_density))
     }
 
-    fn is_best(&self, model: &ModelScore) -> bool {
-        self.best().is_some_and(|best| best.title == model.title)
-    }
-
+    /// The best is one that all others are told apart from.
     fn verdict(&self, model: &ModelScore) -> Message {
-        match (self.comparison.models.len(), model.is_worse) {
+        let models = &self.comparison.models;
+        let not_worse = models.iter().filter(|other| !other.is_worse).count();
+        match (models.len(), model.is_worse) {
             (1, _) => Message::verbatim("–"),
             (_, true) => say!(verdict_worse),
-            (_, false) if self.is_best(model) => say!(verdict_best),
+            (_, false) if not_worse == 1 => say!(verdict_best),
             (_, false) => say!(verdict_not_told_apart),
         }
     }
 }
 
 fn name(model: &ModelScore) -> Message {
-    match &model.title {
+    titled(model.title.as_deref())
+}
+
+fn titled(title: Option<&str>) -> Message {
+    match title {
         None => say!(model_of_the_plan),
         Some(title) => Message::verbatim(title),
     }
 }
 
-/// What was left out.
+/// The models of a plan that compares some, and what it will leave out of the data.
+///
+/// # Errors
+/// [`CaseError`] where nothing can be left out.
+pub fn what_is_compared(plan: &Plan) -> Result<Vec<Message>, CaseError> {
+    if !plan.compares() {
+        return Ok(Vec::new());
+    }
+    let others = plan.file.compare.iter().map(|other| Some(&*other.title));
+    let models = [None].into_iter().chain(others).map(titled);
+    let held = plan.left_out_of_data()?.into_iter();
+    let held = held.map(|(data, held)| held_out(&data, held));
+    let list =
+        |messages: Vec<Message>| Value::List(messages.into_iter().map(Value::from).collect());
+    Ok(vec![
+        say!(all_models_see, models = list(models.collect())),
+        say!(left_out_to_compare, held = list(held.collect())),
+    ])
+}
+
 fn left_out(score: &Score) -> Message {
-    let data = &score.data;
-    match score.held_out {
+    held_out(&score.data, score.held_out)
+}
+
+/// What is left out of data with some names.
+fn held_out(data: &str, held: Held) -> Message {
+    match held {
         Held::All => Message::verbatim(data),
         Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
         Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
@@ -278,5 +304,40 @@ impl Answer for CompetingModels {
 
     fn remarks(&self) -> &[Message] {
         &self.remarks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A lead of 0.01 makes no winner; one that all others are told apart from is the best.
+    #[test]
+    fn the_best_is_told_apart_from_all_others() {
+        let model = |behind: f64, is_worse: bool| ModelScore {
+            title: None,
+            log_density: -behind,
+            behind,
+            error: 0.1,
+            is_worse,
+            scores: Vec::new(),
+            doubts: 0,
+        };
+        let verdicts = |models: Vec<ModelScore>| {
+            let answer = CompetingModels {
+                riffel_version: "",
+                title: None,
+                comparison: Comparison { models },
+                remarks: Vec::new(),
+            };
+            let models = answer.comparison.models.iter();
+            let verdicts = models.map(|model| answer.verdict(model).to_string());
+            verdicts.collect::<Vec<String>>()
+        };
+        let (first, close, far) = (model(0.0, false), model(0.01, false), model(9.0, true));
+        let found = verdicts(vec![close, first.clone(), far.clone()]);
+        assert_eq!(found, ["not told apart", "not told apart", "worse"]);
+        assert_eq!(verdicts(vec![far, first.clone()]), ["worse", "best"]);
+        assert_eq!(verdicts(vec![first]), ["–"]);
     }
 }

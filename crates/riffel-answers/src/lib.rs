@@ -22,6 +22,7 @@ mod answer;
 pub mod axlebox;
 mod banded;
 pub mod calibrate;
+pub mod calibration_check;
 mod capital;
 mod cause;
 mod column;

@@ -15,6 +15,10 @@ pub enum DataType {
     Float64,
     /// A complex number, missing where both parts are NaN.
     Complex128,
+    /// A whole number.
+    Int64,
+    /// True where it is not zero.
+    Bool,
     /// A text, missing where empty.
     String,
 }
@@ -69,6 +73,8 @@ impl Array {
         let (data_type, fill_value, codec) = match self.data_type {
             DataType::Float64 => ("float64", json!("NaN"), little_endian()),
             DataType::Complex128 => ("complex128", json!(["NaN", "NaN"]), little_endian()),
+            DataType::Int64 => ("int64", json!(0), little_endian()),
+            DataType::Bool => ("bool", json!(false), json!({ "name": "bytes" })),
             DataType::String => ("string", json!(""), json!({ "name": "vlen-utf8" })),
         };
         let mut chunk_shape = self.shape.clone();
@@ -98,7 +104,7 @@ impl Array {
         let elements: u64 = self.shape[1..].iter().product();
         match self.data_type {
             DataType::Complex128 => 2 * elements as usize,
-            DataType::Float64 | DataType::String => elements as usize,
+            _ => elements as usize,
         }
     }
 
@@ -113,9 +119,17 @@ impl Array {
         match values {
             Values::Numbers(numbers) => {
                 let missing = self.length().saturating_sub(numbers.len());
-                let missing = std::iter::repeat_n(&f64::NAN, missing);
+                let nothing = match self.data_type {
+                    DataType::Int64 | DataType::Bool => 0.0,
+                    _ => f64::NAN,
+                };
+                let missing = std::iter::repeat_n(&nothing, missing);
                 for number in numbers.iter().chain(missing) {
-                    bytes.extend(number.to_le_bytes());
+                    match self.data_type {
+                        DataType::Int64 => bytes.extend((*number as i64).to_le_bytes()),
+                        DataType::Bool => bytes.push(u8::from(*number != 0.0)),
+                        _ => bytes.extend(number.to_le_bytes()),
+                    }
                 }
             }
             Values::Texts(texts) => {
@@ -144,12 +158,21 @@ impl Array {
             return Err("a chunk has another checksum");
         }
         let length = (rows as usize * self.width()).min(self.length());
+        if self.data_type == DataType::Bool {
+            let truths = bytes.get(..length).ok_or(cut)?.iter();
+            return Ok(Values::Numbers(
+                truths.map(|truth| f64::from(*truth)).collect(),
+            ));
+        }
         if self.data_type != DataType::String {
             let (numbers, []) = bytes.as_chunks::<8>() else {
                 return Err(cut);
             };
-            let numbers = numbers.get(..length).ok_or(cut)?;
-            let numbers = numbers.iter().map(|bytes| f64::from_le_bytes(*bytes));
+            let numbers = numbers.get(..length).ok_or(cut)?.iter();
+            let numbers = numbers.map(|bytes| match self.data_type {
+                DataType::Int64 => i64::from_le_bytes(*bytes) as f64,
+                _ => f64::from_le_bytes(*bytes),
+            });
             return Ok(Values::Numbers(numbers.collect()));
         }
         let (_count, mut rest) = bytes.split_first_chunk::<4>().ok_or(cut)?;
@@ -215,6 +238,14 @@ mod tests {
             panic!("numbers are read as texts");
         };
         assert!(all.len() == 6 && all[4..].iter().all(|number| number.is_nan()));
+
+        let whole = Values::Numbers(vec![0.0, 1.0, 1.0, 0.0]);
+        for (kind, size) in [(DataType::Int64, 8), (DataType::Bool, 1)] {
+            let bytes = array(kind).encode(&whole);
+            assert_eq!(bytes.len(), size * 6 + CHECKSUM);
+            assert_eq!(bytes[size], 1);
+            assert_eq!(array(kind).decode(&bytes, 2).unwrap(), whole);
+        }
 
         let texts = Values::Texts(["", "a sentence", "Ŵ₁", "b"].map(str::to_owned).into());
         let array = array(DataType::String);

@@ -111,6 +111,8 @@ struct Levels {
     gaussian: Gaussian,
     by_growth: Vec<f64>,
     data: Vec<f64>,
+    /// Factor of the errors of replicas.
+    times: f64,
 }
 
 impl U1 {
@@ -127,6 +129,7 @@ impl U1 {
             gaussian: Gaussian::new(covariance, Vec::new()).unwrap(),
             by_growth: columns[0].clone(),
             data,
+            times: 1.0,
         }
     }
 
@@ -135,11 +138,10 @@ impl U1 {
         self.posterior_of(self.levels(dates))
     }
 
-    /// The same of other levels of all dates.
-    pub(crate) fn posterior_with(&self, data: &[f64]) -> Posterior {
-        let mut levels = self.levels(&[0, 1, 2]);
-        levels.data = data.to_vec();
-        self.posterior_of(levels)
+    /// The same of all dates, whose data are simulated with errors so many times as large as those that are said of them.
+    pub(crate) fn posterior_of_errors(&self, times: f64) -> Posterior {
+        let levels = self.levels(&[0, 1, 2]);
+        self.posterior_of(Levels { times, ..levels })
     }
 
     fn posterior_of(&self, levels: Levels) -> Posterior {
@@ -218,10 +220,17 @@ impl Block for Levels {
         sizes: &[f64],
         random: &mut Xoshiro256PlusPlus,
     ) -> Option<Vec<f64>> {
-        Some(sums(
-            predicted,
-            &self.gaussian.draw(sizes, || normal(random))?,
-        ))
+        let errors = self.gaussian.draw(sizes, || self.times * normal(random))?;
+        Some(sums(predicted, &errors))
+    }
+
+    fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {
+        Some(Box::new(Self {
+            gaussian: self.gaussian.clone(),
+            by_growth: self.by_growth.clone(),
+            data: data.to_vec(),
+            times: self.times,
+        }))
     }
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {

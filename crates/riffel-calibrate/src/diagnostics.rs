@@ -137,6 +137,7 @@ fn ess(chains: &[Vec<f64>]) -> f64 {
     // Sums of pairs, positive and falling.
     let mut sum = 0.0;
     let mut last = f64::INFINITY;
+    let mut lone = 0.0;
     let mut lag = 0;
     while lag + 1 < length {
         let pair = match lag {
@@ -144,13 +145,15 @@ fn ess(chains: &[Vec<f64>]) -> f64 {
             lag => correlation(lag) + correlation(lag + 1),
         };
         if pair < 0.0 {
+            // The autocorrelation before the first that is negative with the next counts once, as in Stan.
+            lone = correlation(lag).max(0.0);
             break;
         }
         last = last.min(pair);
         sum += last;
         lag += 2;
     }
-    let time = (2.0 * sum - 1.0).max(1.0 / all.log10());
+    let time = (2.0 * sum - 1.0 + lone).max(1.0 / all.log10());
     all / time
 }
 

@@ -300,6 +300,32 @@ pub enum Kind {
 }
 
 impl Kind {
+    /// All of them.
+    pub const ALL: [Self; 4] = [
+        Self::FrequencyResponse,
+        Self::DecayRate,
+        Self::DatedLevels,
+        Self::AxleBox,
+    ];
+
+    /// The columns that its table must have.
+    pub fn columns(self) -> &'static [&'static str] {
+        match self {
+            Self::FrequencyResponse => &[
+                "frequency_hz",
+                "receptance_re_m_per_n",
+                "receptance_im_m_per_n",
+            ],
+            Self::DecayRate => &["frequency_hz", "decay_rate_db_per_m"],
+            Self::DatedLevels => &["wavelength_mm", "level_db", "standard_error_db", "passages"],
+            Self::AxleBox => &[
+                "wavelength_mm",
+                "level_db_re_1_m_per_s2",
+                "standard_error_db",
+            ],
+        }
+    }
+
     /// The name in a plan.
     pub fn name(self) -> &'static str {
         match self {

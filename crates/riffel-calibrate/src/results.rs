@@ -26,7 +26,16 @@ struct Written {
 }
 
 impl Folder<'_> {
-    /// Write `summary.csv`, `posterior.zarr` and `plan.toml`; their names.
+    /// Write `plan.toml`, the text of the plan.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Write`].
+    pub fn write_plan(&self, plan: &Plan) -> Result<(), CalibrationError> {
+        let path = self.path().join("plan.toml");
+        whole_file::write(&path, plan.text.as_bytes()).map_err(CalibrationError::write(&path))
+    }
+
+    /// Write `summary.csv` and `posterior.zarr`; their names.
     ///
     /// # Errors
     /// [`CalibrationError::Write`].
@@ -36,14 +45,11 @@ impl Folder<'_> {
         chains: &Chains,
         summary: &Summary,
     ) -> Result<Vec<&'static str>, CalibrationError> {
-        let write = |name: &str, bytes: &[u8]| {
-            let path = self.path().join(name);
-            whole_file::write(&path, bytes).map_err(CalibrationError::write(&path))
-        };
         write_groups(&self.path().join("posterior.zarr"), plan, chains)?;
-        write("plan.toml", plan.text.as_bytes())?;
-        write("summary.csv", summary.csv().as_bytes())?;
-        Ok(vec!["summary.csv", "posterior.zarr", "plan.toml"])
+        let path = self.path().join("summary.csv");
+        let csv = summary.csv();
+        whole_file::write(&path, csv.as_bytes()).map_err(CalibrationError::write(&path))?;
+        Ok(vec!["summary.csv", "posterior.zarr"])
     }
 }
 
@@ -81,6 +87,7 @@ fn axes(group: &'static str, chains: u64, draws: u64) -> [Written; 2] {
         array: Array {
             name: format!("{group}/{name}"),
             attributes: json!({}),
+            data_type: DataType::Int64,
             ..Array::axis(name, name, length, "", "")
         },
         values: (0..length).map(|index| index as f64).collect(),
@@ -104,19 +111,27 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
     }
     written.extend(axes("posterior", count, draws));
     type Of = fn(&Draw) -> f64;
-    let statistics: [(&str, Of); 7] = [
-        ("lp", |draw| draw.log_density),
-        ("diverging", |draw| {
+    let statistics: [(&str, DataType, Of); 7] = [
+        ("lp", DataType::Float64, |draw| draw.log_density),
+        ("diverging", DataType::Bool, |draw| {
             f64::from(u8::from(draw.statistics.diverging))
         }),
-        ("energy", |draw| draw.statistics.energy),
-        ("tree_depth", |draw| f64::from(draw.statistics.depth)),
-        ("n_steps", |draw| f64::from(draw.statistics.steps)),
-        ("step_size", |draw| draw.step),
-        ("acceptance_rate", |draw| draw.statistics.acceptance),
+        ("energy", DataType::Float64, |draw| draw.statistics.energy),
+        ("tree_depth", DataType::Int64, |draw| {
+            f64::from(draw.statistics.depth)
+        }),
+        ("n_steps", DataType::Int64, |draw| {
+            f64::from(draw.statistics.steps)
+        }),
+        ("step_size", DataType::Float64, |draw| draw.step),
+        ("acceptance_rate", DataType::Float64, |draw| {
+            draw.statistics.acceptance
+        }),
     ];
-    for (name, value) in statistics {
-        written.push(over_draws("sample_stats", name, "", chains, value));
+    for (name, data_type, value) in statistics {
+        let mut of_draws = over_draws("sample_stats", name, "", chains, value);
+        of_draws.array.data_type = data_type;
+        written.push(of_draws);
     }
     written.extend(axes("sample_stats", count, draws));
     for (index, parameter) in parameters.iter().enumerate() {

@@ -1,7 +1,7 @@
 //! All chains, kept in parts.
 
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::{Path, PathBuf, absolute};
 
 use rayon::prelude::*;
 use riffel_arrays::{Array, Values, json, whole_file};
@@ -57,10 +57,11 @@ impl<'a> Folder<'a> {
             let folder = path.to_owned();
             return Err(CalibrationError::NoCalibration { folder });
         }
+        let own = plan.inputs[0].as_path();
         let own = json(&json!({
             "fingerprint": fingerprint(plan)?,
             "version": env!("CARGO_PKG_VERSION"),
-            "plan": fs::canonicalize(&plan.inputs[0]).unwrap_or_default(),
+            "plan": fs::canonicalize(own).or_else(|_| absolute(own)).unwrap_or_default(),
         }));
         if restart && there.is_some_and(|there| !is_of(&there, plan)) {
             let folder = path.to_owned();

@@ -4,128 +4,326 @@
 //! (2023), Bayesian Analysis 20.
 
 use rayon::prelude::*;
+use riffel_study::Stop;
+use serde::Serialize;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::chain::{Chain, random};
-use crate::conjugate::U1;
+use crate::error::CalibrationError;
 use crate::nuts::uniform;
+use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
 
 /// Draws that a value is ranked among.
-const DRAWS: usize = 99;
-const WARMUP: u64 = 200;
-/// Bins of the ranks.
-const BINS: usize = 20;
+pub const RANKED: usize = 99;
+/// Fewest simulations: ten to each of two bins.
+const LEAST_RUNS: u64 = 20;
+/// Most and fewest bins of the ranks, and those between: all divide the ranks that there are.
+const BINS: [usize; 5] = [20, 10, 5, 4, 2];
+/// Fewest ranks that are expected in a bin, so that χ² is one.
+const LEAST_IN_A_BIN: u64 = 10;
+/// Share of right samplers in which some value is taken as wrong.
+const WRONG: f64 = 0.001;
+/// Most draws of the priors until the case takes one.
+const MOST_TRIALS: u32 = 1000;
+/// The random numbers of simulated data are those of no chain, of no replica and of no rail.
+const STREAM: u64 = u64::MAX - 2;
 
-/// Ranks of each value and of the ln likelihood among thinned draws, by replicate; `with_data` makes a posterior of data.
-fn ranks(
-    posterior: &Posterior,
-    replicates: u64,
-    thin: usize,
-    with_data: &(dyn Fn(&[f64]) -> Posterior + Sync),
-) -> Vec<Vec<usize>> {
-    let replicate = |index: u64| {
-        let mut random = random(17, index, 0);
-        let named = &posterior.blocks[0];
-        // Values that the case takes.
-        let (values, data) = (0..1000)
-            .find_map(|_| {
-                let parameters = posterior.parameters().iter();
-                let values = parameters.map(|it| it.prior.quantile(uniform(&mut random)));
-                let values: Vec<f64> = values.collect();
-                let predicted = named.block.predict(&posterior.model.trial(&values)).ok()?;
-                let sizes = named.sizes(&values);
-                let data = named.block.replicate(&predicted, &sizes, &mut random)?;
-                Some((values, data))
-            })
-            .unwrap();
-        let posterior = with_data(&data);
-        let likelihood = |values: &[f64]| posterior.log_likelihood(values).unwrap()[0].1;
-        let mut chain = Chain::begin(&posterior, 23, index, WARMUP).unwrap();
-        (0..WARMUP).for_each(|_| drop(chain.draw(&posterior)));
-        let truth = [&values[..], &[likelihood(&values)]].concat();
-        let mut below = vec![0; truth.len()];
-        for _ in 0..DRAWS {
-            (1..thin).for_each(|_| drop(chain.draw(&posterior)));
-            let drawn = posterior.values(&chain.draw(&posterior).place);
-            let drawn = [&drawn[..], &[likelihood(&drawn)]].concat();
-            for (below, (drawn, truth)) in below.iter_mut().zip(drawn.iter().zip(&truth)) {
-                *below += usize::from(drawn < truth);
-            }
-        }
-        below
-    };
-    (0..replicates).into_par_iter().map(replicate).collect()
+/// How often intervals of a plan hold the truth, by data with known truth.
+#[derive(Debug, Serialize)]
+pub struct Simulated {
+    /// Simulations.
+    pub runs: usize,
+    /// The uncertain values, then the ln likelihood.
+    pub values: Vec<Ranked>,
 }
 
-/// Ranks are uniform: χ² of 20 bins with p above 0.001 over all values, and intervals of the values hold the truth as often as they
-/// say, within `error` of the share; ranks of the ln likelihood are no interval of anything.
-fn check(names: &[String], ranks: &[Vec<usize>], error: f64) {
-    let count = ranks.len() as f64;
-    let expected = count / BINS as f64;
-    let distribution = ChiSquared::new(BINS as f64 - 1.0).unwrap();
-    for (place, name) in names.iter().enumerate() {
-        let mut bins = [0.0; BINS];
-        for ranks in ranks {
-            bins[ranks[place] * BINS / (DRAWS + 1)] += 1.0;
-        }
-        let square: f64 = bins
+/// A value among the draws of its chains.
+#[derive(Debug, Serialize)]
+pub struct Ranked {
+    /// Name of the parameter; none for the ln likelihood of all data.
+    pub name: Option<String>,
+    /// How many of 99 draws lie below the truth, by simulation.
+    pub ranks: Vec<usize>,
+    /// Probability of ranks as uneven as these where the truth lies anywhere among the draws.
+    pub probability: f64,
+    /// Shares of the simulations whose intervals of 50, 80 and 90 % hold the truth.
+    pub inside: [f64; 3],
+}
+
+impl Ranked {
+    fn new(name: Option<String>, ranks: Vec<usize>) -> Self {
+        let count = ranks.len() as f64;
+        let fits = |bins: &usize| ranks.len() as u64 >= LEAST_IN_A_BIN * *bins as u64;
+        let bins = BINS.into_iter().find(fits).unwrap_or(BINS[4]);
+        let mut filled = vec![0.0; bins];
+        ranks
+            .iter()
+            .for_each(|rank| filled[rank * bins / (RANKED + 1)] += 1.0);
+        let expected = count / bins as f64;
+        let square: f64 = filled
             .iter()
             .map(|it| (it - expected).powi(2) / expected)
             .sum();
-        let p = 1.0 - distribution.cdf(square);
+        let distribution = ChiSquared::new(bins as f64 - 1.0);
         let inside = |share: f64| {
-            let side = 0.5 * (1.0 - share) * (DRAWS + 1) as f64;
-            let ends = side - 0.5..(DRAWS + 1) as f64 - side - 0.5;
-            let is_inside = |ranks: &&Vec<usize>| ends.contains(&(ranks[place] as f64));
-            ranks.iter().filter(is_inside).count() as f64 / count
+            let side = 0.5 * (1.0 - share) * (RANKED + 1) as f64;
+            let ends = side - 0.5..(RANKED + 1) as f64 - side - 0.5;
+            ranks
+                .iter()
+                .filter(|rank| ends.contains(&(**rank as f64)))
+                .count() as f64
+                / count
         };
-        let shares = [0.5, 0.8, 0.9].map(inside);
-        eprintln!("{name}: p = {p:.3}, inside 50, 80, 90 %: {shares:.3?}");
-        assert!(p > 0.001 / names.len() as f64, "{name}: {bins:?}");
-        if place + 1 == names.len() {
-            continue;
+        Self {
+            name,
+            probability: distribution.map_or(f64::NAN, |it| it.sf(square)),
+            inside: [0.5, 0.8, 0.9].map(inside),
+            ranks,
         }
-        assert!(
-            (shares[1] - 0.8).abs() <= 1.25 * error,
-            "{name}: {shares:?}"
-        );
-        assert!((shares[2] - 0.9).abs() <= error, "{name}: {shares:?}");
     }
 }
 
-fn names(posterior: &Posterior) -> Vec<String> {
-    let names = posterior.parameters().iter().map(|it| it.name.clone());
-    names.chain(["ln likelihood".to_owned()]).collect()
+impl Simulated {
+    /// Simulate data from draws of the priors of a plan with its likelihood, and draw a chain of the plan's length on each; none
+    /// where a wish to stop came between. `progress` is told of each that is done.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Refused`] for a plan without data or with too few draws, [`CalibrationError::NoStart`].
+    pub fn of(
+        plan: &Plan,
+        runs: u64,
+        progress: &(dyn Fn(u64) + Sync),
+        stop: &Stop,
+    ) -> Result<Option<Self>, CalibrationError> {
+        let sampler = &plan.file.sampler;
+        let refuse = |rule: String| Err(CalibrationError::Refused(rule));
+        if plan.posterior.blocks.is_empty() {
+            return refuse("the plan has no [[data]] that could be simulated".to_owned());
+        }
+        if sampler.draws < RANKED as u64 {
+            return refuse(format!(
+                "sampler.draws is {}, but the truth is ranked among {RANKED} draws of a chain",
+                sampler.draws
+            ));
+        }
+        if runs < LEAST_RUNS {
+            return refuse(format!(
+                "--runs is {runs}, but must be {LEAST_RUNS} or more: fewer ranks show no unevenness"
+            ));
+        }
+        let length = [sampler.warmup, sampler.draws];
+        let run = |index: u64| {
+            let ranks = ranks(&plan.posterior, sampler.seed, index, length, stop)?;
+            progress(1);
+            Ok(ranks)
+        };
+        let ranks: Result<Vec<Option<Vec<usize>>>, CalibrationError> =
+            (0..runs).into_par_iter().map(run).collect();
+        let ranks: Option<Vec<Vec<usize>>> = ranks?.into_iter().collect();
+        Ok(ranks.map(|ranks| Self::ranked(&plan.posterior, &ranks)))
+    }
+
+    fn ranked(posterior: &Posterior, ranks: &[Vec<usize>]) -> Self {
+        let names = posterior
+            .parameters()
+            .iter()
+            .map(|it| Some(it.name.clone()));
+        let names = names.chain([None]).enumerate();
+        let of = |place: usize| ranks.iter().map(|ranks| ranks[place]).collect();
+        Self {
+            runs: ranks.len(),
+            values: names
+                .map(|(place, name)| Ranked::new(name, of(place)))
+                .collect(),
+        }
+    }
+
+    /// Whether the truth of a value lies anywhere among the draws; of a right sampler some value fails in one of a thousand
+    /// checks.
+    pub fn is_even(&self, value: &Ranked) -> bool {
+        value.probability > WRONG / self.values.len() as f64
+    }
 }
 
-/// U1, 200 times: 90 % intervals hold the truth in 90 ± 4 %, 80 % ones in 80 ± 5 %.
-#[test]
-#[ignore = "a minute without optimisation"]
-fn the_truth_lies_anywhere_among_draws_of_linear_levels() {
-    let u1 = U1::read();
-    let posterior = u1.posterior(&[0, 1, 2]);
-    let ranks = ranks(&posterior, 200, 5, &|data| u1.posterior_with(data));
-    check(&names(&posterior), &ranks, 0.04);
+/// ln likelihood of all data.
+fn likelihood(posterior: &Posterior, values: &[f64]) -> Option<f64> {
+    let blocks = posterior.log_likelihood(values).ok()?;
+    Some(blocks.iter().map(|(_, value)| value).sum())
 }
 
-/// Set b, 200 times: intervals of 90 % hold the truth within 6.4 %, those of 80 % within 8 %, three standard deviations of so many.
-#[test]
-#[ignore = "minutes"]
-fn the_truth_lies_anywhere_among_draws_of_three_dates() {
-    let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
-    let plan = root.join("../../validation/calibration/b-three-dates/plan.toml");
-    let posterior = crate::Plan::read(&plan).unwrap().posterior;
-    let named = &posterior.blocks[0];
-    let with_data = |data: &[f64]| Posterior {
-        model: posterior.model.clone(),
-        blocks: vec![Named {
-            names: named.names.clone(),
-            block: Box::new(named.block.as_levels().unwrap().with_data(data)),
-            sizes: named.sizes.clone(),
-            touched_by: named.touched_by.clone(),
-        }],
+/// Ranks of each value and of the ln likelihood among thinned draws of a chain on simulated data; none where it was stopped.
+fn ranks(
+    posterior: &Posterior,
+    seed: u64,
+    index: u64,
+    [warmup, draws]: [u64; 2],
+    stop: &Stop,
+) -> Result<Option<Vec<usize>>, CalibrationError> {
+    if stop.is_asked() {
+        return Ok(None);
+    }
+    let nowhere = || CalibrationError::NoStart {
+        reason: "simulated data are too unlikely for numbers".to_owned(),
     };
-    let ranks = ranks(&posterior, 200, 4, &with_data);
-    check(&names(&posterior), &ranks, 0.064);
+    let (values, simulated) = simulate(posterior, seed, index).ok_or_else(nowhere)?;
+    let mut chain = Chain::begin(&simulated, seed, index, warmup).ok_or_else(nowhere)?;
+    let truth = likelihood(&simulated, &values).ok_or_else(nowhere)?;
+    let truth = [&values[..], &[truth]].concat();
+    let mut below = vec![0; truth.len()];
+    let thin = draws / RANKED as u64;
+    for done in 1..=warmup + thin * RANKED as u64 {
+        if stop.is_asked() {
+            return Ok(None);
+        }
+        let draw = chain.draw(&simulated);
+        if done <= warmup || !(done - warmup).is_multiple_of(thin) {
+            continue;
+        }
+        let drawn = simulated.values(&draw.place);
+        let own = likelihood(&simulated, &drawn).ok_or_else(nowhere)?;
+        let drawn = [&drawn[..], &[own]].concat();
+        for (below, (drawn, truth)) in below.iter_mut().zip(drawn.iter().zip(&truth)) {
+            *below += usize::from(drawn < truth);
+        }
+    }
+    Ok(Some(below))
+}
+
+/// Values of the priors that the case takes, and the posterior of data that were made of them.
+fn simulate(posterior: &Posterior, seed: u64, index: u64) -> Option<(Vec<f64>, Posterior)> {
+    let mut random = random(seed, STREAM, index);
+    (0..MOST_TRIALS).find_map(|_| {
+        let parameters = posterior.parameters().iter();
+        let values = parameters.map(|it| it.prior.quantile(uniform(&mut random)));
+        let values: Vec<f64> = values.collect();
+        let trial = posterior.model.trial(&values);
+        let blocks = posterior.blocks.iter().map(|named| {
+            let predicted = named.block.predict(&trial).ok()?;
+            let sizes = named.sizes(&values);
+            let data = named.block.replicate(&predicted, &sizes, &mut random)?;
+            Some(Named {
+                names: named.names.clone(),
+                block: named.block.with_data(&data)?,
+                sizes: named.sizes.clone(),
+                touched_by: named.touched_by.clone(),
+            })
+        });
+        let blocks = blocks.collect::<Option<Vec<Named>>>()?;
+        let model = posterior.model.clone();
+        Some((values, Posterior { model, blocks }))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::conjugate::U1;
+
+    /// Ranks that fill all bins alike, one end, or the middle.
+    #[test]
+    fn uneven_ranks_are_seen() {
+        let check = |rank: &dyn Fn(usize) -> usize| {
+            let value = Ranked::new(None, (0..200).map(rank).collect());
+            let checked = Simulated {
+                runs: 200,
+                values: Vec::from([value]),
+            };
+            let value = &checked.values[0];
+            (checked.is_even(value), value.inside)
+        };
+        let (is_even, inside) = check(&|run| run % 100);
+        assert!(is_even);
+        assert_eq!(inside, [0.5, 0.8, 0.9]);
+        // Intervals half as wide as they should be, twice as wide, and beside.
+        let narrow = |run: usize| ((2 * (run % 100)) as f64 - 50.0).clamp(0.0, 99.0) as usize;
+        let (is_even, inside) = check(&narrow);
+        assert!(!is_even && inside[2] < 0.55, "{inside:?}");
+        let (is_even, inside) = check(&|run| 25 + (run % 100) / 2);
+        assert!(!is_even && inside[0] == 1.0, "{inside:?}");
+        assert!(!check(&|run| (run % 100) / 2).0);
+        // χ² in closed form: two bins with 14 and 6 of 20, 3.2 with one degree of freedom.
+        let few = Ranked::new(
+            None,
+            (0..20).map(|run| if run < 14 { 10 } else { 80 }).collect(),
+        );
+        assert!(
+            (few.probability - 0.073_638).abs() < 1e-5,
+            "{}",
+            few.probability
+        );
+    }
+
+    /// Hammer, decay rates, dates and a run take other data in the order of their own, and a bound stays one only above the rate.
+    #[test]
+    fn every_kind_takes_simulated_data() {
+        let root = std::path::Path::new(env!("CARGO_MANIFEST_DIR"));
+        let set = root.join("../../validation/calibration/c-all-together");
+        let folder = tempfile::TempDir::new().unwrap();
+        for entry in std::fs::read_dir(set).unwrap() {
+            let path = entry.unwrap().path();
+            std::fs::copy(&path, folder.path().join(path.file_name().unwrap())).unwrap();
+        }
+        let decay = "frequency_hz,decay_rate_db_per_m,upper_bound\n500,10,0\n630,5,1\n";
+        std::fs::write(folder.path().join("decay.csv"), decay).unwrap();
+        let plan = Plan::read(&folder.path().join("plan.toml")).unwrap();
+        assert_eq!(plan.posterior.blocks.len(), 3);
+        for named in &plan.posterior.blocks {
+            let moved = |by: f64| {
+                let data: Vec<f64> = named.block.observed().iter().map(|it| it + by).collect();
+                (named.block.with_data(&data).unwrap().observed(), data)
+            };
+            let (taken, mut given) = moved(-0.1);
+            if named.names == ["decay"] {
+                given[1] = 5f64.ln();
+            }
+            let (higher, all) = moved(0.1);
+            let pairs = taken.iter().zip(&given).chain(higher.iter().zip(&all));
+            for (taken, given) in pairs {
+                assert!(
+                    (taken - given).abs() < 1e-9,
+                    "{:?}: {taken} {given}",
+                    named.names
+                );
+            }
+        }
+    }
+
+    fn u1(runs: u64, wider: f64) -> Simulated {
+        let posterior = U1::read().posterior_of_errors(wider);
+        let run = |index: u64| ranks(&posterior, 17, index, [150, 297], &Stop::default());
+        let ranks = (0..runs)
+            .into_par_iter()
+            .map(|index| run(index).unwrap().unwrap());
+        Simulated::ranked(&posterior, &ranks.collect::<Vec<_>>())
+    }
+
+    /// U1 in 40 simulations, and with data that have three times the errors that the likelihood is told of.
+    #[test]
+    fn the_truth_lies_anywhere_among_draws_of_linear_levels_and_not_where_errors_are_told_wrong() {
+        let right = u1(40, 1.0);
+        assert!(
+            right.values.iter().all(|value| right.is_even(value)),
+            "{right:?}"
+        );
+        let wrong = u1(40, 3.0);
+        assert!(!wrong.is_even(&wrong.values[0]), "{wrong:?}");
+        assert!(wrong.values[0].inside[2] < 0.7);
+    }
+
+    /// U1, 200 times: 90 % intervals hold the truth in 90 ± 4 %, 80 % ones in 80 ± 5 %.
+    #[test]
+    #[ignore = "a minute without optimisation"]
+    fn the_truth_lies_anywhere_among_draws_of_linear_levels() {
+        let checked = u1(200, 1.0);
+        assert!(
+            checked.values.iter().all(|value| checked.is_even(value)),
+            "{checked:?}"
+        );
+        let [_, of_80, of_90] = checked.values[0].inside;
+        assert!(
+            (of_80 - 0.8).abs() <= 0.05 && (of_90 - 0.9).abs() <= 0.04,
+            "{checked:?}"
+        );
+    }
 }

@@ -8,7 +8,7 @@ use toml::Value;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::CaseFile;
-use crate::{Case, Track};
+use crate::{Case, CaseKey, Track};
 
 /// Loop and track of a case.
 #[derive(Clone)]
@@ -91,9 +91,12 @@ impl Case {
     pub fn number(&self, key: &str) -> Option<f64> {
         let table = toml::Table::try_from(&self.file).ok()?;
         let inner = |value: Value, part: &str| value.get(part).cloned();
-        key.split('.')
-            .try_fold(Value::Table(table), inner)?
-            .as_float()
+        match key.split('.').try_fold(Value::Table(table), inner)? {
+            Value::Float(number) => Some(number),
+            // With its unit.
+            Value::String(text) => CaseKey::at(key)?.quantity?.read(&text).ok(),
+            _ => None,
+        }
     }
 
     /// Loop and track of the case with other numbers of some keys, in SI. They are those of
@@ -130,7 +133,24 @@ impl Case {
             return None;
         }
         let mut keys = self.keys.clone();
+        let by_preset = |key: &str| self.keys.text.filled_in.contains(key);
         for (key, value) in numbers {
+            // Where a key is written, a preset leaves out what goes with it.
+            let file = &mut keys.file;
+            match *key {
+                "wheel.mass" if by_preset("wheel.inertia") => {
+                    let radius = file.wheel.rolling_radius.si();
+                    let own = RigidInertia::reduced_inertia(file.wheel.mass?.si(), radius);
+                    file.wheel.inertia = Some(Quantity::new(own));
+                }
+                "track.pad.loss_factor" if by_preset("track.pad.damping") => {
+                    file.track.pad.as_mut()?.damping = None;
+                }
+                "track.ballast.loss_factor" if by_preset("track.ballast.damping") => {
+                    file.track.ballast.as_mut()?.damping = None;
+                }
+                _ => {}
+            }
             let (_, write) = NUMBERS.iter().find(|(known, _)| known == key)?;
             write(&mut keys.file, *value)?;
         }
@@ -154,6 +174,16 @@ mod tests {
     #[test]
     fn numbers_are_those_of_settings() {
         let case = Case::parse("metro", METRO_CASE, &[]).unwrap();
+        let missing = |key: &&str| case.number(key).is_none();
+        let keys = NUMBERS.map(|(key, _)| key).into_iter();
+        // A slab on fastenings whose damping is viscous.
+        let no_sleepers = [
+            "track.pad.loss_factor",
+            "track.ballast.stiffness",
+            "track.ballast.loss_factor",
+            "track.sleeper.mass",
+        ];
+        assert_eq!(keys.filter(missing).collect::<Vec<&str>>(), no_sleepers);
         for (key, _) in NUMBERS {
             let Some(number) = case.number(key) else {
                 continue;

@@ -522,6 +522,7 @@ verdict-best = am besten
 verdict-worse = schlechter
 verdict-not-told-apart = nicht zu unterscheiden
 inside-50-percent = im 50-%-Bereich, %
+inside-80-percent = im 80-%-Bereich, %
 inside-90-percent = im 90-%-Bereich, %
 left-out-column = weggelassen
 shape-of-weights = k̂
@@ -530,6 +531,20 @@ inside-50 = im 50-%-Bereich
 inside-90 = im 90-%-Bereich
 model-predicts-worse = { $model } sagt schlechter voraus als { $best }: die ln Dichte ist um { $behind } ± { $error } kleiner
 model-not-told-apart = { $model } und { $best } sind nicht zu unterscheiden: die ln Dichte unterscheidet sich um { $behind } ± { $error }; nötig sind zwei Standardfehler und 4
+all-models-see = Modelle: { $models }
+left-out-to-compare = weggelassen, jedes für sich, um sie zu vergleichen: { $held }
 one-group-left-out = nur { $held } wurde weggelassen: ein anderes Datum, ein anderer Ort oder andere Daten können anders urteilen, und ± ist allein der Fehler der Ziehungen
 weights-not-trusted = { $model }: dem Ergebnis für { $held } ist nicht zu trauen (k̂ = { $shape }, zulässig ist höchstens 0,7); unter [hold_out] genannt, bleibt es aus eigenen Ketten weg
 models-on-doubtful-chains = { $model }: seine Ketten lassen { $doubts } Zweifel, mit mehr Ziehungen kann sich das Ergebnis ändern
+
+## Ketten zu simulierten Daten
+
+truth-among-draws = { $runs } Simulationen mit dem Vorwissen und der Likelihood des Plans: wie oft Bereiche die Wahrheit enthalten, und ob sie beliebig unter den Ziehungen liegt
+checked-value = Wert
+probability-of-ranks = Wahrscheinlichkeit der Ränge
+verdict-on-ranks = Ränge
+ranks-even = gleichmäßig
+ranks-uneven = ungleichmäßig
+log-likelihood-of-all-data = ln Likelihood
+all-ranks-even = in { $runs } Simulationen liegt die Wahrheit beliebig unter den Ziehungen
+ranks-are-uneven = { $value }: in { $runs } Simulationen liegt die Wahrheit nicht beliebig unter den Ziehungen (Wahrscheinlichkeit { $probability }): die Bereiche sind falsch; mit mehr Vorlauf und Ziehungen oder einem anderen Verfahren können sie richtig werden

@@ -530,6 +530,7 @@ verdict-best = best
 verdict-worse = worse
 verdict-not-told-apart = not told apart
 inside-50-percent = in its 50 % band, %
+inside-80-percent = in its 80 % band, %
 inside-90-percent = in its 90 % band, %
 left-out-column = left out
 shape-of-weights = k̂
@@ -538,6 +539,20 @@ inside-50 = in the 50 % band
 inside-90 = in the 90 % band
 model-predicts-worse = { $model } predicts worse than { $best }: ln density is lower by { $behind } ± { $error }
 model-not-told-apart = { $model } and { $best } are not told apart: ln density differs by { $behind } ± { $error }, but must by two standard errors and by 4
+all-models-see = models: { $models }
+left-out-to-compare = left out, each by itself, to compare them: { $held }
 one-group-left-out = only { $held } was left out: another date, place or kind may judge otherwise, and ± is the error of the draws alone
 weights-not-trusted = { $model }: the score of { $held } is not to be trusted (k̂ = { $shape }, but must be 0.7 at most); named under [hold_out], it is left out of chains of their own
 models-on-doubtful-chains = { $model }: its chains leave { $doubts } doubts, and its score may change with more draws
+
+## Chains on simulated data
+
+truth-among-draws = { $runs } simulations with the priors and the likelihood of the plan: how often intervals hold the truth, and whether it lies anywhere among the draws
+checked-value = value
+probability-of-ranks = probability of its ranks
+verdict-on-ranks = ranks
+ranks-even = even
+ranks-uneven = uneven
+log-likelihood-of-all-data = ln likelihood
+all-ranks-even = in { $runs } simulations the truth lies anywhere among the draws
+ranks-are-uneven = { $value }: in { $runs } simulations the truth does not lie anywhere among the draws (probability { $probability }): its intervals are wrong, by more warm-up and draws or by another sampler they may be right

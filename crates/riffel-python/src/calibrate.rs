@@ -40,6 +40,7 @@ pub(crate) fn calibrate(
     let work = move || -> Result<_, CalibrationError> {
         let plan = Plan::read(&plan)?;
         let own = Folder::begin(&plan, &folder, restart)?;
+        own.write_plan(&plan)?;
         let sample = |folder: &Folder<'_>, _: &str| folder.run(&|_| (), &asked);
         let Some(chains) = sample(&own, "")? else {
             return Ok((Vec::new(), Vec::new(), None));

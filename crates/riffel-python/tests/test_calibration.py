@@ -1,5 +1,6 @@
 """Calibrations and decisions from Python."""
 
+import csv
 import shutil
 from collections.abc import Callable
 from pathlib import Path
@@ -8,6 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 import riffel
+import xarray as xr
 
 SET = Path(__file__).parents[3] / "validation" / "calibration" / "b-three-dates"
 HEAD = """case = "case.toml"
@@ -73,6 +75,39 @@ def test_a_calibration_is_a_tree_and_its_decision_that_of_the_program(
     assert "breaks_budget" not in found
     plan.write_text(HEAD + DECISION.replace("[cost]", '[cost]\nbudget = "1 EUR"'))
     assert list(riffel.decide(folder)["breaks_budget"].values) == [1, 1]
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_path: Path) -> None:
+    import arviz
+
+    plan.write_text(HEAD.replace("chains = 2", "chains = 4"))
+    riffel.calibrate(plan, tmp_path / "out")
+    tree = xr.open_datatree(tmp_path / "out" / "posterior.zarr", engine="zarr")
+    groups = {"posterior", "sample_stats", "prior", "log_likelihood", "posterior_predictive", "observed_data"}
+    assert set(tree.children) == groups
+    for group in groups - {"observed_data"}:
+        assert list(tree[group].sizes)[:2] == ["chain", "draw"]
+        assert tree[group]["draw"].dtype == np.int64
+    assert tree["sample_stats/diverging"].dtype == bool
+    assert tree["sample_stats/n_steps"].dtype == np.int64
+    data = arviz.InferenceData.from_datatree(tree)
+    found = arviz.summary(data, round_to="none")
+    with (tmp_path / "out" / "summary.csv").open() as file:
+        own = {row["parameter"]: row for row in csv.DictReader(file)}
+    assert set(own) == set(found.index)
+    for name, row in own.items():
+        for key, column in (
+            ("mean", "mean"),
+            ("standard_deviation", "sd"),
+            ("rhat", "r_hat"),
+            ("ess_bulk", "ess_bulk"),
+            ("ess_tail", "ess_tail"),
+        ):
+            assert float(row[key]) == pytest.approx(found.loc[name, column], rel=0.01), (name, key)
+    # What indexes by divergences, and what weights draws by the likelihood of each datum.
+    arviz.plot_trace(data)
+    assert arviz.loo(data).n_data_points == tree["observed_data"].sizes["datum"]
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")

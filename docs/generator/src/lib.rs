@@ -288,6 +288,7 @@ fn command_line(program: &Path) -> Result<String, String> {
     }
     for (of, commands) in [
         ("study", &["merge", "sensitivity"][..]),
+        ("calibrate", &["check"]),
         (
             "network",
             &[

@@ -10,6 +10,7 @@ use riffel_keys::CaseError;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
 use super::{Block, Given, Group, table};
+use crate::file::Kind;
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
 use crate::model::Trial;
@@ -70,9 +71,8 @@ impl DecayRates {
         view: (usize, &Case),
         student: StudentsT,
     ) -> Result<Self, CaseError> {
-        let columns = ["frequency_hz", "decay_rate_db_per_m"];
         let others = ["standard_error_ln", "upper_bound"];
-        let numbers = table::read(path, &columns, &others)?;
+        let numbers = table::read(path, Kind::DecayRate.columns(), &others)?;
         let [frequency, rate] = [0, 1].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "decay_rate_db_per_m", rate, rule, |rate| rate > 0.0)?;
@@ -176,6 +176,23 @@ impl Block for DecayRates {
             predicted + self.scale(band, sizes) * self.student.inverse_cdf(uniform(random))
         });
         Some(drawn.collect())
+    }
+
+    /// Where the grid is too short for more than some rate, a rate that is higher is known, and one that is lower is below it.
+    fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {
+        let bands = data.iter().enumerate();
+        let below = |band: usize, rate: f64| self.upper_bound[band] && rate < self.rate[band];
+        let known = bands.clone().map(|(band, rate)| match below(band, *rate) {
+            true => self.rate[band],
+            false => *rate,
+        });
+        Some(Box::new(Self {
+            centre: self.centre.clone(),
+            rate: known.collect(),
+            error: self.error.clone(),
+            upper_bound: bands.map(|(band, rate)| below(band, *rate)).collect(),
+            ..*self
+        }))
     }
 
     fn views(&self) -> Vec<usize> {

@@ -9,6 +9,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 
 use super::{Block, Group, Held, differences, sums, table};
+use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
@@ -47,12 +48,8 @@ impl FrequencyResponses {
         gain_error: f64,
         missed: Option<Kernel>,
     ) -> Result<Self, CaseError> {
-        let columns = [
-            "frequency_hz",
-            "receptance_re_m_per_n",
-            "receptance_im_m_per_n",
-        ];
-        let numbers = table::read(path, &columns, &["position_m", "coherence"])?;
+        let columns = Kind::FrequencyResponse.columns();
+        let numbers = table::read(path, columns, &["position_m", "coherence"])?;
         let [frequency, real, imaginary] = [0, 1, 2].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "frequency_hz", frequency, rule, |f| f > 0.0)?;
@@ -177,6 +174,20 @@ impl Block for FrequencyResponses {
         let real = self.parts[0].draw(sizes, || normal(random))?;
         let imaginary = self.parts[1].draw(sizes, || normal(random))?;
         Some(sums(predicted, &[real, imaginary].concat()))
+    }
+
+    fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {
+        let (moduli, phases) = data.split_at(self.response.len());
+        let lines = moduli.iter().zip(phases);
+        Some(Box::new(Self {
+            angular_frequency: self.angular_frequency.clone(),
+            position: self.position.clone(),
+            response: lines
+                .map(|(ln, phase)| Complex64::from_polar(ln.exp(), *phase))
+                .collect(),
+            parts: self.parts.clone(),
+            ..*self
+        }))
     }
 
     fn views(&self) -> Vec<usize> {

@@ -12,6 +12,7 @@ use riffel_case::{Case, LoopOnTrack};
 use riffel_keys::CaseError;
 
 use super::{Block, Group, Held, differences, sums, table};
+use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::linear::{Known, Normal};
@@ -107,8 +108,7 @@ fn rows(
 
 impl DatedLevels {
     pub(crate) fn rows(path: &Path, case: &Case) -> Result<Vec<Row>, CaseError> {
-        let columns = ["wavelength_mm", "level_db", "standard_error_db", "passages"];
-        let numbers = table::read(path, &columns, &[])?;
+        let numbers = table::read(path, Kind::DatedLevels.columns(), &[])?;
         let passages = &numbers.needed[3];
         let first = passages.iter().copied().fold(f64::INFINITY, f64::min);
         let rows = rows(&numbers, path, case, |row| passages[row] - first)?;
@@ -128,12 +128,7 @@ impl DatedLevels {
 
 impl AxleBoxRun {
     pub(crate) fn rows(path: &Path, case: &Case, passages: f64) -> Result<Vec<Row>, CaseError> {
-        let columns = [
-            "wavelength_mm",
-            "level_db_re_1_m_per_s2",
-            "standard_error_db",
-        ];
-        let numbers = table::read(path, &columns, &[])?;
+        let numbers = table::read(path, Kind::AxleBox.columns(), &[])?;
         rows(&numbers, path, case, |_| passages)
     }
 }
@@ -276,24 +271,6 @@ impl Levels {
     pub(crate) fn last(&self) -> f64 {
         let dates = self.measured.0.rows.iter().map(|row| row.passages);
         dates.fold(0.0, f64::max)
-    }
-
-    /// The same with other contrasts, for tests; without runs.
-    #[cfg(test)]
-    pub(crate) fn with_data(&self, contrasts: &[f64]) -> Self {
-        let mut dated = self.measured.0.clone();
-        dated.rows = self
-            .rows
-            .iter()
-            .map(|row| Row {
-                level: 0.0,
-                ..row.row
-            })
-            .collect();
-        for ((row, _), level) in self.contrasts.iter().zip(contrasts) {
-            dated.rows[*row].level = *level;
-        }
-        Self::new(&dated, &[]).unwrap()
     }
 
     /// Passages of all dates and runs, in order.
@@ -456,6 +433,25 @@ impl Block for Levels {
     ) -> Option<Vec<f64>> {
         let errors = self.gaussian.draw(sizes, || normal(random))?;
         Some(sums(predicted, &errors))
+    }
+
+    /// The first level of each band is zero.
+    fn with_data(&self, contrasts: &[f64]) -> Option<Box<dyn Block>> {
+        let mut levels = vec![0.0; self.rows.len()];
+        for ((row, _), level) in self.contrasts.iter().zip(contrasts) {
+            levels[*row] = *level;
+        }
+        let (mut dated, mut runs) = self.measured.clone();
+        dated.rows.clear();
+        runs.iter_mut().for_each(|run| run.rows.clear());
+        for (row, level) in self.rows.iter().zip(levels) {
+            let rows = match row.run {
+                None => &mut dated.rows,
+                Some((run, _)) => &mut runs[run].rows,
+            };
+            rows.push(Row { level, ..row.row });
+        }
+        Some(Box::new(Self::new(&dated, &runs)?))
     }
 
     fn views(&self) -> Vec<usize> {

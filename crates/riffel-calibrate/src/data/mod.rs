@@ -49,6 +49,9 @@ pub(crate) trait Block: Send + Sync {
         random: &mut Xoshiro256PlusPlus,
     ) -> Option<Vec<f64>>;
 
+    /// The same with other data, in the order of the predictions; none where their errors are beyond numbers.
+    fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>>;
+
     /// Covariance of the errors of the data, what the model misses among them, where each datum is the mean of so many
     /// measurements.
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel_keys::CaseError;
-use riffel_keys::table::HeadedTable;
+use riffel_keys::table::{HeadedTable, NoHead};
 use riffel_keys::text_file::{LARGEST_RESPONSES, decode, read_bounded};
 
 /// Numbers by row: columns that must be there, and others that may.
@@ -14,19 +14,43 @@ pub(crate) struct Numbers {
     pub(crate) others: Vec<Option<Vec<f64>>>,
 }
 
+fn refuse(path: &Path, line: Option<usize>, message: String) -> CaseError {
+    CaseError::Data {
+        path: path.to_owned(),
+        line,
+        message,
+        help: None,
+    }
+}
+
+fn text(path: &Path) -> Result<String, CaseError> {
+    let bytes = read_bounded(path, "table of measurements", LARGEST_RESPONSES)?;
+    decode(bytes).map_err(|byte| refuse(path, Some(byte.line), byte.to_string()))
+}
+
+/// The names of the columns of a table, of the first line that is a head; else those of its first line.
+///
+/// # Errors
+/// [`CaseError::Read`].
+pub(crate) fn names(
+    path: &Path,
+    is_head: impl Fn(&[String]) -> bool,
+) -> Result<Vec<String>, CaseError> {
+    let text = text(path)?;
+    let find = |names: &[String]| is_head(names).then_some(()).ok_or(names.to_vec());
+    Ok(match HeadedTable::find(&text, find, |(), _| true) {
+        Ok(table) => table.names,
+        Err(NoHead::Names(names)) => names,
+        Err(_) => vec![text.lines().next().unwrap_or_default().to_owned()],
+    })
+}
+
 /// Read the columns of a table.
 ///
 /// # Errors
 /// [`CaseError::Read`], or [`CaseError::Data`] with the line, the column and the rule.
 pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numbers, CaseError> {
-    let bytes = read_bounded(path, "table of measurements", LARGEST_RESPONSES)?;
-    let refuse = |line: Option<usize>, message: String| CaseError::Data {
-        path: path.to_owned(),
-        line,
-        message,
-        help: None,
-    };
-    let text = decode(bytes).map_err(|byte| refuse(Some(byte.line), byte.to_string()))?;
+    let text = text(path)?;
     let find = |names: &[String]| {
         let place = |wanted: &&str| names.iter().position(|name| name == wanted);
         needed
@@ -42,7 +66,7 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
             "must have a head with the columns {}, units included, but begins with \"{first}\"",
             needed.join(", ")
         );
-        refuse(Some(1), rule)
+        refuse(path, Some(1), rule)
     })?;
     let mut numbers = Numbers {
         lines: Vec::new(),
@@ -58,8 +82,13 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
     for row in table.rows() {
         let number = |column: usize| {
             let number = row.number(column);
-            number
-                .map_err(|rule| refuse(Some(row.line), format!("`{}` {rule}", table.names[column])))
+            number.map_err(|rule| {
+                refuse(
+                    path,
+                    Some(row.line),
+                    format!("`{}` {rule}", table.names[column]),
+                )
+            })
         };
         numbers.lines.push(row.line);
         for (values, &column) in numbers.needed.iter_mut().zip(&table.columns) {
@@ -72,7 +101,7 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
         }
     }
     if numbers.lines.is_empty() {
-        return Err(refuse(None, "has no rows".to_owned()));
+        return Err(refuse(path, None, "has no rows".to_owned()));
     }
     Ok(numbers)
 }

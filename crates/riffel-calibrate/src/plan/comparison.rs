@@ -135,6 +135,18 @@ impl Plan {
         Ok(vec![self.held_out(written, &all)?])
     }
 
+    /// The same with the names of the data of each block.
+    ///
+    /// # Errors
+    /// [`CaseError`] where nothing can be left out.
+    pub fn left_out_of_data(&self) -> Result<Vec<(String, Held)>, CaseError> {
+        let groups = self.groups()?.into_iter();
+        let named = |block: usize| self.posterior.blocks[block].names.join(" + ");
+        Ok(groups
+            .map(|(block, group)| (named(block), group.held))
+            .collect())
+    }
+
     fn held_out(
         &self,
         written: &HoldOutFile,

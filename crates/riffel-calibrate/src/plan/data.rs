@@ -5,7 +5,7 @@ use riffel_keys::CaseError;
 use statrs::distribution::StudentsT;
 use toml::Value;
 
-use super::{Reading, name_of};
+use super::{Reading, beside, name_of};
 use crate::data::{AxleBoxRun, Block, DatedLevels, DecayRates, FrequencyResponses, Levels, Size};
 use crate::file::{DataFile, DiscrepancyFile, Kind, SizeFile};
 use crate::kernel::Kernel;
@@ -234,7 +234,7 @@ impl Reading<'_> {
         }
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
-        let path = self.folder.join(&data.file);
+        let path = beside(self.folder, &data.file);
         let of_view = (view, &self.views[view].case);
         let block = FrequencyResponses::read(&path, of_view, data.averages, gain_error, missed)?;
         if block.usual_errors {
@@ -273,7 +273,7 @@ impl Reading<'_> {
         }
         self.discrepancy(index)?;
         let view = self.view(index)?;
-        let path = self.folder.join(&data.file);
+        let path = beside(self.folder, &data.file);
         let block = DecayRates::read(&path, (view, &self.views[view].case), student)?;
         Ok(Box::new(block))
     }
@@ -295,7 +295,7 @@ impl Reading<'_> {
         let common_error = self.decibels(index, 0.3)?;
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
-        let rows = DatedLevels::rows(&self.folder.join(&data.file), &self.views[view].case)?;
+        let rows = DatedLevels::rows(&beside(self.folder, &data.file), &self.views[view].case)?;
         let dated = DatedLevels {
             view,
             rows,
@@ -339,7 +339,7 @@ impl Reading<'_> {
         let common_error = self.decibels(index, 0.5)?;
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
-        let path = self.folder.join(&data.file);
+        let path = beside(self.folder, &data.file);
         let rows = AxleBoxRun::rows(&path, &self.views[view].case, passages)?;
         Ok(AxleBoxRun {
             view,

@@ -4,6 +4,7 @@ mod comparison;
 mod data;
 pub(crate) mod decision;
 mod parameter;
+mod usual;
 
 use std::path::{Path, PathBuf};
 
@@ -17,6 +18,8 @@ use crate::file::{DataFile, PlanFile};
 use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
+
+pub use usual::Measured;
 
 /// Standard deviations of a prior from its median beyond which it excludes what the case says.
 const EXCLUDES: f64 = 4.0;
@@ -66,7 +69,11 @@ impl Plan {
     /// # Errors
     /// [`CaseError`] with the key or the file, the value and the rule.
     pub fn read(path: &Path) -> Result<Self, CaseError> {
-        let text = text_file::read_keys(path, "plan")?;
+        Self::of_text(path, text_file::read_keys(path, "plan")?)
+    }
+
+    /// The same of its text, as if it stood at a path.
+    fn of_text(path: &Path, text: String) -> Result<Self, CaseError> {
         let source = KeyFile::parse(&path.display().to_string(), &text)?;
         let mut plan = Self::of(path, text, source)?;
         let compared = plan.file.compare.iter().enumerate();
@@ -87,7 +94,7 @@ impl Plan {
         let file: PlanFile = source.deserialize()?;
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         check_sampler(&source, &file)?;
-        let case_path = folder.join(&file.case);
+        let case_path = beside(folder, &file.case);
         let case =
             Case::read_with(&case_path, &settings(&file.set)).map_err(|error| match error {
                 CaseError::Changed { key, message } => {
@@ -100,8 +107,8 @@ impl Plan {
         let vehicles = match &file.traffic {
             None => Vec::new(),
             Some(name) => {
-                inputs.push(folder.join(name));
-                let read = traffic.insert(Traffic::read(&folder.join(name))?);
+                inputs.push(beside(folder, name));
+                let read = traffic.insert(Traffic::read(&beside(folder, name))?);
                 Vehicle::all(read).map_err(|(index, key)| {
                     let message = format!(
                         "vehicle[{index}] of {name} has `{key}`, which calibration does not take; give one wheel at a distribution of speeds"
@@ -110,7 +117,7 @@ impl Plan {
                 })?
             }
         };
-        inputs.extend(file.data.iter().map(|data| folder.join(&data.file)));
+        inputs.extend(file.data.iter().map(|data| beside(folder, &data.file)));
         let mut reading = Reading {
             source: &source,
             file: &file,
@@ -232,6 +239,18 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
         }
     }
     Ok(())
+}
+
+/// The path of a file that a plan in a folder names. Of a folder that is not there yet the system knows no parent.
+fn beside(folder: &Path, name: &str) -> PathBuf {
+    let (mut folder, mut name) = (folder.to_owned(), Path::new(name));
+    while !folder.exists()
+        && let Ok(rest) = name.strip_prefix("..")
+        && folder.pop()
+    {
+        name = rest;
+    }
+    folder.join(name)
 }
 
 /// The name of data in the results.

@@ -178,7 +178,7 @@ impl Reading<'_> {
 }
 
 /// The quantity of a key, where that of the case is `of_key`; or the rule that it breaks, and help.
-fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (String, String)> {
+pub(super) fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (String, String)> {
     let quantity = match (key.strip_prefix("vehicle."), PhysicalRange::of(of_key)) {
         (Some(_), Some(range)) => Some(range.kind),
         (Some("traction_share"), None) => Some(quantity::Kind::of::<Ratio>()),

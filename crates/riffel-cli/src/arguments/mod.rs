@@ -36,7 +36,7 @@ use point_in_rail::PointInRail;
 
 pub(crate) use asked::{Asked, within};
 pub(crate) use axlebox::AxleBox;
-pub(crate) use calibrate::Calibrate;
+pub(crate) use calibrate::{Calibrate, CalibrateChains, CalibrateCommand, CheckCalibration};
 pub(crate) use case::{CaseArguments, covering, stem};
 pub(crate) use decide::Decide;
 pub(crate) use figures::{Figures, ModelArgument};

@@ -21,6 +21,105 @@ fn a_dry_run_says_which_data_tell_a_key() {
         assert!(outcome.text.contains(line), "{}", outcome.text);
     }
     assert!(!sandbox.path("out").exists());
+    let compared =
+        "\n[[compare]]\ntitle = \"without preload\"\nwithout = [\"preload_stiffening\"]\n";
+    let text = fs::read_to_string(sandbox.path(&plan)).unwrap();
+    for (hold_out, words) in [
+        ("", "hammer, decay, growth + axle-box, date of 0 passages"),
+        (
+            "[hold_out]\ndate = \"last\"\n",
+            "to compare them: growth + axle-box, date of",
+        ),
+    ] {
+        fs::write(sandbox.path(&plan), format!("{text}{compared}{hold_out}")).unwrap();
+        let outcome = sandbox.riffel(&format!("calibrate {plan} --dry-run"));
+        for words in ["models: model of the plan, without preload\n", words] {
+            assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+        }
+    }
+}
+
+#[test]
+fn a_case_and_its_tables_make_a_plan() {
+    let sandbox = Sandbox::new();
+    sandbox.copy(SET);
+    let make = format!("calibrate {SET}/case.toml --with {SET}/decay.csv -o out --dry-run");
+    let outcome = sandbox.riffel(&make);
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    assert!(
+        outcome.text.contains("track.sleeper.mass: decay"),
+        "{}",
+        outcome.text
+    );
+    assert!(!sandbox.path("out").exists());
+    fs::create_dir(sandbox.path("out")).unwrap();
+    fs::write(sandbox.path("out/plan.toml"), "mine").unwrap();
+    for (command, words) in [
+        (make, "is not the plan with usual priors"),
+        (
+            format!("calibrate {SET}/case.toml --with {SET}/case.toml"),
+            "no kind of measurement",
+        ),
+        (
+            format!("calibrate {SET}/plan.toml --traffic a.toml"),
+            "--with",
+        ),
+    ] {
+        let outcome = sandbox.riffel(&command);
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(
+            outcome.sentence().contains(words),
+            "{words}: {}",
+            outcome.text
+        );
+    }
+    assert_eq!(
+        fs::read_to_string(sandbox.path("out/plan.toml")).unwrap(),
+        "mine"
+    );
+}
+
+/// Levels of two bands that the model makes itself; with too few simulations or draws it is said.
+#[test]
+fn simulated_data_hold_the_truth_as_often_as_is_said() {
+    let sandbox = Sandbox::new();
+    let set = "validation/calibration/b-three-dates";
+    sandbox.copy(set);
+    let plan = format!("{set}/plan.toml");
+    fs::write(
+        sandbox.path(&format!("{set}/roughness.csv")),
+        "passages,wavelength_mm,level_db,standard_error_db\n\
+         0,158.48932,0,0.2\n0,125.89254,0,0.2\n2000000,158.48932,2.2,0.2\n2000000,125.89254,2.9,0.2\n",
+    )
+    .unwrap();
+    let text = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nchains = 1\nwarmup = 100\ndraws = 198\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
+        discrepancy = { kind = \"band\", standard_deviation = 0.1 }\n";
+    fs::write(sandbox.path(&plan), text).unwrap();
+    let outcome = sandbox.riffel(&format!("calibrate check {plan} --runs 20 -o ranks"));
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    for words in [
+        "wear.coefficient",
+        "ln likelihood",
+        "in 20 simulations the truth lies anywhere",
+    ] {
+        assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+    }
+    let document = fs::read(sandbox.path("ranks/ranks.json")).unwrap();
+    let document: serde_json::Value = serde_json::from_slice(&document).unwrap();
+    assert_eq!(document["values"][0]["ranks"].as_array().unwrap().len(), 20);
+    assert!(sandbox.path("ranks/ranks.png").exists());
+    for (draws, runs, words) in [
+        ("198", 19, "--runs is 19"),
+        ("98", 20, "sampler.draws is 98"),
+    ] {
+        fs::write(sandbox.path(&plan), text.replace("198", draws)).unwrap();
+        let outcome = sandbox.riffel(&format!("calibrate check {plan} --runs {runs}"));
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(outcome.sentence().contains(words), "{}", outcome.text);
+    }
 }
 
 #[test]
@@ -308,10 +407,8 @@ fn models_are_compared_by_what_they_predict() {
     };
     assert_eq!(verdict("no growth"), "worse", "{table}");
     for model in ["model of the plan", "share known"] {
-        assert!(
-            ["best", "not told apart"].contains(&verdict(model)),
-            "{table}"
-        );
+        // One of the two has the larger sum, which makes it no winner.
+        assert_eq!(verdict(model), "not told apart", "{table}");
         let row = rows.iter().find(|row| row[0] == model).unwrap();
         assert_eq!(row[column("inside_90_percent")], "100.000000", "{table}");
     }

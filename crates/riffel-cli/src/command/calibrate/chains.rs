@@ -1,18 +1,18 @@
-//! `riffel calibrate`
+//! `riffel calibrate PLAN`
 
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
 use riffel_answers::calibrate::{close_pairs, correlations, directions, figure};
-use riffel_answers::competing_models::CompetingModels;
+use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, level_limit};
 use riffel_calibrate::{
-    CalibrationError, Chains, Folder, Identifiability, Marginal, Plan, Summary, TOLD,
+    CalibrationError, Chains, Folder, Identifiability, Marginal, Measured, Plan, Summary, TOLD,
 };
 
-use super::study::progress::{SampleProgress, duration};
-use crate::arguments::{Calibrate, stem};
+use crate::arguments::{CalibrateChains, stem};
+use crate::command::study::progress::{SampleProgress, duration};
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print, table, table_of};
 use crate::results::readable;
@@ -25,18 +25,29 @@ const MONTHS: f64 = 24.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
-pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
-    let plan = Plan::read(&arguments.plan)?;
+pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
+    let named = arguments.plan.as_deref().unwrap_or(Path::new(""));
+    let path = arguments.output.clone();
+    let path = path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(named))));
+    let plan = match &arguments.tables[..] {
+        [] => Plan::read(named)?,
+        tables => {
+            let measured = Measured {
+                case: named,
+                traffic: arguments.traffic.as_deref(),
+                tables,
+            };
+            Plan::usual(&path.join("plan.toml"), &measured)?
+        }
+    };
     if arguments.dry_run {
-        print(&dry_run(&plan))?;
+        print(&dry_run(&plan)?)?;
         print_remarks(&plan.remarks);
         return Ok(0);
     }
-    let path = arguments.output.clone();
-    let path =
-        path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(&arguments.plan))));
     let stop = stop_on_interrupt();
     let folder = Folder::begin(&plan, &path, arguments.restart)?;
+    folder.write_plan(&plan)?;
     let sampler = &plan.file.sampler;
     say(format_args!(
         "{} chains of {} + {} draws of {} parameters",
@@ -138,7 +149,7 @@ fn conclusions(
 }
 
 /// What a plan asks for.
-fn dry_run(plan: &Plan) -> String {
+fn dry_run(plan: &Plan) -> miette::Result<String> {
     let mut text = String::new();
     for parameter in plan.posterior.parameters() {
         let touched = plan.posterior.data_of(&parameter.name);
@@ -148,17 +159,21 @@ fn dry_run(plan: &Plan) -> String {
         };
         text += &format!("{}: {data}\n", parameter.name);
     }
-    text + &format!(
-        "{} data, {} chains of {} + {} draws\n",
-        plan.posterior
-            .observed()
-            .iter()
-            .map(Vec::len)
-            .sum::<usize>(),
-        plan.file.sampler.chains,
-        plan.file.sampler.warmup,
-        plan.file.sampler.draws
-    )
+    for message in what_is_compared(plan)? {
+        text += &format!("{}\n", message.text(language()));
+    }
+    Ok(text
+        + &format!(
+            "{} data, {} chains of {} + {} draws\n",
+            plan.posterior
+                .observed()
+                .iter()
+                .map(Vec::len)
+                .sum::<usize>(),
+            plan.file.sampler.chains,
+            plan.file.sampler.warmup,
+            plan.file.sampler.draws
+        ))
 }
 
 /// What the data say of each parameter.

@@ -1,0 +1,58 @@
+//! `riffel calibrate check`
+
+use riffel_answers::Answer;
+use riffel_answers::calibration_check::CalibrationCheck;
+use riffel_calibrate::{Plan, Simulated};
+
+use crate::arguments::CheckCalibration;
+use crate::command::study::progress::SampleProgress;
+use crate::messages::{complain, language, print_remarks};
+use crate::output::{json, print};
+use crate::results::readable;
+use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
+use crate::threads::on_threads;
+
+/// The truth does not lie anywhere among the draws.
+const UNEVEN: u8 = 1;
+
+pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
+    let plan = Plan::read(&arguments.plan)?;
+    let stop = stop_on_interrupt();
+    let progress = SampleProgress::new("simulations", arguments.runs);
+    let work = || {
+        Simulated::of(
+            &plan,
+            arguments.runs,
+            &|done| progress.advance_by(done),
+            &stop,
+        )
+    };
+    let Some(simulated) = on_threads(arguments.threads, work)?? else {
+        complain("stopped: the check begins anew");
+        return Ok(INTERRUPTED);
+    };
+    let answer = CalibrationCheck::new(plan.file.title.clone(), simulated);
+    let tables = answer.tables();
+    print(&match arguments.json {
+        true => json(&answer),
+        false => readable(&answer, &tables),
+    })?;
+    if let Some(folder) = &arguments.output {
+        let mut staging = Staging::new("calibrate check", folder)?;
+        staging.write_figure(CalibrationCheck::NAME, &answer.figure())?;
+        for table in &tables {
+            staging.write_with(&format!("{}.csv", table.name), |file| table.csv(file))?;
+        }
+        staging.write("ranks.json", json(&answer))?;
+        let files = staging.publish()?.join(" ");
+        if !arguments.json {
+            print(&format!("{}: {files}\n", folder.display()))?;
+        }
+    }
+    print_remarks(&plan.remarks);
+    let doubts = answer.doubts();
+    doubts
+        .iter()
+        .for_each(|doubt| complain(doubt.text(language())));
+    Ok(if doubts.is_empty() { 0 } else { UNEVEN })
+}
