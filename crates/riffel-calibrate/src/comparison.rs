@@ -254,9 +254,14 @@ mod tests {
             assert!((without.log_density - expected).abs() < 0.1, "{without:?}");
             assert!((without.log_density - expected).abs() < 4.0 * without.error);
             let weighted = score(&[0, 1, 2], date);
-            eprintln!("{date}: {expected} {without:?} {weighted:?}");
-            if weighted.shape.unwrap() < MOST_SHAPE {
-                assert!((weighted.log_density - expected).abs() < 0.1);
+            // Weights of a shape above a half have no finite variance: their mean settles slowly, and from above.
+            let shape = weighted.shape.unwrap();
+            if shape < MOST_SHAPE {
+                let error = if shape < 0.5 { 0.1 } else { 0.4 };
+                assert!(
+                    (weighted.log_density - expected).abs() < error,
+                    "{weighted:?}"
+                );
             }
             assert_eq!((without.count, without.inside_90), (3, 3));
         }

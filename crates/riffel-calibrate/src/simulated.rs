@@ -298,7 +298,7 @@ mod tests {
         Simulated::ranked(&posterior, &ranks.collect::<Vec<_>>())
     }
 
-    /// U1 in 40 simulations, and with data that have three times the errors that the likelihood is told of.
+    /// U1 in 40 simulations, and in 80 with data that have three times the errors that the likelihood is told of.
     #[test]
     fn the_truth_lies_anywhere_among_draws_of_linear_levels_and_not_where_errors_are_told_wrong() {
         let right = u1(40, 1.0);
@@ -306,7 +306,7 @@ mod tests {
             right.values.iter().all(|value| right.is_even(value)),
             "{right:?}"
         );
-        let wrong = u1(40, 3.0);
+        let wrong = u1(80, 3.0);
         assert!(!wrong.is_even(&wrong.values[0]), "{wrong:?}");
         assert!(wrong.values[0].inside[2] < 0.7);
     }

@@ -17,6 +17,7 @@ mod case_text;
 mod compare;
 mod fault;
 mod figure;
+mod german;
 mod line;
 mod map;
 mod note;
@@ -35,7 +36,7 @@ use serde::de::DeserializeOwned;
 pub use case_text::{CaseText, LARGEST_CASE};
 pub use fault::Fault;
 pub use note::Note;
-pub use reply::Reply;
+pub use reply::{Reply, written};
 pub use traffic::{TRAFFIC_FILE, Traffic};
 pub use vocabulary::{VOCABULARY, vocabulary_of};
 

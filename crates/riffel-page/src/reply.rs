@@ -3,6 +3,7 @@
 use serde::Serialize;
 
 use crate::fault::Fault;
+use crate::german::with_german;
 
 /// An answer.
 pub struct Reply {
@@ -46,6 +47,12 @@ impl Reply {
     }
 }
 
-fn written(answer: &impl Serialize) -> Result<Vec<u8>, Fault> {
-    serde_json::to_vec(answer).map_err(|_| Fault::defect("the answer cannot be written"))
+/// An answer in JSON, with the German of what it says: see [`with_german`].
+///
+/// # Errors
+/// A [`Fault`] if it has no JSON.
+pub fn written(answer: &impl Serialize) -> Result<Vec<u8>, Fault> {
+    let answer = serde_json::to_value(answer).map(with_german);
+    let written = answer.and_then(|answer| serde_json::to_vec(&answer));
+    written.map_err(|_| Fault::defect("the answer cannot be written"))
 }

@@ -7,6 +7,8 @@ use riffel_case::{
 };
 use serde_json::{Value, json};
 
+use crate::german::with_german;
+
 /// Lines to begin with, each on a supported track.
 const LINES: [(&str, &str); 4] = [
     ("main-line", MAIN_LINE_CASE),
@@ -40,12 +42,12 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
         .iter()
         .map(|&(name, text)| json!({ "name": name, "case": keys(text) }))
         .collect();
-    json!({
+    let vocabulary = json!({
         "version": env!("CARGO_PKG_VERSION"),
         "schema": json_schema(),
         "presets": presets,
         "nominal": case,
         "lines": lines,
-    })
-    .to_string()
+    });
+    with_german(vocabulary).to_string()
 }

@@ -91,7 +91,7 @@ def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_pat
         assert tree[group]["draw"].dtype == np.int64
     assert tree["sample_stats/diverging"].dtype == bool
     assert tree["sample_stats/n_steps"].dtype == np.int64
-    data = arviz.InferenceData.from_datatree(tree)
+    data = arviz.InferenceData.from_datatree(tree)  # type: ignore[no-untyped-call]
     found = arviz.summary(data, round_to="none")
     with (tmp_path / "out" / "summary.csv").open() as file:
         own = {row["parameter"]: row for row in csv.DictReader(file)}
@@ -104,10 +104,10 @@ def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_pat
             ("ess_bulk", "ess_bulk"),
             ("ess_tail", "ess_tail"),
         ):
-            assert float(row[key]) == pytest.approx(found.loc[name, column], rel=0.01), (name, key)
+            assert float(row[key]) == pytest.approx(found[column][name], rel=0.01), (name, key)
     # What indexes by divergences, and what weights draws by the likelihood of each datum.
     arviz.plot_trace(data)
-    assert arviz.loo(data).n_data_points == tree["observed_data"].sizes["datum"]
+    assert arviz.loo(data).n_data_points == tree["observed_data"].sizes["datum"]  # type: ignore[no-untyped-call]
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")

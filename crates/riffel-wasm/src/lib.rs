@@ -53,7 +53,7 @@ pub extern "C" fn answer() -> u32 {
         Ok(reply) => (200, reply),
         Err(fault) => (
             fault.status().into(),
-            serde_json::to_vec(&fault).unwrap_or_default(),
+            riffel_page::written(&fault).unwrap_or_default(),
         ),
     };
     exchange.reply = reply;

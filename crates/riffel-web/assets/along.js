@@ -4,7 +4,6 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
 import { Line, json } from './server.js';
 import { number, t, translate } from './words.js';
 
@@ -68,7 +67,7 @@ export class Along {
       this.courses = courses;
       const chosen = this.rail.value;
       const names = courses.rails.map(({ name }) => name);
-      this.rail.replaceChildren(...names.map((name) => element('option', { value: name, textContent: name ? inWords(`rail ${name}`) : t('rail') })));
+      this.rail.replaceChildren(...names.map((name) => element('option', { value: name, textContent: t('rail_named', name) })));
       this.rail.value = names.includes(chosen) ? chosen : names[0];
       this.rail.hidden = names.length < 2;
       this.panel.hidden = false;
@@ -78,7 +77,7 @@ export class Along {
 
   reword() {
     for (const panel of this.panels) translate(panel);
-    for (const option of this.rail.options) option.textContent = option.value ? inWords(`rail ${option.value}`) : t('rail');
+    for (const option of this.rail.options) option.textContent = t('rail_named', option.value);
   }
 
   async #draw() {
@@ -159,7 +158,7 @@ export class Along {
     });
     const levels = (list) => list.map(({ wavelength_m: wavelength, level_db: level }) => [wavelength, level]);
     const rails = (document_) => (document_.rails?.length ? document_.rails : [{ name: '', spectrum: document_.spectrum }]);
-    const named = ({ name }) => (name ? inWords(`rail ${name}`) : t('rail'));
+    const named = ({ name }) => t('rail_named', name);
     const traces = [
       ...rails(there).map((rail, k) => curve(levels(rail.spectrum), `${named(rail)}, ${t('here')}`, colors[k ? 3 : 0])),
       ...rails(roughness).map((rail, k) => curve(levels(rail.spectrum), `${named(rail)}, ${t('whole_record')}`, colors[k ? 3 : 0], { width: 1, dash: 'dot' })),
@@ -183,7 +182,7 @@ export class Along {
         this.#place((section.from_m + section.to_m) / 2);
       });
       const cells = [number(section.to_m - section.from_m, 3), millimetres([section.band_from_m, section.band_to_m]), number(section.rms_over_limit, 3)];
-      return element('tr', {}, element('th', { scope: 'row', textContent: section.rail ? inWords(section.rail) : '–' }), element('td', {}, go), ...cells.map((textContent) => element('td', { textContent })));
+      return element('tr', {}, element('th', { scope: 'row', textContent: section.rail ? t('rail_name', section.rail) : '–' }), element('td', {}, go), ...cells.map((textContent) => element('td', { textContent })));
     });
     this.table.hidden = !rows.length;
     this.table.replaceChildren(head, element('tbody', {}, ...rows));

@@ -7,7 +7,7 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
-import { Fault, Line } from './server.js';
+import { Fault, Line, json } from './server.js';
 import { currentLanguage, t, told, translate } from './words.js';
 
 const NOMINAL = { wheel: ['S1002', 'cone-1:40'], rail: ['60E1', '60E2', '54E1', 'BS113A'] };
@@ -46,7 +46,7 @@ function kept() {
 
 export function startBogie({ state, listen, complain, banner, labels, save }) {
   const place = document.getElementById('view-curve');
-  const line = new Line('/api/curve', (answer) => answer.json());
+  const line = new Line('/api/curve', json);
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
   let shown = null;
   /** Whether the last question had no answer: it is asked again as soon as a map has one. */

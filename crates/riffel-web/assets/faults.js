@@ -23,9 +23,10 @@ function inUnitOf(text, field) {
   const [shown, factor] = field.shown;
   const unquoted = text.split('"');
   for (let k = 0; k < unquoted.length; k += 2) {
-    unquoted[k] = unquoted[k].replace(/(-?\d[\d.]*(?:e-?\d+)?) ([A-Za-zµ][\w²³⁴/·]*(?: (?:s|m|m2|s\/m|s\/rad)(?![\w]))?)/g, (all, value, unit) => {
+    unquoted[k] = unquoted[k].replace(/(-?\d(?:[\d.,]*\d)?(?:e-?\d+)?) ([A-Za-zµ][\w²³⁴/·]*(?: (?:s|m|m2|s\/m|s\/rad)(?![\w]))?)/g, (all, value, unit) => {
       const own = factorOf(unit, field.node.unit, field.shown);
-      return own === undefined ? all : `${short((Number(value) * own) / factor)} ${shown}`;
+      const words = () => short((Number(value.replace(',', '.')) * own) / factor);
+      return own === undefined ? all : `${currentLanguage() === 'de' ? words().replace('.', ',') : words()} ${shown}`;
     });
   }
   return unquoted.join('"');
@@ -47,12 +48,11 @@ export const inLabels = (text, form) => plainOptions(named(text, form.fields));
 /** The sentence of a fault and what would be right. */
 export function wording(fault, form) {
   if (fault.status === 0) return { text: t('gone'), language: currentLanguage() };
-  // Units are told by the English wording, labels by keys that are the same in every language.
   let { language } = said(fault.message);
   const words = (text) => {
-    const { text: spoken, language: own } = said(inUnitOf(text, form.fields.get(fault.key)));
+    const { text: spoken, language: own } = said(text);
     if (own === 'en') language = own;
-    return inLabels(spoken, form);
+    return inLabels(inUnitOf(spoken, form.fields.get(fault.key)), form);
   };
   // What the program would have one write on its command line helps nobody here.
   const help = fault.help && fault.help.search(OPTION) < 0 ? words(fault.help) : fault.help && t('page_reads');

@@ -40,7 +40,7 @@ const banner = new Banner($('trouble'), $('notice'));
 const trouble = (words, more) => banner.say(words, more);
 translate();
 
-const vocabulary = await reach('/api/vocabulary').then((response) => (response.ok ? response.json() : Promise.reject(response.status))).catch((fault) => {
+const vocabulary = await reach('/api/vocabulary').then((response) => (response.ok ? json(response) : Promise.reject(response.status))).catch((fault) => {
   trouble(() => t('gone'), { until: 'closed', ways: [['reload', () => location.reload()]] });
   throw fault;
 });

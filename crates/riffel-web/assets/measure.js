@@ -141,7 +141,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     sample.disabled = true;
     try {
       const answered = await fetch('/api/sample');
-      if (!answered.ok) throw new Fault(await answered.json(), answered.status);
+      if (!answered.ok) throw new Fault(await json(answered), answered.status);
       take(Object.assign(new File([await answered.blob()], 'sample.csv', { type: 'text/csv' }), { isSample: true }));
     } catch (fault) {
       complain(fault, { what: `${t('sample')}: ` });
@@ -280,7 +280,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     ], [candidate.reasons_for, candidate.reasons_against].map((reasons) => reasons.map((reason) => spoken('span', reason))), spoken('span', candidate.measurement)));
     const where = one.rail == null ? [] : [element('p', { className: 'aside', textContent: whereOn(one), lang: currentLanguage() })];
     const course = one.course ? [element('p', { className: 'aside course', textContent: courseWords(one.course), lang: currentLanguage() })] : [];
-    return element('section', {}, heading, ...where, ...course, spoken('p', one.summary.replace(/^./, (c) => c.toUpperCase())), ...cards);
+    const summary = spoken('p', one.summary);
+    summary.textContent = summary.textContent.replace(/^./, (letter) => letter.toUpperCase());
+    return element('section', {}, heading, ...where, ...course, summary, ...cards);
   }
 
   /** The wear coefficient that was fitted, in the place of that of the case. */
@@ -289,7 +291,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
   function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
     const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
-    return `${inWords(`rail ${rail}`)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
+    return `${t('rail_named', rail)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
 
   /** Spectra of earlier records in the colour of their rail, the older the paler. */
@@ -299,7 +301,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const oldest = Math.max(...spectra.map(({ age }) => age)) + 1;
     return spectra.map(({ rail, words, age, spectrum: own }) => {
       const k = rails.findIndex(({ name }) => name === rail);
-      const name = rails.length > 1 && rail ? `${inWords(`rail ${rail}`)}, ${words}` : words;
+      const name = rails.length > 1 && rail ? `${t('rail_named', rail)}, ${words}` : words;
       return { ...curve(levels(own), name, colors[k > 0 ? 3 + (k % 4) : 0], 'dot'), opacity: 0.4 + (0.5 * (age + 1)) / oldest };
     });
   }
@@ -315,7 +317,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const rails = roughness.rails ?? [];
     const levels = (list) => list.map(({ wavelength_m, level_db }) => [wavelength_m, level_db]);
     const traces = [
-      ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${inWords(`rail ${rail.name}`)}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
+      ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${t('rail_named', rail.name)}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
       ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
       ...before(rails, curve, levels),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),

@@ -5,7 +5,7 @@ import { axis, decades, draw, layout, palette } from './curves.js';
 import { element } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
-import { askOnce } from './server.js';
+import { askOnce, json } from './server.js';
 import { currentLanguage, translate } from './words.js';
 
 const NUMBERS = [2, 3, 4, 5, 6, 7, 8];
@@ -59,7 +59,7 @@ export function startPaper({ state, listen, complain, save }) {
     const asked = (figure.shown = wanted());
     figure.waiting.hidden = false;
     try {
-      const data = await (await askOnce('/api/figure', { number: figure.number, contact: choice.value, language: currentLanguage() })).json();
+      const data = await json(await askOnce('/api/figure', { number: figure.number, contact: choice.value, language: currentLanguage() }));
       if (figure.shown !== asked) return;
       figure.data = data;
       await drawFigure(figure);

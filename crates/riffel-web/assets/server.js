@@ -1,6 +1,7 @@
 // Questions to the program. Of each kind only the newest is wanted: an older one that is still under way
 // gives up its place, here by AbortController and there by the name of this page.
 
+import { heard } from './german.js';
 import { reach } from './transport.js';
 
 const NAME = 'riffel-page';
@@ -98,7 +99,7 @@ async function ask(path, body, signal, headers = {}) {
       signal?.throwIfAborted();
       continue;
     }
-    const fault = await response.json().catch(() => ({ message: `${response.status} ${response.statusText}` }));
+    const fault = await json(response).catch(() => ({ message: `${response.status} ${response.statusText}` }));
     throw new Fault(fault, response.status);
   }
 }
@@ -176,7 +177,7 @@ export function send(path, file, progress) {
     request.onload = () => {
       let answer;
       try {
-        answer = JSON.parse(request.responseText);
+        answer = heard(JSON.parse(request.responseText));
       } catch {
         answer = { message: `${request.status}` };
       }
@@ -193,12 +194,13 @@ export function send(path, file, progress) {
   return { done, abort: () => request.abort() };
 }
 
-export const json = (response) => response.json();
+/** An answer in JSON. */
+export const json = async (response) => heard(await response.json());
 
 /** Head and values of a framed answer. */
 export async function framed(response) {
   const bytes = await response.arrayBuffer();
   const length = new DataView(bytes).getUint32(0, true);
-  const head = JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length)));
+  const head = heard(JSON.parse(new TextDecoder().decode(new Uint8Array(bytes, 4, length))));
   return { head, values: new Float32Array(bytes, 4 + length) };
 }

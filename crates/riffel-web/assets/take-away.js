@@ -1,6 +1,6 @@
 // Take away: the case as a link or a file, and back from a file.
 
-import { askOnce, work } from './server.js';
+import { askOnce, json, work } from './server.js';
 import { currentLanguage, t, t2 } from './words.js';
 
 export function save(blob, name) {
@@ -21,7 +21,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },
     toml: async () => {
-      const answer = await (await askOnce('/api/case', { case: { keys: state.keys }, language: currentLanguage() })).json();
+      const answer = await json(await askOnce('/api/case', { case: { keys: state.keys }, language: currentLanguage() }));
       save(new Blob([answer.toml], { type: 'application/toml' }), `${fileName(state)}.toml`);
     },
     ...Object.fromEntries(['csv', 'png', 'svg', 'html'].map((kind) => [kind, async () => {
@@ -69,7 +69,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     const opening = new AbortController();
     work.begin(opening);
     try {
-      const answer = await (await askOnce('/api/case', { case: { toml: await file.text() } })).json();
+      const answer = await json(await askOnce('/api/case', { case: { toml: await file.text() } }));
       replace({ case: answer.keys, point: null, tab: state.view }, t('comments_gone', file.name));
       banner.clear();
     } catch (fault) {

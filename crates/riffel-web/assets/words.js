@@ -1,5 +1,8 @@
 // Words of the page in English and German, and numbers as engineers write them.
 
+/** Rails by their names. */
+const RAILS = { left: 'links', right: 'rechts', low: 'innen', high: 'außen' };
+
 const WORDS = {
   en: {
     explore: 'Explore', compare: 'Compare', measure: 'Measure', motion: 'Motion', paper: 'Paper', take_away: 'Take away',
@@ -9,7 +12,7 @@ const WORDS = {
     growth_rate: 'growth rate per passage', per_passage: 'per passage', rate: 'rate per passage', nothing_grows: 'nothing grows in this window', no_difference: 'no difference',
     hold: 'Hold scale', hold_help: 'Keep the colour scale while values change',
     to_highest: 'Highest growth', loop: 'The loop at the cursor', growth_curve: 'Growth over wavelength',
-    receptance: 'Receptance', force: 'Normal force P₁/P₀', rail: 'rail', wheel: 'wheel', contact: 'contact',
+    rail_name: (name) => name, rail_named: (name) => (name ? `rail ${name}` : 'rail'), receptance: 'Receptance', force: 'Normal force P₁/P₀', rail: 'rail', wheel: 'wheel', contact: 'contact',
     grows_here: 'grows', decays_here: 'decays', time: 'time factor exp(+iωt), Δ upward on the rail; to the left is antiphase',
     profile: 'profile Δ', normal: 'normal force P₁', tangential: 'tangential force Q₁', lateral_force: 'lateral force Q_y', angular: 'angular velocity Ω₁',
     dissipation: 'dissipation W₁ at the rail', amplitude: 'amplitude', phase: 'phase', quantity: 'oscillation',
@@ -106,7 +109,7 @@ const WORDS = {
     growth_rate: 'Wachstumsrate je Überrollung', per_passage: 'je Überrollung', rate: 'Rate je Überrollung', nothing_grows: 'in diesem Fenster wächst nichts', no_difference: 'kein Unterschied',
     hold: 'Skala halten', hold_help: 'Die Farbskala behalten, während sich Werte ändern',
     to_highest: 'Stärkstes Wachstum', loop: 'Die Schleife am Zeiger', growth_curve: 'Wachstum über der Wellenlänge',
-    receptance: 'Rezeptanz', force: 'Normalkraft P₁/P₀', rail: 'Schiene', wheel: 'Rad', contact: 'Kontakt',
+    rail_name: (name) => RAILS[name] ?? name, rail_named: (name) => (name ? `Schiene ${RAILS[name] ?? name}` : 'Schiene'), receptance: 'Rezeptanz', force: 'Normalkraft P₁/P₀', rail: 'Schiene', wheel: 'Rad', contact: 'Kontakt',
     grows_here: 'wächst', decays_here: 'klingt ab', time: 'Zeitfaktor exp(+iωt), Δ auf der Schiene nach oben; links ist Gegenphase',
     profile: 'Profil Δ', normal: 'Normalkraft P₁', tangential: 'Tangentialkraft Q₁', lateral_force: 'Querkraft Q_y', angular: 'Winkelgeschwindigkeit Ω₁',
     dissipation: 'Dissipation W₁ an der Schiene', amplitude: 'Amplitude', phase: 'Phase', quantity: 'Schwingung',

@@ -68,31 +68,17 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "words.js": "text/javascript; charset=utf-8",
 };
 
-/// The wordings of the catalogue, as a file of the page.
-static CATALOGUE: LazyLock<String> = LazyLock::new(|| {
-    let wordings: Vec<_> = riffel_words::wordings().collect();
-    // Pairs of texts are always JSON, and JSON is JavaScript.
-    let wordings = serde_json::to_string(&wordings).unwrap_or_default();
-    format!("// What Riffel says, in English and in German.\nexport default {wordings};\n")
-});
-
-/// All files of the page.
-static ALL: LazyLock<Vec<(&str, &str, &str)>> = LazyLock::new(|| {
-    let catalogue = ("catalogue.js", SCRIPT, CATALOGUE.as_str());
-    FILES.iter().copied().chain([catalogue]).collect()
-});
-
 pub(crate) const PAGE: &str = include_str!("../assets/page.html");
 
 /// The name of a file as it is known here.
 pub(crate) fn name(name: &str) -> Option<&'static str> {
-    let (name, ..) = ALL.iter().find(|(known, ..)| *known == name)?;
+    let (name, ..) = FILES.iter().find(|(known, ..)| *known == name)?;
     Some(name)
 }
 
 /// The text of a file; that of one that is not there is empty.
 pub(crate) fn text(name: &str) -> &'static str {
-    let file = ALL.iter().find(|(known, ..)| *known == name);
+    let file = FILES.iter().find(|(known, ..)| *known == name);
     file.map_or("", |(.., text)| text)
 }
 
@@ -107,7 +93,7 @@ struct Built {
 
 static BUILT: LazyLock<Built> = LazyLock::new(|| {
     let plotly_version = fingerprint([plotly_js()]);
-    let version = fingerprint(ALL.iter().map(|(_, _, text)| *text));
+    let version = fingerprint(FILES.iter().map(|(_, _, text)| *text));
     let page = PAGE
         .replace("{assets}", &format!("/assets/{version}"))
         .replace(
@@ -158,7 +144,8 @@ pub(crate) async fn file(Path((version, name)): Path<(String, String)>) -> Respo
     let found = if name == "plotly.min.js" && version == built.plotly_version {
         Some((SCRIPT, plotly_js()))
     } else {
-        ALL.iter()
+        FILES
+            .iter()
             .find(|(known, ..)| *known == name && version == built.version)
             .map(|&(_, kind, text)| (kind, text))
     };

@@ -1,9 +1,10 @@
 //! A fault as an answer of the server.
 
-use axum::Json;
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
 pub(crate) use riffel_page::Fault;
+
+use crate::told::Told;
 
 /// A fault that is sent in place of an answer.
 #[derive(Debug)]
@@ -21,7 +22,7 @@ impl IntoResponse for Refusal {
         let status = StatusCode::from_u16(fault.status());
         let retry_after = fault.retry_after_s();
         let status = status.unwrap_or(StatusCode::INTERNAL_SERVER_ERROR);
-        let mut response = (status, Json(fault)).into_response();
+        let mut response = (status, Told(fault)).into_response();
         if let Some(seconds) = retry_after {
             response
                 .headers_mut()

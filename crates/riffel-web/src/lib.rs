@@ -18,6 +18,7 @@ mod request;
 mod server;
 #[cfg(test)]
 mod tests;
+mod told;
 mod uploads;
 mod workspace;
 

@@ -219,31 +219,3 @@ def test_a_case_that_has_no_passage_in_time_says_so_in_german(open_page):
     page.until(lambda: "hält kein Schlupf die Kraft" in page.text("#wave-words"))
     assert english(page.text("#wave-words")) == []
     page.close(complaints=len(page.complaints))
-
-
-@pytest.mark.without_curves
-def test_every_wording_has_the_german_of_the_program(open_page):
-    """The page finds a sentence as the program does: each wording with values, alone and behind a place in a file."""
-    page = open_page()
-    others = page.page.evaluate(
-        r"""async () => {
-          const source = performance.getEntriesByType('resource').map(({ name }) => name).find((name) => name.endsWith('/german.js'));
-          const { inGerman } = await import(source);
-          const { default: wordings } = await import(new URL('catalogue.js', source));
-          const filled = (wording, sentence) => wording.replace(/{(\w+)}/g, (_, name) => (name === 'sentence' ? sentence : ['count', 'number'].includes(name) ? '7' : 'qz'));
-          const others = [];
-          for (const [english, german] of wordings) {
-            if (english.includes('}{')) continue;
-            const places = /^{\w+}: |^{(file|line)}/.test(english) ? [['', '']] : [['', ''], ['a.toml, line 3: ', 'a.toml, Zeile 3: ']];
-            for (const [place, ort] of places) {
-              const said = place + filled(english, 'the file is empty');
-              const told = inGerman(said);
-              if (told !== ort + filled(german, 'die Datei ist leer')) others.push([said, told]);
-            }
-          }
-          return [wordings.length, others];
-        }"""
-    )
-    page.close()
-    count, others = others
-    assert count > 1000 and others == []

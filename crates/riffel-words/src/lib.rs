@@ -1,8 +1,7 @@
 //! # The German of what Riffel says
 //!
 //! Physics and answers speak English and know of no other language. What leaves the program is put into German at its
-//! edge: by [`in_german`] where it is printed, by [`page_in_german`] in a report, and by the same catalogue in the page of
-//! `riffel serve`, which takes the [`wordings`] along.
+//! edge: by [`in_german`] where it is printed and beside each answer to the page, by [`page_in_german`] in a report.
 //!
 //! The identity of a sentence is its English wording with a name in braces for every value. The catalogue has the German
 //! wording below it, with the same names:

@@ -3,7 +3,6 @@
 
 use std::path::Path;
 
-use axum::Json;
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
@@ -14,6 +13,7 @@ use serde_json::{Value, json};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use crate::told::Told;
 use crate::workspace::Workspace;
 
 /// Where the program puts its tables.
@@ -52,7 +52,7 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Answer>, Refusal> {
+) -> Result<Told<Answer>, Refusal> {
     let block = question.block_m;
     if !(1.0..=1e6).contains(&block) {
         return Err(Refusal(Fault::bad(format!(
@@ -71,7 +71,7 @@ pub(crate) async fn post(
             program.ask(files.path(), "roughness", &question, wanted)?;
             let table = files.read(Path::new(RESULTS).join("blocks.csv"))?;
             courses(&table)
-                .map(Json)
+                .map(Told)
                 .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))
         })
         .await
@@ -133,7 +133,7 @@ pub(crate) async fn spectrum(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<PlaceQuestion>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.long
@@ -147,7 +147,7 @@ pub(crate) async fn spectrum(
             });
             program
                 .ask(files.path(), "roughness", &question, wanted)
-                .map(Json)
+                .map(Told)
         })
         .await
 }

@@ -1,6 +1,5 @@
 //! `POST /api/curve`: profiles of a wheel and a rail, and how a bogie stands on them in a curve.
 
-use axum::Json;
 use axum::extract::State;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
@@ -13,6 +12,7 @@ use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
+use crate::told::Told;
 use crate::uploads::Uploads;
 use riffel_page::Note;
 
@@ -69,7 +69,7 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     question.check()?;
     let uploads = page.uploads.clone();
     page.queue
@@ -80,7 +80,7 @@ pub(crate) async fn post(
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Json<Value>, Fault> {
+    fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Told<Value>, Fault> {
         // A folder of its own for each question: gone with it, or with the program.
         let folder = uploads
             .folder()
@@ -149,7 +149,7 @@ impl Question {
         let mut document =
             json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks });
         self.name(&mut document, &paths);
-        Ok(Json(document))
+        Ok(Told(document))
     }
 
     /// Put the names that the user knows in place of paths in all texts of a document.

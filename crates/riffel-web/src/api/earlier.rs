@@ -2,7 +2,6 @@
 
 use std::path::PathBuf;
 
-use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -14,6 +13,7 @@ use super::file_headers::kind_and_length;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use crate::told::Told;
 use crate::uploads::Upload;
 use crate::workspace::Workspace;
 
@@ -23,7 +23,7 @@ pub(crate) async fn post(
     asker: Asker,
     headers: HeaderMap,
     body: Body,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     let (kind, announced) = kind_and_length(&headers);
     let owner = asker.owner()?;
     let received = page
@@ -31,7 +31,7 @@ pub(crate) async fn post(
         .receive_earlier(&owner, kind, announced, body)
         .await?;
     let (number, bytes) = received;
-    Ok(Json(json!({ "number": number, "bytes": bytes })))
+    Ok(Told(json!({ "number": number, "bytes": bytes })))
 }
 
 #[derive(Deserialize)]
@@ -43,12 +43,12 @@ pub(crate) async fn remove(
     State(page): State<Page>,
     asker: Asker,
     Asked(removal): Asked<Removal>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     // With the record of the page its earlier ones are gone, too.
     if let Ok(upload) = page.uploads.of(&asker.owner()?) {
         upload.earlier.remove(upload.folder(), removal.number);
     }
-    Ok(Json(json!({})))
+    Ok(Told(json!({})))
 }
 
 #[derive(Deserialize)]
@@ -64,7 +64,7 @@ pub(crate) async fn read(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     let upload = page.uploads.of(&asker.owner()?)?;
     let file = upload.earlier.file(question.number)?;
     let program = page.program.clone();
@@ -76,7 +76,7 @@ pub(crate) async fn read(
             let question = json!({ "file": file, "format": question.format });
             program
                 .ask(files.path(), "roughness", &question, wanted)
-                .map(Json)
+                .map(Told)
         })
         .await
 }

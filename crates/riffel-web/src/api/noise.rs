@@ -1,6 +1,5 @@
 //! `POST /api/noise`: what a train sounds like on a measured rail.
 
-use axum::Json;
 use axum::extract::State;
 use riffel_page::TRAFFIC_FILE;
 use serde::Deserialize;
@@ -10,6 +9,7 @@ use super::roughness::{self, CASE_FILE, fault_as_answer};
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use crate::told::Told;
 
 /// Highest level that may be a limit \[dB(A)\].
 const LOUDEST: f64 = 200.0;
@@ -51,7 +51,7 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     question.rail.check()?;
     let limit = question.limit_dba;
     if limit.is_some_and(|limit| !(0.0..=LOUDEST).contains(&limit)) {
@@ -66,7 +66,7 @@ pub(crate) async fn post(
             let rail = &question.rail;
             if let Some(why) = riffel_answers::noise::without_decay(&rail.case.read()?) {
                 let fault = Fault::of_key("track.model", why, "");
-                return Ok(Json(json!({ "fault": fault })));
+                return Ok(Told(json!({ "fault": fault })));
             }
             let (files, record) = rail.put(&upload)?;
             let question = json!({
@@ -75,7 +75,7 @@ pub(crate) async fn post(
                 "limit_dba": limit, "wheel_modes": question.wheel.modes(),
             });
             let answer = program.ask(files.path(), "noise", &question, wanted);
-            fault_as_answer(answer, wanted).map(Json)
+            fault_as_answer(answer, wanted).map(Told)
         })
         .await
 }

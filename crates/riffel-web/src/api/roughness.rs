@@ -1,6 +1,5 @@
 //! `POST /api/roughness`: the file of a measured rail; `POST /api/measure`: what it says.
 
-use axum::Json;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
@@ -15,6 +14,7 @@ use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
+use crate::told::Told;
 use crate::uploads::Upload;
 use crate::workspace::Workspace;
 
@@ -30,11 +30,11 @@ pub(crate) async fn post(
     asker: Asker,
     headers: HeaderMap,
     body: Body,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     let (kind, announced) = kind_and_length(&headers);
     let owner = asker.owner()?;
     let upload = page.uploads.receive(owner, kind, announced, body).await?;
-    Ok(Json(json!({ "bytes": upload.bytes })))
+    Ok(Told(json!({ "bytes": upload.bytes })))
 }
 
 #[derive(Deserialize)]
@@ -89,7 +89,7 @@ pub(crate) async fn measure(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Json<Value>, Refusal> {
+) -> Result<Told<Value>, Refusal> {
     question.check()?;
     let upload = page.uploads.of(&asker.owner()?)?;
     let earlier = question.earlier(&upload)?;
@@ -125,7 +125,7 @@ pub(crate) async fn measure(
                 }
             }
             let forecast = answer;
-            Ok(Json(json!({
+            Ok(Told(json!({
                 "roughness": roughness, "diagnosis": diagnosis, "forecast": forecast, "limits": limits(),
             })))
         })

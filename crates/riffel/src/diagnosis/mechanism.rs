@@ -182,7 +182,8 @@ impl MechanismKind {
     fn own_measurement(self) -> &'static str {
         match self {
             Self::GrowthRidge => {
-                "friction or speed: friction management or a spread of speeds lowers its growth (compare maps with --set)"
+                "speed: where trains run at another speed the wavelength moves and the frequency stays; speeds spread more widely lower its \
+                 growth"
             }
             Self::P2 => {
                 "vertical axle-box acceleration of vehicles with another unsprung mass: P2 moves with the mass, modes of \

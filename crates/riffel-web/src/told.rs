@@ -1,0 +1,22 @@
+//! An answer in JSON, with the German of what it says.
+
+use axum::http::{StatusCode, header};
+use axum::response::{IntoResponse, Response};
+use riffel_page::written;
+use serde::Serialize;
+
+/// What is sent as JSON, with the German beside it.
+#[derive(Debug)]
+pub(crate) struct Told<T>(pub(crate) T);
+
+impl<T: Serialize> IntoResponse for Told<T> {
+    fn into_response(self) -> Response {
+        match written(&self.0) {
+            Ok(bytes) => ([(header::CONTENT_TYPE, "application/json")], bytes).into_response(),
+            Err(fault) => {
+                let words = fault.message().to_owned();
+                (StatusCode::INTERNAL_SERVER_ERROR, words).into_response()
+            }
+        }
+    }
+}
