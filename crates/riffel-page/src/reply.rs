@@ -47,7 +47,7 @@ impl Reply {
     }
 }
 
-/// An answer in JSON, with the German of what it says: see [`with_german`].
+/// An answer in JSON, with the German of what it says in a table `german`.
 ///
 /// # Errors
 /// A [`Fault`] if it has no JSON.
