@@ -128,14 +128,9 @@ fn remarks(comparison: &Comparison) -> Vec<Message> {
     remarks
 }
 
-impl Answer for CompetingModels {
-    const NAME: &'static str = "models";
-
-    fn introduction(&self) -> Vec<Message> {
-        vec![say!(models_by_what_they_predict)]
-    }
-
-    fn tables(&self) -> Vec<Table> {
+impl CompetingModels {
+    /// Each model with its score.
+    fn by_model(&self) -> Table {
         let models = &self.comparison.models;
         let number = |of: &dyn Fn(&ModelScore) -> Option<f64>| {
             models
@@ -150,7 +145,7 @@ impl Answer for CompetingModels {
                 (counts[0] > 0).then(|| 100.0 * counts[place] as f64 / counts[0] as f64)
             })
         };
-        let by_model = Table {
+        Table {
             name: "models",
             columns: vec![
                 Column::words(
@@ -184,16 +179,20 @@ impl Answer for CompetingModels {
                 Column::fixed("inside_50_percent", say!(inside_50_percent), share(1), 0),
                 Column::fixed("inside_90_percent", say!(inside_90_percent), share(2), 0),
             ],
-        };
+        }
+    }
+
+    /// Each model with what was left out.
+    fn by_group(&self) -> Table {
         let rows = || {
-            let rows = models.iter();
+            let rows = self.comparison.models.iter();
             rows.flat_map(|model| model.scores.iter().map(move |score| (model, score)))
         };
         let of_score = |of: &dyn Fn(&Score) -> Option<f64>| {
             let values = rows().map(|(_, score)| of(score));
             values.collect::<Vec<Option<f64>>>().into_iter()
         };
-        let by_group = Table {
+        Table {
             name: "left_out",
             columns: vec![
                 Column::words(
@@ -238,8 +237,19 @@ impl Answer for CompetingModels {
                     0,
                 ),
             ],
-        };
-        vec![by_model, by_group]
+        }
+    }
+}
+
+impl Answer for CompetingModels {
+    const NAME: &'static str = "models";
+
+    fn introduction(&self) -> Vec<Message> {
+        vec![say!(models_by_what_they_predict)]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.by_model(), self.by_group()]
     }
 
     fn sentences(&self) -> Vec<Message> {
