@@ -55,80 +55,7 @@ impl CompetingModels {
             (_, false) => say!(verdict_not_told_apart),
         }
     }
-}
 
-fn name(model: &ModelScore) -> Message {
-    titled(model.title.as_deref())
-}
-
-fn titled(title: Option<&str>) -> Message {
-    match title {
-        None => say!(model_of_the_plan),
-        Some(title) => Message::verbatim(title),
-    }
-}
-
-/// The models of a plan that compares some, and what it will leave out of the data.
-///
-/// # Errors
-/// [`CaseError`] where nothing can be left out.
-pub fn what_is_compared(plan: &Plan) -> Result<Vec<Message>, CaseError> {
-    if !plan.compares() {
-        return Ok(Vec::new());
-    }
-    let others = plan.file.compare.iter().map(|other| Some(&*other.title));
-    let models = [None].into_iter().chain(others).map(titled);
-    let held = plan.left_out_of_data()?.into_iter();
-    let held = held.map(|(data, held)| held_out(&data, held));
-    let list =
-        |messages: Vec<Message>| Value::List(messages.into_iter().map(Value::from).collect());
-    Ok(vec![
-        say!(all_models_see, models = list(models.collect())),
-        say!(left_out_to_compare, held = list(held.collect())),
-    ])
-}
-
-fn left_out(score: &Score) -> Message {
-    held_out(&score.data, score.held_out)
-}
-
-/// What is left out of data with some names.
-fn held_out(data: &str, held: Held) -> Message {
-    match held {
-        Held::All => Message::verbatim(data),
-        Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
-        Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
-    }
-}
-
-fn remarks(comparison: &Comparison) -> Vec<Message> {
-    let mut remarks = Vec::new();
-    if let [score] = &comparison.models[0].scores[..] {
-        remarks.push(say!(one_group_left_out, held = left_out(score)));
-    }
-    for model in &comparison.models {
-        for score in &model.scores {
-            if let Some(shape) = score.shape.filter(|shape| *shape > MOST_SHAPE) {
-                remarks.push(say!(
-                    weights_not_trusted,
-                    model = name(model),
-                    held = left_out(score),
-                    shape = fixed(shape, 2)
-                ));
-            }
-        }
-        if model.doubts > 0 {
-            remarks.push(say!(
-                models_on_doubtful_chains,
-                model = name(model),
-                doubts = model.doubts
-            ));
-        }
-    }
-    remarks
-}
-
-impl CompetingModels {
     /// Each model with its score.
     fn by_model(&self) -> Table {
         let models = &self.comparison.models;
@@ -239,6 +166,77 @@ impl CompetingModels {
             ],
         }
     }
+}
+
+fn name(model: &ModelScore) -> Message {
+    titled(model.title.as_deref())
+}
+
+fn titled(title: Option<&str>) -> Message {
+    match title {
+        None => say!(model_of_the_plan),
+        Some(title) => Message::verbatim(title),
+    }
+}
+
+/// The models of a plan that compares some, and what it will leave out of the data.
+///
+/// # Errors
+/// [`CaseError`] where nothing can be left out.
+pub fn what_is_compared(plan: &Plan) -> Result<Vec<Message>, CaseError> {
+    if !plan.compares() {
+        return Ok(Vec::new());
+    }
+    let others = plan.file.compare.iter().map(|other| Some(&*other.title));
+    let models = [None].into_iter().chain(others).map(titled);
+    let held = plan.left_out_of_data()?.into_iter();
+    let held = held.map(|(data, held)| held_out(&data, held));
+    let list =
+        |messages: Vec<Message>| Value::List(messages.into_iter().map(Value::from).collect());
+    Ok(vec![
+        say!(all_models_see, models = list(models.collect())),
+        say!(left_out_to_compare, held = list(held.collect())),
+    ])
+}
+
+fn left_out(score: &Score) -> Message {
+    held_out(&score.data, score.held_out)
+}
+
+/// What is left out of data with some names.
+fn held_out(data: &str, held: Held) -> Message {
+    match held {
+        Held::All => Message::verbatim(data),
+        Held::Date(passages) => say!(left_out_date, data = data, passages = fixed(passages, 0)),
+        Held::Place(place) => say!(left_out_place, data = data, place = fixed(place, 3)),
+    }
+}
+
+fn remarks(comparison: &Comparison) -> Vec<Message> {
+    let mut remarks = Vec::new();
+    if let [score] = &comparison.models[0].scores[..] {
+        remarks.push(say!(one_group_left_out, held = left_out(score)));
+    }
+    for model in &comparison.models {
+        for score in &model.scores {
+            if let Some(shape) = score.shape.filter(|shape| *shape > MOST_SHAPE) {
+                remarks.push(say!(
+                    weights_not_trusted,
+                    model = name(model),
+                    held = left_out(score),
+                    shape = fixed(shape, 2)
+                ));
+            }
+        }
+        if model.doubts > 0 {
+            remarks.push(say!(
+                models_on_doubtful_chains,
+                model = name(model),
+                doubts = model.doubts
+            ));
+        }
+    }
+    remarks
 }
 
 impl Answer for CompetingModels {

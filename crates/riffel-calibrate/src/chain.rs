@@ -6,7 +6,7 @@ use rand_xoshiro::rand_core::SeedableRng;
 use crate::emulator::Emulator;
 use crate::matrix::Matrix;
 use crate::moments::Moments;
-use crate::nuts::{Place, Statistics, transition, uniform};
+use crate::nuts::{Place, Potential, Statistics, transition, uniform};
 use crate::optimum::{climb, covariance};
 use crate::posterior::{Point, Posterior};
 
@@ -99,22 +99,14 @@ pub(crate) fn random(seed: u64, chain: u64, draw: u64) -> Xoshiro256PlusPlus {
 }
 
 /// The place of a draw of the prior that the case takes; why not.
-fn prior_draw(posterior: &Posterior, random: &mut Xoshiro256PlusPlus) -> Option<Place> {
+fn prior_draw(
+    posterior: &Posterior,
+    density: &Potential<'_>,
+    random: &mut Xoshiro256PlusPlus,
+) -> Option<Place> {
     (0..MOST_TRIALS).find_map(|_| {
-        let parameters = posterior.parameters().iter();
-        let at: Vec<f64> = parameters
-            .map(|parameter| {
-                parameter
-                    .prior
-                    .place(parameter.prior.quantile(uniform(random)))
-            })
-            .collect();
-        let point = posterior.at(&at)?;
-        Some(Place {
-            at,
-            log_density: point.log_density,
-            gradient: point.gradient,
-        })
+        let values = posterior.drawn_from_priors(random);
+        Place::of(density, &posterior.place(&values))
     })
 }
 
@@ -130,7 +122,7 @@ impl Chain {
         let potential = |at: &[f64]| posterior.at(at).map(|it| (it.log_density, it.gradient));
         let tops = (0..STARTS).filter_map(|start| {
             let mut random = random(seed, index, u64::MAX - start);
-            let from = prior_draw(posterior, &mut random)?;
+            let from = prior_draw(posterior, &potential, &mut random)?;
             Some(climb(&potential, from, &scale))
         });
         let top = tops.max_by(|one, other| one.log_density.total_cmp(&other.log_density))?;

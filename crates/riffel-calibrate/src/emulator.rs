@@ -33,9 +33,10 @@ pub(crate) struct Emulator(Vec<Polynomials>);
 #[derive(Debug, Clone)]
 struct Polynomials {
     touched_by: Vec<usize>,
-    /// Of the smooth coordinates of the places, and from there to those of unit covariance.
+    /// Of the smooth coordinates of the places, from there to those of unit covariance, and back for slopes.
     middle: Vec<f64>,
     turn: Matrix,
+    back: Matrix,
     /// A term is an earlier one times a coordinate; the first is one.
     terms: Vec<(usize, usize)>,
     /// Factors by terms, for all data in turn.
@@ -50,6 +51,8 @@ struct Polynomials {
 struct Seen {
     /// Of unit covariance.
     coordinates: Vec<f64>,
+    /// From the middle.
+    distance: f64,
     /// Derivatives of the smooth coordinates by z.
     slopes: Vec<f64>,
     terms: Vec<f64>,
@@ -58,8 +61,7 @@ struct Seen {
 impl Seen {
     /// How far it is behind where polynomials are to be trusted, if that is positive.
     fn beyond(&self) -> f64 {
-        let distance = dot(&self.coordinates, &self.coordinates).sqrt();
-        distance - (self.coordinates.len() as f64).sqrt() - TRUSTED
+        self.distance - (self.coordinates.len() as f64).sqrt() - TRUSTED
     }
 }
 
@@ -86,9 +88,8 @@ impl Emulator {
         for (polynomials, seen) in self.0.iter().zip(&seen) {
             let beyond = seen.beyond();
             if beyond > 0.0 {
-                let distance = dot(&seen.coordinates, &seen.coordinates).sqrt();
                 point.log_density -= 2.0 * beyond * beyond;
-                let factor = -4.0 * beyond / distance;
+                let factor = -4.0 * beyond / seen.distance;
                 let slopes = seen.coordinates.iter().map(|it| factor * it).collect();
                 polynomials.add_slopes(&mut point.gradient, seen, slopes);
             }
@@ -160,9 +161,11 @@ impl Polynomials {
             .values
             .iter_mut()
             .for_each(|it| *it /= scale);
+        let turn = moments.scatter.cholesky()?.inverse_of_triangle();
         let mut polynomials = Self {
             touched_by: own.clone(),
-            turn: moments.scatter.cholesky()?.inverse_of_triangle(),
+            back: turn.transposed(),
+            turn,
             middle: moments.mean,
             terms,
             by_term: Vec::new(),
@@ -209,6 +212,7 @@ impl Polynomials {
             terms[k] = terms[*before] * coordinates[*coordinate];
         }
         Seen {
+            distance: dot(&coordinates, &coordinates).sqrt(),
             coordinates,
             slopes,
             terms,
@@ -242,7 +246,7 @@ impl Polynomials {
 
     /// Add derivatives by the coordinates to a gradient by all z.
     fn add_slopes(&self, gradient: &mut [f64], seen: &Seen, by_coordinates: Vec<f64>) {
-        let by_smooth = self.turn.transposed().times(&by_coordinates);
+        let by_smooth = self.back.times(&by_coordinates);
         let own = self.touched_by.iter().zip(by_smooth).zip(&seen.slopes);
         own.for_each(|((index, by_smooth), slope)| gradient[*index] += by_smooth * slope);
     }

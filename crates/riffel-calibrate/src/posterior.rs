@@ -1,9 +1,12 @@
 //! How likely values are after all that was measured.
 
+use rand_xoshiro::Xoshiro256PlusPlus;
+
 use crate::data::{Block, Size};
 use crate::gaussian::Density;
 use crate::matrix::{Matrix, dot};
 use crate::model::Model;
+use crate::nuts::uniform;
 
 /// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
 /// some six digits, and decay rates are taken from a quarter of their frequencies. A sampler's steps may use any force that follows from the place alone, for they stay volume-preserving
@@ -79,6 +82,20 @@ impl Posterior {
             .collect()
     }
 
+    /// ln likelihood of all data for values in SI; none where the case refuses them.
+    pub(crate) fn log_likelihood_of_all(&self, values: &[f64]) -> Option<f64> {
+        let blocks = self.log_likelihood(values).ok()?;
+        Some(blocks.iter().map(|(_, value)| value).sum())
+    }
+
+    /// Values in SI that are drawn from the priors.
+    pub(crate) fn drawn_from_priors(&self, random: &mut Xoshiro256PlusPlus) -> Vec<f64> {
+        let parameters = self.model.parameters.iter();
+        parameters
+            .map(|parameter| parameter.prior.quantile(uniform(random)))
+            .collect()
+    }
+
     /// What the model says of each datum for values in SI, block by block: ln |H| and arg H; ln of decay rates; levels over the
     /// first of each band \[dB\].
     ///
@@ -129,10 +146,8 @@ impl Posterior {
     pub fn log_density(&self, place: &[f64]) -> Option<f64> {
         let prior = self.prior(place).0;
         let values = self.values(place);
-        let likelihood = prior
-            .is_finite()
-            .then(|| self.log_likelihood(&values).ok())??;
-        let sum = prior + likelihood.iter().map(|(_, value)| value).sum::<f64>();
+        let likelihood = || self.log_likelihood_of_all(&values);
+        let sum = prior + prior.is_finite().then(likelihood)??;
         sum.is_finite().then_some(sum)
     }
 

@@ -10,7 +10,6 @@ use statrs::distribution::{ChiSquared, ContinuousCDF};
 
 use crate::chain::{Chain, random};
 use crate::error::CalibrationError;
-use crate::nuts::uniform;
 use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
 
@@ -146,12 +145,6 @@ impl Simulated {
     }
 }
 
-/// ln likelihood of all data.
-fn likelihood(posterior: &Posterior, values: &[f64]) -> Option<f64> {
-    let blocks = posterior.log_likelihood(values).ok()?;
-    Some(blocks.iter().map(|(_, value)| value).sum())
-}
-
 /// Ranks of each value and of the ln likelihood among thinned draws of a chain on simulated data; none where it was stopped.
 fn ranks(
     posterior: &Posterior,
@@ -168,7 +161,8 @@ fn ranks(
     };
     let (values, simulated) = simulate(posterior, seed, index).ok_or_else(nowhere)?;
     let mut chain = Chain::begin(&simulated, seed, index, warmup).ok_or_else(nowhere)?;
-    let truth = likelihood(&simulated, &values).ok_or_else(nowhere)?;
+    let likelihood = |values: &[f64]| simulated.log_likelihood_of_all(values).ok_or_else(nowhere);
+    let truth = likelihood(&values)?;
     let truth = [&values[..], &[truth]].concat();
     let mut below = vec![0; truth.len()];
     let thin = draws / RANKED as u64;
@@ -181,7 +175,7 @@ fn ranks(
             continue;
         }
         let drawn = simulated.values(&draw.place);
-        let own = likelihood(&simulated, &drawn).ok_or_else(nowhere)?;
+        let own = likelihood(&drawn)?;
         let drawn = [&drawn[..], &[own]].concat();
         for (below, (drawn, truth)) in below.iter_mut().zip(drawn.iter().zip(&truth)) {
             *below += usize::from(drawn < truth);
@@ -194,9 +188,7 @@ fn ranks(
 fn simulate(posterior: &Posterior, seed: u64, index: u64) -> Option<(Vec<f64>, Posterior)> {
     let mut random = random(seed, STREAM, index);
     (0..MOST_TRIALS).find_map(|_| {
-        let parameters = posterior.parameters().iter();
-        let values = parameters.map(|it| it.prior.quantile(uniform(&mut random)));
-        let values: Vec<f64> = values.collect();
+        let values = posterior.drawn_from_priors(&mut random);
         let trial = posterior.model.trial(&values);
         let blocks = posterior.blocks.iter().map(|named| {
             let predicted = named.block.predict(&trial).ok()?;

@@ -3,15 +3,11 @@
 use riffel_answers::{Cause, LineGrowth};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
+use crate::traffic::OnLine;
+use crate::{Fault, Note, Reply, Wanted};
 
 #[derive(Deserialize)]
-pub(crate) struct Question {
-    case: CaseText,
-    /// The traffic of the line; none, and it is the usual one.
-    #[serde(default)]
-    traffic: Option<Traffic>,
-}
+pub(crate) struct Question(OnLine);
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -49,8 +45,8 @@ impl crate::Question for Question {
     }
 
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
-        let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
-        let growth = LineGrowth::new(&self.case.read()?, traffic.as_ref())?;
+        let (case, traffic) = self.0.read()?;
+        let growth = LineGrowth::new(&case, traffic.as_ref())?;
         Reply::json(&Answer {
             doubles_in: growth.fastest.map(|it| Note::from(&it.time())),
             notes: Note::all(&growth.remarks),

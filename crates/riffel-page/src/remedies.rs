@@ -3,15 +3,11 @@
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
+use crate::traffic::OnLine;
+use crate::{Fault, Note, Reply, Wanted};
 
 #[derive(Deserialize)]
-pub(crate) struct Question {
-    case: CaseText,
-    /// The traffic of the line; none, and it is the usual one.
-    #[serde(default)]
-    traffic: Option<Traffic>,
-}
+pub(crate) struct Question(OnLine);
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -41,8 +37,8 @@ impl crate::Question for Question {
     }
 
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
-        let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
-        let answer = RemediesAnswer::new(&self.case.read()?, traffic.as_ref(), &|_| ())?;
+        let (case, traffic) = self.0.read()?;
+        let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: Note::from(&remedy.title),
             doubles_in: Note::from(&remedy.doubles_in()),

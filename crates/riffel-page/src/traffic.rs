@@ -1,12 +1,13 @@
 //! The traffic of the page, as a traffic file of the program.
 
+use riffel_case::Case;
 use riffel_case::traffic::{
     CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys,
 };
 use riffel_keys::quantity::Quantity;
 use serde::Deserialize;
 
-use crate::Fault;
+use crate::{CaseText, Fault};
 
 /// Most vehicles of one traffic.
 const MOST_VEHICLES: usize = 12;
@@ -43,6 +44,22 @@ struct Vehicle {
     wheel_load_n: Option<f64>,
     #[serde(default)]
     tractive_ratio: Option<f64>,
+}
+
+/// A case with the traffic of its line.
+#[derive(Deserialize)]
+pub(crate) struct OnLine {
+    case: CaseText,
+    /// None, and it is the usual one.
+    #[serde(default)]
+    traffic: Option<Traffic>,
+}
+
+impl OnLine {
+    pub(crate) fn read(&self) -> Result<(Case, Option<CheckedTraffic>), Fault> {
+        let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
+        Ok((self.case.read()?, traffic))
+    }
 }
 
 impl Traffic {
