@@ -8,7 +8,7 @@ import { offer } from './figures.js';
 import { said } from './german.js';
 import { Remedies } from './remedies.js';
 import { Line, json } from './server.js';
-import { sentence, t, told, translate } from './words.js';
+import { sentence, speedsIn, t, told, translate } from './words.js';
 
 /** Remedies are asked for when nothing has changed for so long [ms]: they take as long as eight headlines. */
 const CALM = 400;
@@ -51,7 +51,7 @@ export class Outlook {
       show(answer);
       clearTimeout(this.calm);
       this.calm = setTimeout(() => this.#rank(), CALM);
-    }, (fault) => show({ notes: [{ en: fault.message, de: said(fault.message).text }], fault }));
+    }, (fault) => show({ fault }));
   }
 
   /** Whether remedies are still to be asked for. */
@@ -82,7 +82,8 @@ export class Outlook {
     if (!answer) return;
     const { fastest, doubles_in: time, cause, card: evidence } = answer;
     const helps = this.remedies.answer?.helps_most;
-    this.verdict.textContent = [...answer.notes, ...(helps ? [helps] : [])].map((note) => sentence(told(note))).join(' ');
+    const words = answer.fault ? [speedsIn(said(answer.fault.message).text)] : [...answer.notes, ...(helps ? [helps] : [])].map(told);
+    this.verdict.textContent = words.map(sentence).join(' ');
     this.large.textContent = time ? `In ${told(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
     this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
