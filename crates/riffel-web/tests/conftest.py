@@ -157,6 +157,11 @@ class Page:
             field.fill(value)
             field.press("Tab")
 
+    def open_case(self, text, name="case.toml"):
+        """Open a case file and wait until it is the case of the page: what is typed before would be lost to it."""
+        self.page.set_input_files("#open-toml", files=[{"name": name, "mimeType": "text/plain", "buffer": text.encode()}])
+        self.settle()
+
     def keep(self, name, whole=False):
         SCREENSHOTS.mkdir(parents=True, exist_ok=True)
         self.page.screenshot(path=SCREENSHOTS / f"{name}.png", full_page=whole)

@@ -76,8 +76,7 @@ def traffic_file():
 
 
 def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page, tmp_path):
-    page.page.locator("#open-toml").set_input_files(str(GROWING))
-    page.until(lambda: page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.keys.rail)"))
+    page.open_case(GROWING.read_text(), GROWING.name)
     page.page.click("#tab-measure")
     add_vehicles(page)
     assert not page.page.locator("#trouble").is_visible() and not page.page.locator("#traffic-from").is_visible()

@@ -7,7 +7,6 @@ import pytest
 from conftest import PROGRAM, ROOT
 from test_along import along
 from test_noise import CASE
-from test_page import open_case
 
 # Small words without which English gets nowhere, and which German does not have. Names of standards and sources keep theirs.
 ENGLISH = re.compile(
@@ -36,7 +35,7 @@ def panels(page, view):
 
 def test_a_measured_rail_is_judged_in_german(open_page, tmp_path):
     page = open_page(locale="de-DE")
-    open_case(page, CASE.read_text())
+    page.open_case(CASE.read_text())
     page.page.click("#tab-measure")
     page.page.click("#sample")
     along(page)
@@ -93,7 +92,7 @@ def test_values_that_are_refused_are_told_in_german(open_page):
 @pytest.mark.parametrize("name", ["curve", "metro", "freight", "tram", "main-line"])
 def test_what_is_said_of_a_case_is_german(open_page, name):
     page = open_page(locale="de-DE")
-    open_case(page, (ROOT / f"cases/{name}.toml").read_text(), f"{name}.toml")
+    page.open_case((ROOT / f"cases/{name}.toml").read_text(), f"{name}.toml")
     page.settle()
     told = [page.text(place) for place in ("#why", "#verdict", "#branches", "#cause", "#remedies-panel", "#notes") if page.page.locator(place).is_visible()]
     assert told and english("\n".join(told)) == []
@@ -183,7 +182,7 @@ def show(page, view):
 def test_no_view_says_anything_in_english(open_page, view):
     page = open_page(locale="de-DE", viewport={"width": 1440, "height": 2400})
     page.page.locator("details").evaluate_all("(all) => all.forEach((one) => (one.open = true))")
-    open_case(page, CASE.read_text())
+    page.open_case(CASE.read_text())
     page.set("wheelset.preset", "metro-motor")
     page.settle()
     show(page, view)

@@ -8,7 +8,6 @@ import tempfile
 
 import pytest
 from conftest import PROGRAM, ROOT
-from test_page import open_case
 
 pytestmark = pytest.mark.without_curves
 
@@ -211,7 +210,7 @@ def test_all_wheels_of_a_bogie_run_through_the_curve(open_page, tmp_path):
     assert not tick.is_visible()
     # A law in closed form, which takes tenths of a second.
     text = (ROOT / "cases/metro-curve.toml").read_text().replace('creep_law = "fastsim"', 'creep_law = "polach"')
-    open_case(page, text)
+    page.open_case(text)
     page.until(tick.is_visible)
     page.settle()
     one_wheel = page.text("#verdict")

@@ -6,7 +6,6 @@ import subprocess
 import pytest
 from conftest import PROGRAM, ROOT
 from test_figures import given
-from test_page import open_case
 
 CURVES = """() => document.getElementById('wave').data.map(({ x, y, yaxis, name, line }) => ({ x, y, yaxis, dashed: line.dash === 'dash' }))"""
 
@@ -66,7 +65,7 @@ def test_a_wheelset_moves_in_its_modes(open_page):
     page = open_page(reduced_motion="no-preference")
     page.page.click("#tab-motion")
     page.until(lambda: "no axle" in page.text("#wheelset-words"))
-    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    page.open_case((ROOT / "cases/curve.toml").read_text(), "curve.toml")
     page.until(lambda: page.page.locator("#wheelset-modes input").count() > 3)
     page.settle()
     command = [PROGRAM, "wheelset", str(ROOT / "cases/curve.toml"), "--json", "--quiet"]
@@ -94,7 +93,7 @@ def test_a_wheelset_moves_in_its_modes(open_page):
 @pytest.mark.without_curves
 def test_who_asks_for_no_motion_sees_none(open_page):
     page = open_page(reduced_motion="reduce")
-    open_case(page, (ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    page.open_case((ROOT / "cases/curve.toml").read_text(), "curve.toml")
     page.settle()
     page.page.click("#tab-motion")
     page.until(lambda: page.page.locator("#wheelset-drawing svg").count() > 0)

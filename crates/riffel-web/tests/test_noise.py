@@ -16,8 +16,7 @@ SPEEDS = {CASE: (110, 60), GROWING: (55, 30)}
 
 
 def heard(page, case=CASE):
-    page.page.locator("#open-toml").set_input_files(str(case))
-    page.until(lambda: page.page.evaluate("() => window.riffel.state.current && Boolean(window.riffel.state.keys.rail)"))
+    page.open_case(case.read_text(), case.name)
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=[{"name": "trolley.csv", "mimeType": "text/csv", "buffer": profile(30)}])
     page.until(page.page.locator("#noise-panel").is_visible)

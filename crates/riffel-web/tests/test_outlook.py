@@ -9,11 +9,6 @@ from conftest import PROGRAM, ROOT
 HELD = "() => window.riffel.state.variants.map(({ name, case: keys }) => [name, keys.track.pad?.stiffness ?? null])"
 
 
-def open_case(page, name):
-    page.page.set_input_files("#open-toml", {"name": f"{name}.toml", "mimeType": "text/plain", "buffer": (ROOT / f"cases/{name}.toml").read_bytes()})
-    page.settle()
-
-
 def told(folder, *command):
     run = subprocess.run([PROGRAM, *command, "--json", "-o", str(folder)], cwd=ROOT, check=True, capture_output=True, text=True)
     return json.loads(run.stdout)
@@ -29,7 +24,7 @@ def ranked(page):
 @pytest.mark.parametrize("locale", ["en-GB", "de-DE"])
 def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
     page = open_page(locale=locale)
-    open_case(page, "metro")
+    page.open_case((ROOT / "cases/metro.toml").read_text(), "metro.toml")
     growth = told(tmp_path, "map", "cases/metro.toml", "--set", "map.speed.points=5")["under_traffic"]
     early, late = (f"{months:.2g}" for months in growth["fastest"]["doubling_months_banded"]["band_80"])
     assert page.text("#doubling") == (f"In {early} to {late} months" if locale == "en-GB" else f"In {early.replace('.', ',')} bis {late} Monaten")
@@ -56,7 +51,7 @@ def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
 
 @pytest.mark.without_curves
 def test_remedies_are_those_of_the_program_and_become_variants(page, tmp_path):
-    open_case(page, "metro")
+    page.open_case((ROOT / "cases/metro.toml").read_text(), "metro.toml")
     answer = told(tmp_path, "compare", "cases/metro.toml", "--remedies")
     rows = ranked(page)
     assert [row[0].split("\n")[0] for row in rows] == [remedy["title"] for remedy in answer["remedies"]]

@@ -87,7 +87,7 @@ def test_branches_have_lines_names_and_words(open_page, locale):
 
 
 def check_branches(page, case, locale):
-    open_case(page, (ROOT / f"cases/{case}.toml").read_text(), f"{case}.toml")
+    page.open_case((ROOT / f"cases/{case}.toml").read_text(), f"{case}.toml")
     title = tomllib.loads((ROOT / f"cases/{case}.toml").read_text())["title"]
     page.until(lambda: page.text("#map-title") == title)
     page.settle()
@@ -169,16 +169,11 @@ def test_by_keyboard_alone(page):
     assert again[0]["speed"] == again[1]["speed_m_per_s"]
 
 
-def open_case(page, text, name="case.toml"):
-    page.page.set_input_files("#open-toml", files=[{"name": name, "mimeType": "text/plain", "buffer": text.encode()}])
-    page.settle()
-
-
 @pytest.mark.without_curves
 def test_a_case_file_that_is_read_slowly_is_awaited(open_page):
     page = open_page()
     page.page.evaluate("() => { const text = File.prototype.text; File.prototype.text = async function () { await new Promise((done) => setTimeout(done, 1000)); return text.call(this); }; }")
-    open_case(page, NOMINAL.replace("friction = 0.4", "friction = 0.35"))
+    page.open_case(NOMINAL.replace("friction = 0.4", "friction = 0.35"))
     assert page.page.locator("#key-contact-friction").input_value() == "0.35"
     page.close()
 
@@ -196,7 +191,7 @@ def test_a_case_file_with_an_error_says_so_and_what_was_open_stays(open_page, ch
     page = open_page()
     page.set("contact.friction", "0.3")
     assert change[0] in NOMINAL
-    open_case(page, NOMINAL.replace(*change), "bad.toml")
+    page.open_case(NOMINAL.replace(*change), "bad.toml")
     page.until(page.page.locator("#trouble").is_visible)
     assert sentence in page.text("#trouble").replace("`", "")
     assert "bad.toml, line " in page.text("#trouble")
@@ -221,7 +216,7 @@ def test_an_error_that_is_typed_goes_when_it_is_mended(open_page):
 
 @pytest.mark.without_curves
 def test_a_case_file_fills_the_form(page):
-    open_case(page, (ROOT / "cases/discrete-supports.toml").read_text())
+    page.open_case((ROOT / "cases/discrete-supports.toml").read_text())
     page.until(lambda: page.page.locator("#key-track-model").input_value() == "two-layer-periodic")
     page.settle()
     assert page.page.locator("#key-title").input_value() != "BR main line, tangent track"
@@ -233,7 +228,7 @@ def test_a_wheelset_is_shown_and_edited(open_page):
     text = (ROOT / "cases/curve.toml").read_text()
     assert '"150 mm" }' in text and '"15 m/s" }' in text
     text = text.replace('"150 mm" }', '"150 mm", points = 31 }').replace('"15 m/s" }', '"15 m/s", points = 21 }')
-    open_case(page, text, "curve.toml")
+    page.open_case(text, "curve.toml")
     value = lambda key: page.page.locator(f"#key-{key}").input_value()
     page.until(lambda: value("wheelset-model") == "flexible")
     page.settle()
