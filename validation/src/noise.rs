@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 use riffel::noise::{FrequencyBand, Surroundings, a_weighting};
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_answers::noise::{Levels, NoiseQuestion, RoughWheels};
-use riffel_case::{Case, MAIN_LINE_CASE};
+use riffel_case::{Case, MAIN_LINE_CASE, TrackRadiator};
 
 use crate::Row;
 
@@ -105,7 +105,10 @@ impl Section {
             let question = NoiseQuestion {
                 wheel_modes: wheel_modes.map(str::to_owned),
                 wheel_roughness: Some(RoughWheels::Named("cnossos-disc-brakes".to_owned())),
-                decay_rate: Some(rates.collect()),
+                radiator: TrackRadiator {
+                    decay_rate: Some(rates.collect()),
+                    ..TrackRadiator::default()
+                },
                 transfer: Some(
                     ["cnossos-monobloc-hard-pads", "cnossos-wheel-920"].map(str::to_owned),
                 ),

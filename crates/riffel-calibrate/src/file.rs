@@ -265,7 +265,8 @@ pub struct DataFile {
     /// Degrees of freedom of Student's t; left out, 5.
     #[serde(default)]
     pub student_degrees: Option<f64>,
-    /// Standard deviation of a level that all bands of a date or a run share; left out, 0.3 dB and 0.5 dB.
+    /// Standard deviation of a level that all bands of a date or a run share; left out, 0.3 dB and
+    /// 0.5 dB; of all that pass one place, left out, 2 dB.
     #[serde(default)]
     pub common_error: Option<Value>,
     /// `flat`: nothing is known of the level of a band before it is measured.
@@ -274,9 +275,27 @@ pub struct DataFile {
     /// The date of a run: `first`, `last`, or passages.
     #[serde(default)]
     pub at_date: Option<Value>,
-    /// Speed of a run.
+    /// Speed of a run, or of the trains that pass where no column says it.
     #[serde(default)]
     pub speed: Option<Quantity<Speed>>,
+    /// Wheels on one rail of the trains that pass; left out, 4.
+    #[serde(default)]
+    pub wheels: Option<u32>,
+    /// Length of these trains; left out, 6.6 m for each wheel.
+    #[serde(default)]
+    pub train_length: Option<Quantity<Length>>,
+    /// Distance of the microphone from the middle of the track; left out, 7.5 m.
+    #[serde(default)]
+    pub distance: Option<Quantity<Length>>,
+    /// Its height above the rail; left out, 1.2 m.
+    #[serde(default)]
+    pub height: Option<Quantity<Length>>,
+    /// Roughness of the wheels, by name or file; left out, smooth.
+    #[serde(default)]
+    pub wheel_roughness: Option<String>,
+    /// A file of roughness of the rail, for bands of which the dated levels have none.
+    #[serde(default)]
+    pub roughness: Option<String>,
     /// Keys of the case that are different for these data.
     #[serde(default)]
     pub set: Table,
@@ -297,15 +316,18 @@ pub enum Kind {
     DatedLevels,
     /// Levels of acceleration on an axle box.
     AxleBox,
+    /// A-weighted levels beside the track while trains pass.
+    PassBy,
 }
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Self; 4] = [
+    pub const ALL: [Self; 5] = [
         Self::FrequencyResponse,
         Self::DecayRate,
         Self::DatedLevels,
         Self::AxleBox,
+        Self::PassBy,
     ];
 
     /// The columns that its table must have.
@@ -323,6 +345,7 @@ impl Kind {
                 "level_db_re_1_m_per_s2",
                 "standard_error_db",
             ],
+            Self::PassBy => &["passages", "level_dba"],
         }
     }
 
@@ -333,6 +356,7 @@ impl Kind {
             Self::DecayRate => "decay-rate",
             Self::DatedLevels => "dated-levels",
             Self::AxleBox => "axle-box",
+            Self::PassBy => "pass-by",
         }
     }
 }

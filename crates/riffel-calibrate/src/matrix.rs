@@ -18,6 +18,17 @@ impl Matrix {
         Self::of(size, |row, column| f64::from(u8::from(row == column)))
     }
 
+    /// The covariance of sums of what this is the covariance of: places with their weights.
+    pub(crate) fn of_sums(&self, sums: &[Vec<(usize, f64)>]) -> Self {
+        Self::of(sums.len(), |i, j| {
+            let pairs =
+                (sums[i].iter()).flat_map(|one| sums[j].iter().map(move |other| (one, other)));
+            pairs
+                .map(|((row, a), (column, b))| a * b * self.at(*row, *column))
+                .sum()
+        })
+    }
+
     pub(crate) fn at(&self, row: usize, column: usize) -> f64 {
         self.values[row * self.size + column]
     }

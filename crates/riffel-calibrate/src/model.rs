@@ -3,9 +3,10 @@
 use std::cell::OnceCell;
 
 use riffel::growth::RowEvaluator;
+use riffel::noise::{BandRadiation, FrequencyBand};
 use riffel::{Complex64, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
-use riffel_case::{Case, LoopOnTrack, Setting, SpeedChange, Variant};
+use riffel_case::{Case, LoopOnTrack, Setting, SpeedChange, TrackRadiator, Variant};
 use riffel_keys::CaseError;
 
 use crate::prior::Prior;
@@ -299,6 +300,20 @@ impl<'a> Trial<'a> {
             }
         }
         numbers
+    }
+
+    /// What any roughness makes of the rail and a wheel on it at a speed \[m/s\], in some bands.
+    pub(crate) fn radiation(
+        &self,
+        view: usize,
+        speed: f64,
+        bands: &[FrequencyBand],
+    ) -> Result<Vec<BandRadiation>, String> {
+        let LoopOnTrack { feedback, track } = self.case(view)?;
+        let case = &self.model.views[view].case;
+        let bands = bands.iter().copied();
+        let bands = TrackRadiator::default().bands(case, feedback, track, None, speed, bands);
+        bands.map_err(|error| error.to_string())
     }
 
     /// Growth rates of the amplitude per axle at some wavelengths \[m\], in the mean over the traffic.

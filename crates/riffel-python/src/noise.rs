@@ -6,6 +6,7 @@ use pyo3::prelude::*;
 use riffel::noise::Surroundings;
 use riffel::roughness::Spectrum;
 use riffel_answers::noise::{NoiseQuestion, RoughWheels};
+use riffel_case::TrackRadiator;
 use riffel_rail::read_decay_rates;
 
 use crate::array::owned;
@@ -60,11 +61,15 @@ pub(crate) fn noise<'py>(
             None => None,
         },
         wheel_modes,
-        decay_rate: decay_rate
-            .as_deref()
-            .map(read_decay_rates)
-            .transpose()
-            .map_err(of_case)?,
+        radiator: TrackRadiator {
+            rail_foot,
+            sleeper_area,
+            decay_rate: decay_rate
+                .as_deref()
+                .map(read_decay_rates)
+                .transpose()
+                .map_err(of_case)?,
+        },
         transfer,
         limit,
         wheels,
@@ -72,8 +77,6 @@ pub(crate) fn noise<'py>(
         distance,
         height,
         surroundings: Surroundings::HardGround,
-        rail_foot,
-        sleeper_area,
         traffic: traffic.map(|traffic| traffic.traffic()).transpose()?,
         months,
         limit_dba,

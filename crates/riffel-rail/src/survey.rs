@@ -10,7 +10,7 @@ use riffel_keys::CaseError;
 
 use crate::date::{is_date, read_date, read_dates};
 use crate::rail_spectrum::RailSpectrum;
-use crate::{LabelledSpectrum, RoughnessFile};
+use crate::{LabelledSpectrum, Layout, RoughnessFile};
 
 /// The spectrum of stretches after EN 15610, levels alone; `place` is where they lie in words.
 pub(crate) fn spectrum(
@@ -236,6 +236,15 @@ impl Survey {
             warnings,
         };
         (latest, Some(last))
+    }
+
+    /// The energy mean of what a file has, its layout told from itself.
+    ///
+    /// # Errors
+    /// Those of [`RoughnessFile::read`] and [`of`](Self::of).
+    pub fn mean_of(path: &Path) -> Result<Spectrum, CaseError> {
+        let file = RoughnessFile::read(path, &Layout::default(), &|_| ())?;
+        Ok(Self::of(path, file)?.mean())
     }
 
     /// Energy mean of the records.

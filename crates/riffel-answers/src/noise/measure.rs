@@ -75,7 +75,7 @@ pub(super) fn measures(
     }
     let pad = case.file.track.pad.as_ref().and_then(|pad| pad.stiffness);
     // Measured decay rates are those of the pads that are there.
-    if let (Some(stiffness), None) = (pad, &train.question.decay_rate) {
+    if let (Some(stiffness), None) = (pad, &train.question.radiator.decay_rate) {
         for (factor, title) in [(0.5, say!(softer_pads)), (2.0, say!(stiffer_pads))] {
             let other = with_pads_of(case, factor * stiffness.si())?;
             let other = train.radiation(&other, train.wheel_modes(), speed)?;

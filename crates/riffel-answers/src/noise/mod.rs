@@ -12,25 +12,22 @@ use std::path::PathBuf;
 
 use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_case::Case;
 use riffel_case::traffic::Traffic;
+use riffel_case::{Case, TrackRadiator};
 use riffel_keys::{Message, PhysicalRange, fixed, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
-    LimitTable, RoughnessFile, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
+    LimitTable, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
 };
 use serde::Serialize;
 
 pub use course::Course;
 pub use measure::Measure;
-pub use sources::without_decay;
 pub(crate) use tables::name_of;
 
 use crate::forecast::ForecastHorizon;
 use crate::{Answer, AnswerError, OverPosterior, PosteriorDraws, Table, parameters};
 
-/// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
-const LENGTH_PER_WHEEL: f64 = 6.6;
 /// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
 const LEAST_PER_WHEEL: f64 = 0.5;
 
@@ -58,8 +55,8 @@ pub struct NoiseQuestion {
     pub wheel_roughness: Option<RoughWheels>,
     /// Modes of the web and tyre of the wheels, by name or file; none for rigid wheels.
     pub wheel_modes: Option<String>,
-    /// Bands with their decay rates \[dB/m\], in place of those of the case.
-    pub decay_rate: Option<Vec<(FrequencyBand, f64)>>,
+    /// Rail and sleepers as radiators.
+    pub radiator: TrackRadiator,
     /// Transfer functions of track and vehicle, by name or file, for the level by the directive beside that by the model.
     pub transfer: Option<[String; 2]>,
     /// What the rail may be ground to, by name or file.
@@ -74,10 +71,6 @@ pub struct NoiseQuestion {
     pub height: f64,
     /// What is around track and receiver.
     pub surroundings: Surroundings,
-    /// Breadth of the rail foot.
-    pub rail_foot: f64,
-    /// Face of a sleeper that belongs to one rail.
-    pub sleeper_area: f64,
     /// Traffic under which the rail changes.
     pub traffic: Option<Traffic>,
     /// How far to look ahead under it \[months\].
@@ -97,7 +90,7 @@ impl NoiseQuestion {
             before: None,
             wheel_roughness: None,
             wheel_modes: None,
-            decay_rate: None,
+            radiator: TrackRadiator::default(),
             transfer: None,
             limit,
             wheels: 4,
@@ -105,8 +98,6 @@ impl NoiseQuestion {
             distance: 7.5,
             height: 1.2,
             surroundings: Surroundings::HardGround,
-            rail_foot: 0.15,
-            sleeper_area: 0.33,
             traffic: None,
             months: 12.0,
             limit_dba: None,
@@ -114,7 +105,7 @@ impl NoiseQuestion {
     }
 
     fn length(&self) -> f64 {
-        let length = LENGTH_PER_WHEEL * f64::from(self.wheels);
+        let length = PassBy::LENGTH_PER_WHEEL * f64::from(self.wheels);
         self.train_length.unwrap_or(length)
     }
 
@@ -136,8 +127,8 @@ impl NoiseQuestion {
             ("--distance", self.distance, "m"),
             ("--height", self.height, "m"),
             ("--train-length", self.length(), "m"),
-            ("--rail-foot", self.rail_foot, "m"),
-            ("--sleeper-area", self.sleeper_area, "m²"),
+            ("--rail-foot", self.radiator.rail_foot, "m"),
+            ("--sleeper-area", self.radiator.sleeper_area, "m²"),
         ] {
             if let Some(range) = PhysicalRange::of(argument) {
                 let [low, high] = range.hard;
@@ -171,7 +162,7 @@ impl NoiseQuestion {
         case: &Case,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<NoiseAnswer, AnswerError> {
-        if let (None, Some(why)) = (&self.decay_rate, without_decay(case)) {
+        if let (None, Some(why)) = (&self.radiator.decay_rate, case.without_decay()) {
             return Err(AnswerError::Argument {
                 argument: "--decay-rate",
                 value: "left out".to_owned(),
@@ -309,9 +300,7 @@ impl<'a> Train<'a> {
                             rule: format!("a spectrum or one of {known}"),
                         });
                     }
-                    let file =
-                        RoughnessFile::read(&path, &riffel_rail::Layout::default(), &|_| ())?;
-                    (name.clone(), Survey::of(&path, file)?.mean())
+                    (name.clone(), Survey::mean_of(&path)?)
                 }
             }),
         };

@@ -54,7 +54,10 @@ pub(super) fn remarks(
     if ratio >= 1.0 {
         remarks.push(say!(noise_beyond_linear_range, ratio = fixed(ratio, 2)));
     }
-    if let (None, Some(track)) = (&train.question.decay_rate, case.track.structure.as_deref()) {
+    if let (None, Some(track)) = (
+        &train.question.radiator.decay_rate,
+        case.track.structure.as_deref(),
+    ) {
         let bands = powers.iter().map(|power| power.band);
         let far: Vec<FrequencyBand> = bands
             .filter(|band| RailDecay::runs_on(track, band.centre()))

@@ -8,5 +8,6 @@ mod comparison;
 mod forecast;
 mod line_growth;
 mod motions;
+mod pass_by;
 mod remedies;
 mod shakedown;

@@ -7,7 +7,7 @@ pub(crate) mod table;
 
 pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
-pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels};
+pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, Train};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -76,18 +76,11 @@ pub(crate) trait Block: Send + Sync {
     fn given_rest(&self, group: &Group, predicted: &[f64], sizes: &[f64]) -> Option<Given> {
         let residuals = differences(&self.observed(), predicted);
         let covariance = self.covariance(sizes, 1.0);
-        let entry = |row: Option<usize>, column: Option<usize>| match (row, column) {
-            (Some(row), Some(column)) => covariance.at(row, column),
-            _ => 0.0,
-        };
-        let residual = |row: Option<usize>| row.map_or(0.0, |row| residuals[row]);
-        let basis = &group.basis;
-        let of_basis = Matrix::of(basis.len(), |i, j| {
-            let ((a, b), (c, d)) = (basis[i], basis[j]);
-            entry(a, c) - entry(a, d) - entry(b, c) + entry(b, d)
-        });
-        let inverse = of_basis.cholesky()?.inverse_of_square();
-        let residuals = basis.iter().map(|(a, b)| residual(*a) - residual(*b));
+        let inverse = covariance
+            .of_sums(&group.basis)
+            .cholesky()?
+            .inverse_of_square();
+        let residuals = group.basis.iter().map(|terms| sum_of(&residuals, terms));
         let weighted = inverse.times(&residuals.collect::<Vec<f64>>());
         given_others(&inverse, &weighted, &group.own)
     }
@@ -114,9 +107,9 @@ pub enum Held {
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Group {
     pub(crate) held: Held,
-    /// The data of the block as differences of two, of which either may be missing: such that those of the rest lack the group.
-    basis: Vec<(Option<usize>, Option<usize>)>,
-    /// Which of the differences are of the group.
+    /// Sums of the data of the block by weights, as many as data: such that those of the rest lack the group.
+    basis: Vec<Vec<(usize, f64)>>,
+    /// Which of the sums are of the group.
     own: Vec<usize>,
 }
 
@@ -125,7 +118,7 @@ impl Group {
     pub(crate) fn all(count: usize) -> Self {
         Self {
             held: Held::All,
-            basis: (0..count).map(|datum| (Some(datum), None)).collect(),
+            basis: (0..count).map(|datum| vec![(datum, 1.0)]).collect(),
             own: (0..count).collect(),
         }
     }
@@ -145,6 +138,14 @@ pub(crate) fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {
         .zip(other)
         .map(|(one, other)| one - other)
         .collect()
+}
+
+/// The sum of some values by their weights.
+pub(crate) fn sum_of(values: &[f64], weights: &[(usize, f64)]) -> f64 {
+    let weighted = weights
+        .iter()
+        .map(|(place, weight)| weight * values[*place]);
+    weighted.sum()
 }
 
 pub(crate) fn sums(one: &[f64], other: &[f64]) -> Vec<f64> {

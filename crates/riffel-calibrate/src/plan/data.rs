@@ -6,7 +6,9 @@ use statrs::distribution::StudentsT;
 use toml::Value;
 
 use super::{Reading, beside, name_of};
-use crate::data::{AxleBoxRun, Block, DatedLevels, DecayRates, FrequencyResponses, Levels, Size};
+use crate::data::{
+    AxleBoxRun, Block, DatedLevels, DecayRates, FrequencyResponses, Levels, MeasuredRail, Size,
+};
 use crate::file::{DataFile, DiscrepancyFile, Kind, SizeFile};
 use crate::kernel::Kernel;
 use crate::model::{Parameter, Role, View};
@@ -93,12 +95,22 @@ impl Reading<'_> {
                 .collect::<Vec<usize>>()
         };
         let (dated, runs) = (of_kind(Kind::DatedLevels), of_kind(Kind::AxleBox));
-        if let (Some(run), true) = (runs.first(), dated.len() != 1) {
-            let rule = "is \"axle-box\", which needs just one [[data]] of kind \"dated-levels\" of the same rail";
-            let help = "without levels of a trolley an axle box tells the shape of a spectrum only";
+        let pass_bys = of_kind(Kind::PassBy);
+        if let (Some(own), true) = (runs.iter().chain(&pass_bys).min(), dated.len() != 1) {
+            let kind = self.file.data[*own].kind;
+            let rule = format!(
+                "is \"{}\", which needs just one [[data]] of kind \"dated-levels\" of the same rail",
+                kind.name()
+            );
+            let help = match kind {
+                Kind::PassBy => {
+                    "without levels of a trolley nothing says which of its bands are heard"
+                }
+                _ => "without levels of a trolley an axle box tells the shape of a spectrum only",
+            };
             return Err(self
                 .source
-                .invalid(&format!("data[{run}].kind"), rule, help));
+                .invalid(&format!("data[{own}].kind"), &rule, help));
         }
         if let (Some(index), true) = (dated.first(), self.vehicles.is_empty()) {
             let rule = "is \"dated-levels\", but the plan names no traffic that made them grow";
@@ -112,12 +124,12 @@ impl Reading<'_> {
         for index in 0..self.file.data.len() {
             let data = &self.file.data[index];
             let (block, indices): (Option<Box<dyn Block>>, Vec<usize>) = match data.kind {
-                Kind::AxleBox => continue,
+                Kind::AxleBox | Kind::PassBy => continue,
                 Kind::FrequencyResponse => (Some(self.frequency_response(index)?), vec![index]),
                 Kind::DecayRate => (Some(self.decay_rate(index)?), vec![index]),
                 Kind::DatedLevels => {
-                    let block = self.levels(index, &runs)?;
-                    let others = runs.iter().copied();
+                    let block = self.levels(index, &runs, &pass_bys)?;
+                    let others = runs.iter().chain(&pass_bys).copied();
                     (block, std::iter::once(index).chain(others).collect())
                 }
             };
@@ -172,8 +184,8 @@ impl Reading<'_> {
 
     /// That data have no keys of other kinds.
     fn check_keys(&self, index: usize, data: &DataFile) -> Result<(), CaseError> {
-        use Kind::{AxleBox, DatedLevels, DecayRate, FrequencyResponse};
-        let keys: [(&str, bool, &[Kind]); 7] = [
+        use Kind::{AxleBox, DatedLevels, DecayRate, FrequencyResponse, PassBy};
+        let keys: [(&str, bool, &[Kind]); 14] = [
             ("averages", data.averages.is_some(), &[FrequencyResponse]),
             (
                 "gain_error",
@@ -188,11 +200,22 @@ impl Reading<'_> {
             (
                 "common_error",
                 data.common_error.is_some(),
-                &[DatedLevels, AxleBox],
+                &[DatedLevels, AxleBox, PassBy],
             ),
             ("first_level", data.first_level.is_some(), &[DatedLevels]),
             ("at_date", data.at_date.is_some(), &[AxleBox]),
-            ("speed", data.speed.is_some(), &[AxleBox]),
+            ("speed", data.speed.is_some(), &[AxleBox, PassBy]),
+            ("wheels", data.wheels.is_some(), &[PassBy]),
+            ("train_length", data.train_length.is_some(), &[PassBy]),
+            ("distance", data.distance.is_some(), &[PassBy]),
+            ("height", data.height.is_some(), &[PassBy]),
+            ("wheel_roughness", data.wheel_roughness.is_some(), &[PassBy]),
+            ("roughness", data.roughness.is_some(), &[PassBy]),
+            (
+                "discrepancy",
+                data.discrepancy.is_some(),
+                &[FrequencyResponse, DecayRate, DatedLevels, AxleBox],
+            ),
         ];
         for (key, given, kinds) in keys {
             if given && !kinds.contains(&data.kind) {
@@ -210,7 +233,7 @@ impl Reading<'_> {
         Ok(())
     }
 
-    fn positive(&self, index: usize, key: &str, value: f64) -> Result<f64, CaseError> {
+    pub(super) fn positive(&self, index: usize, key: &str, value: f64) -> Result<f64, CaseError> {
         if value.is_finite() && value > 0.0 {
             return Ok(value);
         }
@@ -282,6 +305,7 @@ impl Reading<'_> {
         &mut self,
         index: usize,
         runs: &[usize],
+        pass_bys: &[usize],
     ) -> Result<Option<Box<dyn Block>>, CaseError> {
         let data = &self.file.data[index];
         if let Some(first) = &data.first_level
@@ -295,18 +319,27 @@ impl Reading<'_> {
         let common_error = self.decibels(index, 0.3)?;
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
-        let rows = DatedLevels::rows(&beside(self.folder, &data.file), &self.views[view].case)?;
+        let path = beside(self.folder, &data.file);
+        let (rows, begins) = DatedLevels::rows(&path, &self.views[view].case)?;
         let dated = DatedLevels {
             view,
             rows,
+            begins,
             common_error,
             missed,
         };
-        let mut felt = Vec::new();
+        let (mut felt, mut heard) = (Vec::new(), Vec::new());
         for &index in runs {
             felt.push(self.run(index, &dated)?);
         }
-        let levels = Levels::new(&dated, &felt);
+        for &index in pass_bys {
+            heard.push(self.pass_bys(index, &dated)?);
+        }
+        let levels = Levels::new(&MeasuredRail {
+            dated,
+            runs: felt,
+            pass_bys: heard,
+        });
         Ok(levels.map(|levels| Box::new(levels) as Box<dyn Block>))
     }
 
@@ -351,7 +384,7 @@ impl Reading<'_> {
     }
 
     /// The common error of some levels.
-    fn decibels(&self, index: usize, left_out: f64) -> Result<f64, CaseError> {
+    pub(super) fn decibels(&self, index: usize, left_out: f64) -> Result<f64, CaseError> {
         let Some(value) = &self.file.data[index].common_error else {
             return Ok(left_out);
         };
@@ -389,7 +422,7 @@ impl Reading<'_> {
             Kind::FrequencyResponse => "Np",
             Kind::DecayRate => "ln",
             Kind::DatedLevels => "dB per 1e6 passages",
-            Kind::AxleBox => "dB",
+            Kind::AxleBox | Kind::PassBy => "dB",
         };
         for (key, given, only) in [
             ("unit", &written.unit, unit),
@@ -444,7 +477,7 @@ impl Reading<'_> {
         }
         let over = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => "ln frequency",
-            Kind::DatedLevels | Kind::AxleBox => "ln wavelength",
+            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => "ln wavelength",
         };
         if let Some(given) = &written.over
             && given != over
@@ -454,7 +487,7 @@ impl Reading<'_> {
         }
         let usual = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => ("matern-3/2", 0.5),
-            Kind::DatedLevels | Kind::AxleBox => ("exponential", 0.35),
+            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => ("exponential", 0.35),
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {

@@ -4,6 +4,7 @@ mod comparison;
 mod data;
 pub(crate) mod decision;
 mod parameter;
+mod pass_by;
 mod usual;
 
 use std::path::{Path, PathBuf};
@@ -118,6 +119,11 @@ impl Plan {
             }
         };
         inputs.extend(file.data.iter().map(|data| beside(folder, &data.file)));
+        let roughness = file.data.iter();
+        let roughness =
+            roughness.flat_map(|data| data.roughness.iter().chain(&data.wheel_roughness));
+        let roughness = roughness.map(|name| beside(folder, name));
+        inputs.extend(roughness.filter(|path| path.exists()));
         let mut reading = Reading {
             source: &source,
             file: &file,

@@ -123,12 +123,12 @@ impl Kind {
 
     /// Whether a train took part, whose weight lay on the pads.
     fn is_of_trains(self) -> bool {
-        matches!(self, Self::DatedLevels | Self::AxleBox)
+        matches!(self, Self::DatedLevels | Self::AxleBox | Self::PassBy)
     }
 
-    /// What models usually miss of it.
-    fn usual_discrepancy(self) -> &'static str {
-        match self {
+    /// What models usually miss of it; none where all levels share their error.
+    fn usual_discrepancy(self) -> Option<&'static str> {
+        let usual = match self {
             Self::FrequencyResponse => {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 0.15 } }"
             }
@@ -137,7 +137,9 @@ impl Kind {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 1.0 } }"
             }
             Self::AxleBox => "{ kind = \"band\", standard_deviation = { half_normal = 1.5 } }",
-        }
+            Self::PassBy => return None,
+        };
+        Some(usual)
     }
 }
 
@@ -223,7 +225,10 @@ impl Table {
                 model.name()
             );
         }
-        text + &format!("discrepancy = {}\n", self.kind.usual_discrepancy())
+        if let Some(usual) = self.kind.usual_discrepancy() {
+            _ = writeln!(text, "discrepancy = {usual}");
+        }
+        text
     }
 }
 

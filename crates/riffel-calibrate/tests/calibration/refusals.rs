@@ -404,3 +404,85 @@ fn one_of_two_dates_is_not_left_out() {
     let error = Plan::read(&path).err().unwrap().to_string();
     assert!(error.contains("three dates"), "{error}");
 }
+
+/// Levels beside the track: of the table and of the plan.
+#[test]
+fn pass_bys_that_cannot_be_used_are_said() {
+    let speed = "speed = \"100 km/h\"\nset = { \"track.model\" = \"two-layer\" }\n";
+    let good = "passages,level_dba\n0,80\n6000000,84\n";
+    let with = |key: &str| format!("{speed}{key}\n");
+    for (keys, table, parts) in [
+        (
+            "".to_owned(),
+            good,
+            &["pass-by.csv", "line 2", "speed_km_per_h", "`speed`"][..],
+        ),
+        (
+            speed.to_owned(),
+            "passages,level_dba\n-5,80\n",
+            &["passages", "-5", "before the first date"],
+        ),
+        (
+            speed.to_owned(),
+            "passages,level_dba,trains\n0,80,0\n",
+            &["trains", "is 0", "greater than zero"],
+        ),
+        (
+            speed.to_owned(),
+            "passages,level_dba\n0,loud\n",
+            &["line 2", "level_dba", "loud"],
+        ),
+        (
+            speed.replace("100 km/h", "5 km/h"),
+            good,
+            &["at 5 km/h", "no one-third octave", "100 Hz"],
+        ),
+        (
+            with("wheel_roughness = \"cast iron\""),
+            good,
+            &[
+                "data[4].wheel_roughness",
+                "cast iron",
+                "cnossos-disc-brakes",
+            ],
+        ),
+        (with("roughness = \"nothing.csv\""), good, &["nothing.csv"]),
+        (
+            with("distance = \"0.5 m\""),
+            good,
+            &["data[4].distance", "0.5", "beyond the rail"],
+        ),
+        (
+            with("wheels = 0"),
+            good,
+            &["data[4].wheels", "is 0", "greater than zero"],
+        ),
+        (
+            with("common_error = \"-2 dB\""),
+            good,
+            &["data[4].common_error", "-2 dB"],
+        ),
+        (
+            with("discrepancy = { kind = \"band\", standard_deviation = 1.0 }"),
+            good,
+            &["data[4].discrepancy", "belongs to", "not to pass-by"],
+        ),
+        (
+            speed.replace("two-layer", "moving-beam"),
+            good,
+            &["data[4].kind", "moving-beam", "how far its vibration runs"],
+        ),
+    ] {
+        let (copy, good_plan) = changed("c-all-together", "plan.toml", "seed = 1", "seed = 2");
+        good_plan.unwrap();
+        let path = copy.path().join("plan.toml");
+        let text = fs::read_to_string(&path).unwrap();
+        let data = format!("\n[[data]]\nkind = \"pass-by\"\nfile = \"pass-by.csv\"\n{keys}");
+        fs::write(&path, text + &data).unwrap();
+        fs::write(copy.path().join("pass-by.csv"), table).unwrap();
+        let refusal = Plan::read(&path).map(|_| ()).unwrap_err().to_string();
+        for part in parts {
+            assert!(refusal.contains(part), "{part} not in: {refusal}");
+        }
+    }
+}

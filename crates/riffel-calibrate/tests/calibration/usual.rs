@@ -153,3 +153,37 @@ fn tables_that_tell_no_kind_are_refused() {
         );
     }
 }
+
+/// Trains that are heard bring their speed in a column, and touch what the levels do; without it, and without levels, they are no
+/// data.
+#[test]
+fn trains_that_are_heard_have_a_usual_plan() {
+    let to = TempDir::new().unwrap();
+    let heard = to.path().join("heard.csv");
+    let set = folder("b-three-dates");
+    let of_set = |name: &str| set.join(name);
+    let plan = |table: &str, levels: bool| {
+        fs::write(&heard, table).unwrap();
+        let levels = levels.then(|| of_set("roughness.csv"));
+        let tables: Vec<PathBuf> = levels.into_iter().chain([heard.clone()]).collect();
+        let measured = Measured {
+            case: &of_set("case.toml"),
+            traffic: Some(&of_set("traffic.toml")),
+            tables: &tables,
+        };
+        Plan::usual(&to.path().join("plan.toml"), &measured).map_err(|error| error.to_string())
+    };
+    let table = "passages,level_dba,speed_km_per_h\n0,80,110\n3500000,84,110\n";
+    let read = plan(table, true).unwrap();
+    assert_eq!(read.posterior.data_of("wheel.mass"), ["roughness + heard"]);
+    assert!(
+        !read
+            .text
+            .contains("kind = \"pass-by\"\nfile = \"heard.csv\"\ndiscrepancy")
+    );
+    let error = |plan: Result<Plan, String>| plan.map(|_| ()).unwrap_err();
+    let slow = error(plan("passages,level_dba\n0,80\n", true));
+    assert!(slow.contains("speed_km_per_h"), "{slow}");
+    let alone = error(plan(table, false));
+    assert!(alone.contains("dated-levels"), "{alone}");
+}

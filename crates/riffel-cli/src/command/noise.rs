@@ -2,6 +2,7 @@
 
 use riffel::noise::Surroundings;
 use riffel_answers::noise::{NoiseQuestion, RoughWheels};
+use riffel_case::TrackRadiator;
 use riffel_case::traffic::Traffic;
 use riffel_rail::read_decay_rates;
 
@@ -33,11 +34,15 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         before,
         wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
         wheel_modes: arguments.wheel_modes.clone(),
-        decay_rate: arguments
-            .decay_rate
-            .as_deref()
-            .map(read_decay_rates)
-            .transpose()?,
+        radiator: TrackRadiator {
+            rail_foot: arguments.rail_foot.within("--rail-foot")?,
+            sleeper_area: arguments.sleeper_area.within("--sleeper-area")?,
+            decay_rate: arguments
+                .decay_rate
+                .as_deref()
+                .map(read_decay_rates)
+                .transpose()?,
+        },
         transfer: transfer
             .zip(arguments.vehicle_transfer.clone())
             .map(<[String; 2]>::from),
@@ -49,8 +54,6 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         distance: arguments.distance.within("--distance")?,
         height: arguments.height.within("--height")?,
         surroundings: Surroundings::HardGround,
-        rail_foot: arguments.rail_foot.within("--rail-foot")?,
-        sleeper_area: arguments.sleeper_area.within("--sleeper-area")?,
         traffic: match (&arguments.traffic, &draws) {
             (Some(path), _) => Some(Traffic::read(path)?),
             (None, draws) => draws.as_ref().and_then(|draws| draws.traffic.clone()),

@@ -64,7 +64,7 @@ pub(crate) async fn post(
     page.long
         .run(asker.subject("noise"), move |wanted| {
             let rail = &question.rail;
-            if let Some(why) = riffel_answers::noise::without_decay(&rail.case.read()?) {
+            if let Some(why) = rail.case.read()?.without_decay() {
                 let fault = Fault::of_key("track.model", why, "");
                 return Ok(Told(json!({ "fault": fault })));
             }

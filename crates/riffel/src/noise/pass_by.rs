@@ -56,6 +56,9 @@ impl PassBy {
     /// Distance of the rails from the middle of the track \[m\], beyond which a receiver is.
     pub const NEAREST: f64 = 0.5 * Self::GAUGE;
 
+    /// Length of train to a wheel on one rail \[m\]: a coach of 26.4 m on four wheelsets (UIC 567).
+    pub const LENGTH_PER_WHEEL: f64 = 6.6;
+
     /// A receiver at a distance from the middle of the track and a height over the rail head \[m\], beside a train of some
     /// wheelsets and some length \[m\].
     ///

@@ -1,0 +1,123 @@
+//! What a plan says of trains that are heard.
+
+use riffel::contact::ContactFilter;
+use riffel::noise::{FrequencyBand, PassBy, Surroundings};
+use riffel::roughness::Spectrum;
+use riffel_keys::CaseError;
+use riffel_keys::quantity::{Length, Quantity};
+use riffel_rail::{Survey, WheelRoughness};
+
+use super::{Reading, beside};
+use crate::data::{DatedLevels, PassBys, Passage, Train};
+
+/// Wheels on one rail of a train of which nothing is said: a coach.
+const WHEELS: u32 = 4;
+/// Where ISO 3095 measures: from the middle of the track, and above the rail \[m\].
+const RECEIVER: (f64, f64) = (7.5, 1.2);
+/// Standard deviation of what all levels of a place share: propagation and radiation \[dB\].
+const OF_A_PLACE: f64 = 2.0;
+
+impl Reading<'_> {
+    pub(super) fn pass_bys(
+        &mut self,
+        index: usize,
+        dated: &DatedLevels,
+    ) -> Result<PassBys, CaseError> {
+        let common_error = self.decibels(index, OF_A_PLACE)?;
+        let view = self.view(index)?;
+        let case = &self.views[view].case;
+        if let Some(why) = case.without_decay() {
+            let rule = format!("is \"pass-by\", but {why}");
+            return Err(self.source.invalid(
+                &format!("data[{index}].kind"),
+                &rule,
+                "give these data another model: set = { \"track.model\" = … }",
+            ));
+        }
+        let data = &self.file.data[index];
+        let speed = match data.speed {
+            Some(speed) => Some(self.positive(index, "speed", speed.si())?),
+            None => None,
+        };
+        let passage = Passage {
+            train: self.train(index, ContactFilter::of(&case.hertz))?,
+            speed,
+        };
+        let path = beside(self.folder, &data.file);
+        let (rows, silent) = PassBys::rows(&path, case, dated, &passage)?;
+        if !silent.is_empty() {
+            let remark = format!(
+                "{}: of {} no level of roughness is known, and they are taken as silent; `roughness` gives the other bands of the rail",
+                data.file,
+                frequencies(&silent)
+            );
+            self.remarks.push(remark);
+        }
+        Ok(PassBys {
+            view,
+            rows,
+            common_error,
+            train: passage.train,
+        })
+    }
+
+    fn train(&self, index: usize, filter: ContactFilter) -> Result<Train, CaseError> {
+        let data = &self.file.data[index];
+        let length = |key: &str, value: Option<Quantity<Length>>, left_out: f64| {
+            self.positive(index, key, value.map_or(left_out, |value| value.si()))
+        };
+        let wheels = f64::from(data.wheels.unwrap_or(WHEELS));
+        let wheels = self.positive(index, "wheels", wheels)?;
+        let of_coaches = PassBy::LENGTH_PER_WHEEL * wheels;
+        let pass = PassBy::new(
+            length("distance", data.distance, RECEIVER.0)?,
+            length("height", data.height, RECEIVER.1)?,
+            wheels,
+            length("train_length", data.train_length, of_coaches)?,
+            Surroundings::HardGround,
+        );
+        let pass = pass.map_err(|error| {
+            self.source.invalid(
+                &format!("data[{index}].distance"),
+                &format!(": {error}"),
+                "",
+            )
+        })?;
+        let read = |name: &Option<String>| -> Result<Option<Spectrum>, CaseError> {
+            let path = name.as_ref().map(|name| beside(self.folder, name));
+            path.map(|path| Survey::mean_of(&path)).transpose()
+        };
+        let wheel = match &data.wheel_roughness {
+            Some(name) => match WheelRoughness::find(name) {
+                Some(table) => Some(table.spectrum),
+                None if beside(self.folder, name).exists() => read(&data.wheel_roughness)?,
+                None => {
+                    let known = WheelRoughness::all().into_iter().map(|table| table.name);
+                    let known = known.collect::<Vec<String>>().join(", ");
+                    let rule = format!("is \"{name}\", but must be a file or one of {known}");
+                    let key = format!("data[{index}].wheel_roughness");
+                    return Err(self.source.invalid(&key, &rule, ""));
+                }
+            },
+            None => None,
+        };
+        Ok(Train {
+            pass,
+            wheel,
+            rest: read(&data.roughness)?,
+            filter,
+        })
+    }
+}
+
+/// Bands by their ends, those that follow each other together: "100 to 250 Hz and 4000 Hz".
+fn frequencies(bands: &[FrequencyBand]) -> String {
+    let runs = bands.chunk_by(|one, next| next.index() == one.index() + 1);
+    let run = |run: &[FrequencyBand]| match (run.first(), run.last()) {
+        (Some(first), Some(last)) if run.len() > 1 => {
+            format!("{} to {} Hz", first.nominal(), last.nominal())
+        }
+        _ => format!("{} Hz", run[0].nominal()),
+    };
+    runs.map(run).collect::<Vec<String>>().join(" and ")
+}
