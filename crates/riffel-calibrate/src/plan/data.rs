@@ -9,11 +9,9 @@ use super::{Reading, beside, name_of};
 use crate::data::{
     AxleBoxRun, Block, DatedLevels, DecayRates, FrequencyResponses, Levels, MeasuredRail, Size,
 };
-use crate::file::{DataFile, DiscrepancyFile, Kind, SizeFile};
-use crate::kernel::Kernel;
+use crate::file::{DataFile, Kind, SizeFile};
 use crate::model::{Parameter, Role, View};
 use crate::posterior::Named;
-use crate::prior::Prior;
 
 impl Reading<'_> {
     /// The view of some data: that of others where the same holds for both.
@@ -404,105 +402,5 @@ impl Reading<'_> {
                 self.source
                     .invalid(&format!("data[{index}].common_error"), &rule, "")
             })
-    }
-
-    /// What the model misses of some data; its size becomes a parameter where it is unknown.
-    fn discrepancy(&mut self, index: usize) -> Result<Option<Kernel>, CaseError> {
-        let data = &self.file.data[index];
-        let Some(written) = &data.discrepancy else {
-            self.remarks.push(format!(
-                "\"{}\" has no `discrepancy`: the model is taken as exact, and intervals will be too narrow",
-                name_of(data)
-            ));
-            return Ok(None);
-        };
-        let place = |key: &str| format!("data[{index}].discrepancy.{key}");
-        let kernel = self.kernel(written, data.kind, &place)?;
-        let unit = match data.kind {
-            Kind::FrequencyResponse => "Np",
-            Kind::DecayRate => "ln",
-            Kind::DatedLevels => "dB per 1e6 passages",
-            Kind::AxleBox | Kind::PassBy => "dB",
-        };
-        for (key, given, only) in [
-            ("unit", &written.unit, unit),
-            ("grows", &written.grows, "with passages"),
-        ] {
-            if let Some(given) = given
-                && (given != only || key == "grows" && data.kind != Kind::DatedLevels)
-            {
-                let rule = format!(
-                    "is \"{given}\", but must be \"{only}\" for {}",
-                    data.kind.name()
-                );
-                return Err(self.source.invalid(&place(key), &rule, "or left out"));
-            }
-        }
-        match written.standard_deviation {
-            SizeFile::Known(size) if size.is_finite() && size >= 0.0 => {}
-            SizeFile::HalfNormal { half_normal }
-                if half_normal.is_finite() && half_normal > 0.0 =>
-            {
-                self.parameters.push(Parameter {
-                    name: format!("{}.discrepancy", name_of(data)),
-                    unit: unit.to_owned(),
-                    prior: Prior::HalfNormal(half_normal),
-                    ends: [0.0, f64::INFINITY],
-                    role: Role::Size,
-                    in_data: None,
-                });
-            }
-            _ => {
-                let rule = "must be a number of zero or more, or { half_normal = … } above zero";
-                return Err(self.source.invalid(&place("standard_deviation"), rule, ""));
-            }
-        }
-        Ok(Some(kernel))
-    }
-
-    fn kernel(
-        &self,
-        written: &DiscrepancyFile,
-        kind: Kind,
-        place: &impl Fn(&str) -> String,
-    ) -> Result<Kernel, CaseError> {
-        let wrong = |key: &str, rule: String| self.source.invalid(&place(key), &rule, "");
-        match &*written.kind {
-            "band" => return Ok(Kernel::Band),
-            "gaussian-process" => {}
-            other => {
-                let rule = format!("is \"{other}\", but must be \"band\" or \"gaussian-process\"");
-                return Err(wrong("kind", rule));
-            }
-        }
-        let over = match kind {
-            Kind::FrequencyResponse | Kind::DecayRate => "ln frequency",
-            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => "ln wavelength",
-        };
-        if let Some(given) = &written.over
-            && given != over
-        {
-            let rule = format!("is \"{given}\", but must be \"{over}\" for {}", kind.name());
-            return Err(wrong("over", rule));
-        }
-        let usual = match kind {
-            Kind::FrequencyResponse | Kind::DecayRate => ("matern-3/2", 0.5),
-            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => ("exponential", 0.35),
-        };
-        let length = written.length.unwrap_or(usual.1);
-        if !(length.is_finite() && length > 0.0) {
-            return Err(wrong(
-                "length",
-                format!("is {length}, but must be greater than zero"),
-            ));
-        }
-        let name = written.kernel.as_deref().unwrap_or(usual.0);
-        Kernel::of(name, length).ok_or_else(|| {
-            let rule = format!(
-                "is \"{name}\", but must be one of {}",
-                Kernel::NAMES.join(", ")
-            );
-            wrong("kernel", rule)
-        })
     }
 }

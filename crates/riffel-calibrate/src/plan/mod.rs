@@ -3,6 +3,7 @@
 mod comparison;
 mod data;
 pub(crate) mod decision;
+mod discrepancy;
 mod parameter;
 mod pass_by;
 mod usual;
