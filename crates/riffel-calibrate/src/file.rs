@@ -296,6 +296,13 @@ pub struct DataFile {
     /// A file of roughness of the rail, for bands of which the dated levels have none.
     #[serde(default)]
     pub roughness: Option<String>,
+    /// The rail of profiles that have several.
+    #[serde(default)]
+    pub rail: Option<String>,
+    /// Which way trains run along the positions of profiles: `rising` or `falling`; left out, only the growth of waves counts, not
+    /// how they move.
+    #[serde(default)]
+    pub travel: Option<String>,
     /// Keys of the case that are different for these data.
     #[serde(default)]
     pub set: Table,
@@ -318,16 +325,19 @@ pub enum Kind {
     AxleBox,
     /// A-weighted levels beside the track while trains pass.
     PassBy,
+    /// Profiles of the same place at several dates.
+    DatedProfiles,
 }
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Self; 5] = [
+    pub const ALL: [Self; 6] = [
         Self::FrequencyResponse,
         Self::DecayRate,
         Self::DatedLevels,
         Self::AxleBox,
         Self::PassBy,
+        Self::DatedProfiles,
     ];
 
     /// The columns that its table must have.
@@ -346,6 +356,7 @@ impl Kind {
                 "standard_error_db",
             ],
             Self::PassBy => &["passages", "level_dba"],
+            Self::DatedProfiles => &["passages", "profile"],
         }
     }
 
@@ -357,6 +368,7 @@ impl Kind {
             Self::DatedLevels => "dated-levels",
             Self::AxleBox => "axle-box",
             Self::PassBy => "pass-by",
+            Self::DatedProfiles => "dated-profiles",
         }
     }
 }

@@ -318,7 +318,17 @@ impl<'a> Trial<'a> {
 
     /// Growth rates of the amplitude per axle at some wavelengths \[m\], in the mean over the traffic.
     pub(crate) fn growth_rates(&self, view: usize, lines: &[f64]) -> Result<Vec<f64>, String> {
-        let mut rates = vec![0.0; lines.len()];
+        let rates = self.complex_growth_rates(view, lines)?;
+        Ok(rates.into_iter().map(|rate| rate.re).collect())
+    }
+
+    /// The same of complex amplitudes, of waves along the direction of travel.
+    pub(crate) fn complex_growth_rates(
+        &self,
+        view: usize,
+        lines: &[f64],
+    ) -> Result<Vec<Complex64>, String> {
+        let mut rates = vec![Complex64::ZERO; lines.len()];
         let View { wheels, acting, .. } = &self.model.views[view];
         for (index, (vehicle, wheel)) in self.model.vehicles.iter().zip(wheels).enumerate() {
             let mut numbers = self.numbers(view);
@@ -361,7 +371,7 @@ impl<'a> Trial<'a> {
                 for (speed, share) in &nodes {
                     evaluator.evaluate(*speed, &mut row);
                     for (rate, value) in rates.iter_mut().zip(&row) {
-                        *rate += factor * share * value.re;
+                        *rate += factor * share * value;
                     }
                 }
             }

@@ -3,11 +3,13 @@
 mod decay_rate;
 mod frequency_response;
 mod levels;
+mod profiles;
 pub(crate) mod table;
 
 pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
 pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, Train};
+pub(crate) use profiles::{Comparison, DatedProfiles, Travel};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel_keys::CaseError;
-use riffel_keys::table::{HeadedTable, NoHead};
+use riffel_keys::table::{HeadedTable, NoHead, Row};
 use riffel_keys::text_file::{LARGEST_RESPONSES, decode, read_bounded};
 
 /// Numbers by row: columns that must be there, and others that may.
@@ -60,14 +60,7 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
             .ok_or(())
     };
     let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
-    let table = table.map_err(|_| {
-        let first = text.lines().next().unwrap_or_default();
-        let rule = format!(
-            "must have a head with the columns {}, units included, but begins with \"{first}\"",
-            needed.join(", ")
-        );
-        refuse(path, Some(1), rule)
-    })?;
+    let table = table.map_err(|_| without_head(path, needed, &text))?;
     let mut numbers = Numbers {
         lines: Vec::new(),
         needed: needed.iter().map(|_| Vec::new()).collect(),
@@ -104,6 +97,40 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
         return Err(refuse(path, None, "has no rows".to_owned()));
     }
     Ok(numbers)
+}
+
+/// The rows of a table with a column of numbers and one of names.
+///
+/// # Errors
+/// Those of [`read`].
+pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>, CaseError> {
+    let text = text(path)?;
+    let find = |names: &[String]| {
+        let place = |wanted: &&str| names.iter().position(|name| name == wanted);
+        columns
+            .iter()
+            .map(place)
+            .collect::<Option<Vec<usize>>>()
+            .ok_or(())
+    };
+    let table = HeadedTable::find(&text, find, |columns, row| row.number(columns[0]).is_ok());
+    let table = table.map_err(|_| without_head(path, columns, &text))?;
+    let row = |row: Row<'_>| {
+        let number = row.number(table.columns[0]);
+        let number = number
+            .map_err(|rule| refuse(path, Some(row.line), format!("`{}` {rule}", columns[0])))?;
+        Ok((number, row.text(table.columns[1])))
+    };
+    table.rows().map(row).collect()
+}
+
+fn without_head(path: &Path, columns: &[&str], text: &str) -> CaseError {
+    let first = text.lines().next().unwrap_or_default();
+    let rule = format!(
+        "must have a head with the columns {}, units included, but begins with \"{first}\"",
+        columns.join(", ")
+    );
+    refuse(path, Some(1), rule)
 }
 
 impl Numbers {

@@ -7,7 +7,8 @@ use toml::Value;
 
 use super::{Reading, beside, name_of};
 use crate::data::{
-    AxleBoxRun, Block, DatedLevels, DecayRates, FrequencyResponses, Levels, MeasuredRail, Size,
+    AxleBoxRun, Block, Comparison, DatedLevels, DatedProfiles, DecayRates, FrequencyResponses,
+    Levels, MeasuredRail, Size, Travel,
 };
 use crate::file::{DataFile, Kind, SizeFile};
 use crate::model::{Parameter, Role, View};
@@ -93,7 +94,7 @@ impl Reading<'_> {
                 .collect::<Vec<usize>>()
         };
         let (dated, runs) = (of_kind(Kind::DatedLevels), of_kind(Kind::AxleBox));
-        let pass_bys = of_kind(Kind::PassBy);
+        let (pass_bys, profiles) = (of_kind(Kind::PassBy), of_kind(Kind::DatedProfiles));
         if let (Some(own), true) = (runs.iter().chain(&pass_bys).min(), dated.len() != 1) {
             let kind = self.file.data[*own].kind;
             let rule = format!(
@@ -110,11 +111,15 @@ impl Reading<'_> {
                 .source
                 .invalid(&format!("data[{own}].kind"), &rule, help));
         }
-        if let (Some(index), true) = (dated.first(), self.vehicles.is_empty()) {
-            let rule = "is \"dated-levels\", but the plan names no traffic that made them grow";
+        let growing = dated.iter().chain(&profiles).min();
+        if let (Some(index), true) = (growing, self.vehicles.is_empty()) {
+            let rule = format!(
+                "is \"{}\", but the plan names no traffic that made them grow",
+                self.file.data[*index].kind.name()
+            );
             return Err(self.source.invalid(
                 &format!("data[{index}].kind"),
-                rule,
+                &rule,
                 "give traffic = \"traffic.toml\"",
             ));
         }
@@ -125,6 +130,7 @@ impl Reading<'_> {
                 Kind::AxleBox | Kind::PassBy => continue,
                 Kind::FrequencyResponse => (Some(self.frequency_response(index)?), vec![index]),
                 Kind::DecayRate => (Some(self.decay_rate(index)?), vec![index]),
+                Kind::DatedProfiles => (Some(self.profiles(index)?), vec![index]),
                 Kind::DatedLevels => {
                     let block = self.levels(index, &runs, &pass_bys)?;
                     let others = runs.iter().chain(&pass_bys).copied();
@@ -182,8 +188,8 @@ impl Reading<'_> {
 
     /// That data have no keys of other kinds.
     fn check_keys(&self, index: usize, data: &DataFile) -> Result<(), CaseError> {
-        use Kind::{AxleBox, DatedLevels, DecayRate, FrequencyResponse, PassBy};
-        let keys: [(&str, bool, &[Kind]); 14] = [
+        use Kind::{AxleBox, DatedLevels, DatedProfiles, DecayRate, FrequencyResponse, PassBy};
+        let keys: [(&str, bool, &[Kind]); 16] = [
             ("averages", data.averages.is_some(), &[FrequencyResponse]),
             (
                 "gain_error",
@@ -198,7 +204,7 @@ impl Reading<'_> {
             (
                 "common_error",
                 data.common_error.is_some(),
-                &[DatedLevels, AxleBox, PassBy],
+                &[DatedLevels, DatedProfiles, AxleBox, PassBy],
             ),
             ("first_level", data.first_level.is_some(), &[DatedLevels]),
             ("at_date", data.at_date.is_some(), &[AxleBox]),
@@ -209,10 +215,18 @@ impl Reading<'_> {
             ("height", data.height.is_some(), &[PassBy]),
             ("wheel_roughness", data.wheel_roughness.is_some(), &[PassBy]),
             ("roughness", data.roughness.is_some(), &[PassBy]),
+            ("rail", data.rail.is_some(), &[DatedProfiles]),
+            ("travel", data.travel.is_some(), &[DatedProfiles]),
             (
                 "discrepancy",
                 data.discrepancy.is_some(),
-                &[FrequencyResponse, DecayRate, DatedLevels, AxleBox],
+                &[
+                    FrequencyResponse,
+                    DecayRate,
+                    DatedLevels,
+                    DatedProfiles,
+                    AxleBox,
+                ],
             ),
         ];
         for (key, given, kinds) in keys {
@@ -296,6 +310,35 @@ impl Reading<'_> {
         let view = self.view(index)?;
         let path = beside(self.folder, &data.file);
         let block = DecayRates::read(&path, (view, &self.views[view].case), student)?;
+        Ok(Box::new(block))
+    }
+
+    fn profiles(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
+        let travel = match self.file.data[index].travel.as_deref() {
+            None => None,
+            Some("rising") => Some(Travel::Rising),
+            Some("falling") => Some(Travel::Falling),
+            Some(other) => {
+                let rule = format!("is \"{other}\", but must be \"rising\" or \"falling\"");
+                let key = format!("data[{index}].travel");
+                return Err(self.source.invalid(&key, &rule, ""));
+            }
+        };
+        let common_error = self.decibels(index, 0.3)?;
+        let missed = self.discrepancy(index)?;
+        let view = self.view(index)?;
+        let data = &self.file.data[index];
+        let comparison = Comparison {
+            rail: data.rail.as_deref(),
+            travel,
+            common_error,
+            missed,
+        };
+        let path = beside(self.folder, &data.file);
+        let of_view = (view, &self.views[view].case);
+        let (block, remarks, files) = DatedProfiles::read(&path, of_view, &comparison)?;
+        self.remarks.extend(remarks);
+        self.inputs.extend(files);
         Ok(Box::new(block))
     }
 

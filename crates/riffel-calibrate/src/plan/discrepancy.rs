@@ -24,7 +24,7 @@ impl Reading<'_> {
         let unit = match data.kind {
             Kind::FrequencyResponse => "Np",
             Kind::DecayRate => "ln",
-            Kind::DatedLevels => "dB per 1e6 passages",
+            Kind::DatedLevels | Kind::DatedProfiles => "dB per 1e6 passages",
             Kind::AxleBox | Kind::PassBy => "dB",
         };
         for (key, given, only) in [
@@ -32,7 +32,7 @@ impl Reading<'_> {
             ("grows", &written.grows, "with passages"),
         ] {
             if let Some(given) = given
-                && (given != only || key == "grows" && data.kind != Kind::DatedLevels)
+                && (given != only || key == "grows" && unit != "dB per 1e6 passages")
             {
                 let rule = format!(
                     "is \"{given}\", but must be \"{only}\" for {}",
@@ -80,7 +80,9 @@ impl Reading<'_> {
         }
         let over = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => "ln frequency",
-            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => "ln wavelength",
+            Kind::DatedLevels | Kind::DatedProfiles | Kind::AxleBox | Kind::PassBy => {
+                "ln wavelength"
+            }
         };
         if let Some(given) = &written.over
             && given != over
@@ -90,7 +92,9 @@ impl Reading<'_> {
         }
         let usual = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => ("matern-3/2", 0.5),
-            Kind::DatedLevels | Kind::AxleBox | Kind::PassBy => ("exponential", 0.35),
+            Kind::DatedLevels | Kind::DatedProfiles | Kind::AxleBox | Kind::PassBy => {
+                ("exponential", 0.35)
+            }
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {

@@ -63,6 +63,7 @@ struct Reading<'a> {
     parameters: Vec<Parameter>,
     views: Vec<View>,
     remarks: Vec<String>,
+    inputs: Vec<PathBuf>,
 }
 
 impl Plan {
@@ -134,6 +135,7 @@ impl Plan {
             parameters: Vec::new(),
             views: Vec::new(),
             remarks: Vec::new(),
+            inputs,
         };
         for (index, parameter) in file.parameter.iter().enumerate() {
             let parameter = reading.parameter(index, parameter)?;
@@ -160,6 +162,7 @@ impl Plan {
             parameters,
             views,
             remarks,
+            inputs,
             ..
         } = reading;
         let line = traffic.as_ref().map(|traffic| traffic.file.line);

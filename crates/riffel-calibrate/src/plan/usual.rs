@@ -123,7 +123,10 @@ impl Kind {
 
     /// Whether a train took part, whose weight lay on the pads.
     fn is_of_trains(self) -> bool {
-        matches!(self, Self::DatedLevels | Self::AxleBox | Self::PassBy)
+        matches!(
+            self,
+            Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles
+        )
     }
 
     /// What models usually miss of it; none where all levels share their error.
@@ -133,7 +136,7 @@ impl Kind {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 0.15 } }"
             }
             Self::DecayRate => "{ kind = \"band\", standard_deviation = { half_normal = 0.2 } }",
-            Self::DatedLevels => {
+            Self::DatedLevels | Self::DatedProfiles => {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 1.0 } }"
             }
             Self::AxleBox => "{ kind = \"band\", standard_deviation = { half_normal = 1.5 } }",
@@ -176,10 +179,16 @@ impl Table {
                 let help = "write it into a plan: [[data]] with kind = \"axle-box\" and speed";
                 return Err(refuse(message.to_owned(), help));
             }
-            if kind == Kind::DatedLevels && !has_traffic {
-                let message =
-                    "has levels of several dates, but there is no traffic that made them grow";
-                return Err(refuse(message.to_owned(), "give --traffic TRAFFIC"));
+            if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles) && !has_traffic {
+                let what = if kind == Kind::DatedLevels {
+                    "levels"
+                } else {
+                    "profiles"
+                };
+                let message = format!(
+                    "has {what} of several dates, but there is no traffic that made them grow"
+                );
+                return Err(refuse(message, "give --traffic TRAFFIC"));
             }
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let mut numbered = (2..).map(|number| format!("{stem}-{number}"));

@@ -4,6 +4,7 @@ mod decision;
 mod drawn;
 mod likelihood;
 mod posterior;
+mod profiles;
 mod refusals;
 mod usual;
 

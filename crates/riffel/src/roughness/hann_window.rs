@@ -110,7 +110,7 @@ pub(super) fn spacing_and_longest(stretches: &[Profile]) -> Result<(f64, f64), E
 }
 
 /// Subtract the straight line of least squares.
-fn remove_trend(heights: &mut [f64]) {
+pub(super) fn remove_trend(heights: &mut [f64]) {
     let count = heights.len() as f64;
     let middle = 0.5 * (count - 1.0);
     let mean = heights.iter().sum::<f64>() / count;

@@ -38,6 +38,7 @@ mod spectrum;
 mod spike;
 mod synthesis;
 mod third_octave;
+mod wave_growth;
 mod wavelength_band;
 mod weld;
 
@@ -59,5 +60,6 @@ pub use spike::SpikeCriterion;
 pub use synthesis::{ColouredNoise, Dropout, Irregularity, Recipe, Sinusoid};
 pub(crate) use third_octave::NOMINAL_OF_DECADE;
 pub use third_octave::ThirdOctave;
+pub use wave_growth::{WaveGrowth, WaveGrowths};
 pub use wavelength_band::WavelengthBand;
 pub use weld::Weld;
