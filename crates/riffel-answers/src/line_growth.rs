@@ -201,6 +201,11 @@ impl FastestGrowth {
     /// In what it doubles, as in "5 to 14 months": years above three of them, days below two months.
     #[must_use]
     pub fn time(&self) -> Message {
+        self.time_beside(self)
+    }
+
+    /// The same in the unit of another, so that both can be compared at a glance.
+    pub(crate) fn time_beside(&self, other: &Self) -> Message {
         let Some(months) = self.doubling_months else {
             let million = |passages: f64| significant(1e-6 * passages, 2);
             return match self.doubling_passages_banded {
@@ -212,10 +217,12 @@ impl FastestGrowth {
             };
         };
         let two = |time: f64| significant(time, 2);
-        if let Some(banded) = self.doubling_months_banded {
-            return time_between(banded.band_80);
+        let banded = |growth: &Self| growth.doubling_months_banded.map(|it| it.band_80);
+        let unit = unit_of(banded(other).unwrap_or([other.doubling_months.unwrap_or(months); 2]));
+        if let Some(band) = banded(self) {
+            return between(band, unit);
         }
-        match unit_of([months; 2]) {
+        match unit {
             Unit::Days => say!(days_of, days = two(DAYS_PER_MONTH * months)),
             Unit::Months => say!(months_of, months = two(months)),
             Unit::Years => say!(years_of, years = two(months / 12.0)),
@@ -240,8 +247,12 @@ fn unit_of([early, late]: [f64; 2]) -> Unit {
 
 /// Between so many months, in the unit that suits both.
 pub(crate) fn time_between(months: [f64; 2]) -> Message {
+    between(months, unit_of(months))
+}
+
+fn between(months: [f64; 2], unit: Unit) -> Message {
     let in_unit = |size: f64| months.map(|time| significant(size * time, 2));
-    match unit_of(months) {
+    match unit {
         Unit::Days => {
             let [early, late] = in_unit(DAYS_PER_MONTH);
             say!(days_between, early = early, late = late)

@@ -44,6 +44,9 @@ pub struct Remedy {
     pub change_of_fastest_growth: f64,
     /// What then grows fastest; none where nothing does.
     pub fastest: Option<FastestGrowth>,
+    /// In what growth then doubles, in the unit of the case as it is.
+    #[serde(skip)]
+    pub doubles_in: Message,
     #[serde(skip)]
     curve: Vec<[f64; 2]>,
 }
@@ -151,6 +154,10 @@ impl RemediesAnswer {
                 title,
                 changes,
                 change_of_fastest_growth: change,
+                doubles_in: growth.fastest.map_or_else(
+                    || say!(nothing_grows_then),
+                    |fastest| fastest.time_beside(&before),
+                ),
                 fastest: growth.fastest,
                 curve: growth.curve,
             });
@@ -191,14 +198,6 @@ impl RemediesAnswer {
             ),
             None => say!(helps_most_of_all, title = title),
         })
-    }
-}
-
-impl Remedy {
-    /// In what growth then doubles.
-    pub fn doubles_in(&self) -> Message {
-        self.fastest
-            .map_or_else(|| say!(nothing_grows_then), |fastest| fastest.time())
     }
 }
 
@@ -313,7 +312,7 @@ impl Answer for RemediesAnswer {
                     change,
                     0,
                 ),
-                Column::shown(say!(doubles_in_column), of(&Remedy::doubles_in)),
+                Column::shown(say!(doubles_in_column), of(&|it| it.doubles_in.clone())),
                 Column::optional("doubling_months", months),
                 Column::optional("growth_rate_per_passage", rates),
             ],

@@ -41,7 +41,7 @@ impl crate::Question for Question {
         let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: Note::from(&remedy.title),
-            doubles_in: Note::from(&remedy.doubles_in()),
+            doubles_in: Note::from(&remedy.doubles_in),
             remedy,
         });
         let left_out = answer.left_out.iter().map(|it| LeftOut {

@@ -136,3 +136,21 @@ fn what_a_case_has_no_key_for_is_left_out() {
     let curve = RemediesAnswer::new(&curve, None, &|_| ()).unwrap();
     assert_eq!(of(&curve, "contact.friction", 0.25).changes.len(), 1);
 }
+
+/// A remedy twenty times slower than growth as it is would be told in years: all stand in the unit of the case as it is.
+#[test]
+fn times_stand_in_one_unit() {
+    let traffic = Traffic::parse("t", TRAFFIC).unwrap();
+    for coefficient in ["2.5e-9 kg/J", "5e-10 kg/J", "5e-11 kg/J"] {
+        let own = case(METRO_CASE, &[&format!("wear.coefficient={coefficient}")]);
+        let answer = remedies(&own, &traffic);
+        let unit = |text: String| text.rsplit(' ').next().unwrap().to_owned();
+        let before = unit(answer.under_traffic.fastest.unwrap().time().to_string());
+        let grows = answer.remedies.iter().filter(|it| it.fastest.is_some());
+        let others: Vec<String> = grows.map(|it| unit(it.doubles_in.to_string())).collect();
+        assert!(
+            others.iter().all(|it| *it == before),
+            "{before}: {others:?}"
+        );
+    }
+}
