@@ -22,6 +22,7 @@ mod answer;
 pub mod axlebox;
 mod banded;
 pub mod calibrate;
+mod calibration;
 pub mod calibration_check;
 mod capital;
 mod cause;
@@ -71,6 +72,7 @@ pub mod wheelset_motions;
 
 pub use answer::Answer;
 pub use banded::Banded;
+pub use calibration::{Calibration, PlanDocument, four_digits};
 pub use capital::capital;
 pub use cause::Cause;
 pub use error::AnswerError;

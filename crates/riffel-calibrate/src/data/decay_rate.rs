@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
-use super::{Block, Given, Group, table};
+use super::{Block, Given, Group, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
@@ -204,6 +204,15 @@ impl Block for DecayRates {
     }
 
     /// Of a normal error that tells as much as Student's; bounds tell next to nothing.
+    fn places(&self) -> Vec<Place> {
+        let place = |centre: &f64| Place {
+            measured: Observable::DecayRateDbPerM,
+            at: *centre,
+            of: None,
+        };
+        self.centre.iter().map(place).collect()
+    }
+
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {
         const NOTHING: f64 = 1e6;
         let degrees = self.student.freedom();

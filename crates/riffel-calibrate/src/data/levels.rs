@@ -11,7 +11,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_case::{Case, LoopOnTrack};
 use riffel_keys::CaseError;
 
-use super::{Block, Group, Held, differences, sums, table};
+use super::{Block, Group, Held, Observable, Place, differences, sums, table};
 use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
@@ -463,6 +463,21 @@ impl Block for Levels {
     fn observed(&self) -> Vec<f64> {
         let levels: Vec<f64> = self.rows.iter().map(|row| row.row.level).collect();
         self.contrast(&levels)
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let place = |(row, _): &(usize, usize)| {
+            let LevelRow { row, run, .. } = &self.rows[*row];
+            Place {
+                measured: match run {
+                    None => Observable::LevelRiseDb,
+                    Some(_) => Observable::AxleBoxLevelDb,
+                },
+                at: row.band.wavelength(),
+                of: Some(row.passages),
+            }
+        };
+        self.contrasts.iter().map(place).collect()
     }
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {

@@ -4,6 +4,7 @@ mod comparison;
 mod data;
 pub(crate) mod decision;
 mod parameter;
+mod uncertain;
 mod usual;
 
 use std::path::{Path, PathBuf};
@@ -19,6 +20,7 @@ use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
 
+pub use uncertain::Uncertain;
 pub use usual::Measured;
 
 /// Standard deviations of a prior from its median beyond which it excludes what the case says.
