@@ -12,12 +12,16 @@ import { currentLanguage, sentence, t, translate } from './words.js';
 
 /** How often is asked how far the chains are [ms]. */
 const LOOK = 500;
+/** Draws of each chain that count: the first are those of the program for the page. */
+const DRAWS = [1500, 3000, 6000];
 
 export function startCalibrate({ state, traffic, labels, unitOf, listen, complain, banner, announce, save, replace }) {
   const place = document.getElementById('view-calibrate');
   const line = new Line('/api/calibration', json);
   /** The plan as the program has it, and the question that was answered. */
   let [plan, answered] = [null, null];
+  /** Costs of the example, where it is open. */
+  let examples = null;
 
   // What is asked --------------------------------------------------------------------------------------
 
@@ -26,6 +30,8 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const hint = worded('p', 'calibrate_comes', { className: 'why' });
   const example = worded('button', 'try_example', { type: 'button', className: 'plain', id: 'calibration-example' });
   const source = worded('p', 'example_source', { className: 'fine', hidden: true });
+  const draws = element('select', { id: 'draws' }, ...DRAWS.map((count) => element('option', { value: count, textContent: count })));
+  draws.addEventListener('change', () => askPlan());
   const run = worded('button', 'calibrate_now', { type: 'button', className: 'plain', id: 'calibrate', disabled: true });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'chains' });
   bar.dataset.tLabel = 'draws_word';
@@ -36,9 +42,9 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const drop = element('div', { className: 'panel wide drop', id: 'calibration-drop' },
     element('div', { className: 'buttons' }, data.input, data.choose, example, worded('span', 'drop_data', { className: 'drop-hint' })), source, data.list);
   const known = element('article', { className: 'panel wide', id: 'priors-panel', hidden: true }, element('header', {}, worded('h2', 'known_before'), worded('span', 'known_before_help', { className: 'aside' })),
-    priors.place, trouble, element('div', { className: 'settings' }, run, bar, stop, status, savePlan));
+    priors.place, trouble, element('div', { className: 'settings' }, element('label', { className: 'choice' }, worded('span', 'draws_of_chain'), draws), run, bar, stop, status, savePlan));
 
-  const question = () => ({ case: { keys: state.accepted }, ...traffic.question, data: data.question, changes: { parameters: priors.changes } });
+  const question = () => ({ case: { keys: state.accepted }, ...traffic.question, data: data.question, changes: { parameters: priors.changes, draws: Number(draws.value) } });
   const ask = async (path, body) => json(await askOnce(path, body));
 
   /** The newest plan counts. */
@@ -74,7 +80,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
       answered = { asked: JSON.stringify(asked), plan };
       show(given);
       announce(answer.verdict.textContent);
-      decision.offer(given);
+      decision.offer(given, answered.plan, examples);
     }, (fault) => {
       drawing(false);
       complain(fault, { what: `${t('calibrate_now')}: ` });
@@ -109,7 +115,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const take = worded('button', 'take_medians', { type: 'button', className: 'plain', id: 'take-medians' });
   const taking = element('span', { className: 'aside', id: 'taking' });
   answer.ways.append(take, taking);
-  const decision = new Decision({ state, traffic, complain, banner, save, spoken: (text) => answer.spoken(text) });
+  const decision = new Decision({ state, traffic, complain, save, spoken: (text) => answer.spoken(text) });
   place.append(drop, hint, known, ...answer.panels, ...decision.panels);
 
   const written = () => answer.answer?.parameters.filter((one) => one.may_be_written_back) ?? [];
@@ -150,6 +156,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
       if (!response.ok) throw new Fault(given, response.status);
       const { keys } = await ask('/api/case', { case: { toml: given.case } });
       priors.changes = given.changes.parameters;
+      examples = given.costs;
       replace({ case: keys, point: null, tab: 'calibrate', traffic: given.traffic }, t('example_open'));
       source.hidden = false;
       await data.add(given.data.map(({ name, text }) => new File([text], name, { type: 'text/csv' })));

@@ -6,7 +6,7 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { said } from './german.js';
 import { shownUnit } from './keys.js';
-import { nameOfValue, withNames } from './priors.js';
+import { nameOfValue, unitInWords, withNames } from './priors.js';
 import { number, passages, power, sentence, t, translate } from './words.js';
 
 const [WIDTH, HEIGHT] = [220, 64];
@@ -74,7 +74,6 @@ export class CalibrationAnswer {
     // Where chains disagree nothing is concluded.
     const more = isConclusive ? [...together, ...untold, ...remarks] : [...doubts, ...remarks];
     this.words.replaceChildren(drawn, ...more.map((one) => item(one, isConclusive ? '' : 'bad')));
-    this.multiples.classList.toggle('pale', !isConclusive);
     this.multiples.replaceChildren(...answer.parameters.map((one) => this.#multiple(one)));
     this.panels.forEach((one) => translate(one));
     this.#drawData();
@@ -83,7 +82,7 @@ export class CalibrationAnswer {
   /** Unit of a value on the page, and its factor to SI. */
   unit({ key, unit }) {
     if (unit === 'm/s') return shownUnit('', 'm/s');
-    return key ? shownUnit(key, this.unitOf(key) ?? unit) : shownUnit('', unit);
+    return key ? shownUnit(key, this.unitOf(key) ?? unit) : [unitInWords(unit), 1];
   }
 
   #multiple(one) {
@@ -93,7 +92,7 @@ export class CalibrationAnswer {
     const [from, , , , to] = one.prior_quantiles;
     const line = (text, className) => element('span', { textContent: text, className });
     return element('figure', {}, densities(one.densities), element('figcaption', {}, element('strong', { textContent: nameOfValue(one.name) }),
-      line(`${shown(middle)} (${shown(low)}–${shown(high)}) ${unit}`.trim(), 'after'), line(t('was_before', { low: shown(from), high: shown(to), unit }), 'before'),
+      ...(this.answer.is_conclusive ? [line(`${shown(middle)} (${shown(low)}–${shown(high)}) ${unit}`.trim(), 'after')] : []), line(t('was_before', { low: shown(from), high: shown(to), unit }), 'before'),
       line(t('told_share', { share: number(100 * Math.max(one.contraction, 0), 2), rhat: number(one.rhat, 4), draws: number(Math.min(one.ess_bulk, one.ess_tail), 3) }), 'fine')));
   }
 

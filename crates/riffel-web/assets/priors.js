@@ -17,8 +17,11 @@ export function nameOfValue(name) {
   return `${OWN[key] ? t(OWN[key]) : labelOf(key)}${vehicle ?? ''}`;
 }
 
+/** The unit of what a model misses of growth is words. */
+export const unitInWords = (text) => text.replace('dB per 1e6 passages', t('passages_unit'));
+
 /** Words of the program with the names of values as the page has them. */
-export const withNames = (text, names) => [...names].sort((a, b) => b.length - a.length).reduce((words, name) => words.replaceAll(name, nameOfValue(name)), text);
+export const withNames = (text, names) => [...names].sort((a, b) => b.length - a.length).reduce((words, name) => words.replaceAll(name, nameOfValue(name)), unitInWords(text));
 
 export class Priors {
   /** `onChange` is told that priors are others, or that a value is left out. */
@@ -62,7 +65,7 @@ export class Priors {
       return element('label', { className: 'choice' }, worded('span', `prior_${key}`, { className: 'unit' }), input);
     });
     const data = this.data.get(name) ?? [];
-    return element('tr', { className: change.left_out ? 'pale' : '' }, element('th', { scope: 'row' }, element('label', {}, taken, ` ${label}`)), ...fields.map((field) => element('td', {}, field)), element('td', { textContent: change.left_out ? t('value_of_case') : data.join(', ') }));
+    return element('tr', { className: change.left_out ? 'left-out' : '' }, element('th', { scope: 'row' }, element('label', {}, taken, ` ${label}`)), ...fields.map((field) => element('td', {}, field)), element('td', { textContent: change.left_out ? t('value_of_case') : data.join(', ') }));
   }
 }
 

@@ -115,7 +115,8 @@ pub(crate) async fn plan(
     let own = page.calibrations.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.queue
-        .run(asker.subject("plan"), move |wanted| {
+        // Plans of single files and of all are asked for side by side: none takes the place of another.
+        .run(None, move |wanted| {
             let (files, mut plan) = question.put(&own, &program, wanted)?;
             for (key, file) in [("case", CASE_FILE), ("traffic", TRAFFIC_FILE)] {
                 plan[key] = files.read(file)?.into();
@@ -184,5 +185,11 @@ pub(crate) async fn example() -> Told<Value> {
         "traffic": traffic,
         "data": [{ "name": "roughness.csv", "text": include_str!("../../example/roughness.csv") }],
         "changes": { "parameters": left_out },
+        // Chosen; the upkeep of remedies by the key that they change.
+        "costs": {
+            "grinding": "9000",
+            "price": "1000",
+            "upkeep": [["track.pad.stiffness", "800"], ["contact.friction", "400"], ["speed.standard_deviation", "250"]],
+        },
     }))
 }
