@@ -1,9 +1,7 @@
-//! What a calibration says, as one document; what a plan asks for, as another.
+//! What a calibration says, as one document.
 
-use riffel_calibrate::file::{DataFile, SamplerFile};
-use riffel_calibrate::{
-    Chains, Identifiability, Marginal, Plan, Predicted, Summary, TOLD, Uncertain,
-};
+use riffel_calibrate::file::SamplerFile;
+use riffel_calibrate::{Chains, Identifiability, Marginal, Plan, Predicted, Summary, TOLD};
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
@@ -32,7 +30,7 @@ pub struct Calibration {
 
 /// How the posterior was sampled.
 #[derive(Serialize)]
-struct Sampler {
+pub(crate) struct Sampler {
     chains: u64,
     warmup: u64,
     draws: u64,
@@ -132,7 +130,9 @@ fn conclusion(parameters: &[Value]) -> Message {
     let values = || parameters.iter().filter(|value| !value.is_size);
     let count = values().count();
     let told = values().filter(|value| value.is_told);
-    let best = told.clone().max_by(|a, b| a.contraction.total_cmp(&b.contraction));
+    let best = told
+        .clone()
+        .max_by(|a, b| a.contraction.total_cmp(&b.contraction));
     let Some(best) = best else {
         return say!(calibration_tells_nothing, count = count);
     };
@@ -172,54 +172,6 @@ pub fn four_digits(number: f64) -> String {
     }
 }
 
-/// What a plan asks for.
-#[derive(Serialize)]
-pub struct PlanDocument {
-    riffel_version: &'static str,
-    title: Option<String>,
-    sampler: Sampler,
-    parameters: Vec<Uncertain>,
-    data: Vec<Measurement>,
-    /// Numbers that were measured.
-    numbers: usize,
-    remarks: Vec<String>,
-    /// The plan itself.
-    text: String,
-}
-
-/// A table of measurements.
-#[derive(Serialize)]
-struct Measurement {
-    name: String,
-    kind: &'static str,
-    file: String,
-}
-
-impl Measurement {
-    fn of(data: &DataFile) -> Self {
-        Self {
-            name: data.name.as_deref().unwrap_or(data.kind.name()).to_owned(),
-            kind: data.kind.name(),
-            file: data.file.clone(),
-        }
-    }
-}
-
-impl From<&Plan> for PlanDocument {
-    fn from(plan: &Plan) -> Self {
-        Self {
-            riffel_version: env!("CARGO_PKG_VERSION"),
-            title: plan.file.title.clone(),
-            sampler: Sampler::from(&plan.file.sampler),
-            parameters: plan.uncertain(),
-            data: plan.file.data.iter().map(Measurement::of).collect(),
-            numbers: plan.posterior.observed().iter().map(Vec::len).sum(),
-            remarks: plan.remarks.clone(),
-            text: plan.text.clone(),
-        }
-    }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -251,7 +203,10 @@ mod tests {
         let [pad, mass, size] = [("pad", 0.9), ("mass", 0.05), ("size", 0.99)];
         let of = |(name, contraction): (&str, f64)| value(name, contraction, name == "size");
         let some = conclusion(&[of(pad), of(mass), of(size)]);
-        assert!(some.contains("1 of 2") && some.contains("most of all pad"), "{some}");
+        assert!(
+            some.contains("1 of 2") && some.contains("most of all pad"),
+            "{some}"
+        );
         assert!(some.ends_with("mass") && !some.contains("size"), "{some}");
         assert!(conclusion(&[of(pad), of(size)]).contains("all 1"));
         assert!(conclusion(&[of(mass), of(size)]).contains("none of the 1"));
@@ -259,7 +214,12 @@ mod tests {
 
     #[test]
     fn numbers_have_four_digits() {
-        for (number, text) in [(0.35, "0.3500"), (99_999.0, "99999"), (3e8, "3.000e8"), (2.5e-9, "2.500e-9")] {
+        for (number, text) in [
+            (0.35, "0.3500"),
+            (99_999.0, "99999"),
+            (3e8, "3.000e8"),
+            (2.5e-9, "2.500e-9"),
+        ] {
             assert_eq!(four_digits(number), text);
         }
     }

@@ -160,7 +160,11 @@ impl Answer for DecideAnswer {
             |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
                 Column::fixed(name, head, (0..actions.len()).map(value), shown)
             };
-        let mut columns = vec![Column::words("action", say!(action_column), names(&self.decision))];
+        let mut columns = vec![Column::words(
+            "action",
+            say!(action_column),
+            names(&self.decision),
+        )];
         for (place, name, head) in [
             (2, "months_q50", say!(months_to_limit_median)),
             (0, "months_q05", say!(five_per_cent)),

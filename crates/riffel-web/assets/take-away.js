@@ -79,7 +79,12 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     }
   }
 
-  addEventListener('dragover', (event) => event.preventDefault());
+  const over = (is) => document.querySelectorAll('.drop').forEach((one) => one.classList.toggle('over', is));
+  addEventListener('dragover', (event) => {
+    event.preventDefault();
+    over(true);
+  });
+  for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => over(false));
   addEventListener('drop', (event) => {
     event.preventDefault();
     const files = [...(event.dataTransfer?.files ?? [])];

@@ -16,7 +16,10 @@ const MOST: usize = 8;
 
 /// The calibrations of all pages.
 #[derive(Clone, Default)]
-pub(crate) struct Calibrations(Arc<Mutex<Vec<(String, Arc<Calibration>)>>>);
+pub(crate) struct Calibrations(Arc<Mutex<Vec<OfPage>>>);
+
+/// The name of a page, and its calibration.
+type OfPage = (String, Arc<Calibration>);
 
 /// The calibration of a page, in a folder that goes with it.
 pub(crate) struct Calibration {
@@ -42,7 +45,8 @@ impl Calibrations {
     pub(crate) fn of(&self, page: &str) -> Result<Arc<Calibration>, Fault> {
         let calibrations = locked(&self.0);
         let own = calibrations.iter().find(|(other, _)| other == page);
-        own.map(|(_, calibration)| calibration.clone()).ok_or_else(gone)
+        own.map(|(_, calibration)| calibration.clone())
+            .ok_or_else(gone)
     }
 
     /// That of a page, begun if there is none.
@@ -51,7 +55,8 @@ impl Calibrations {
             return Ok(calibration);
         }
         let folder = uploads.folder();
-        let folder = folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+        let folder =
+            folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
         let calibration = Arc::new(Calibration {
             folder,
             data: NumberedFiles::default(),

@@ -81,7 +81,10 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/calibration/data", post(api::calibration::data))
         .route("/api/calibration/remove", post(api::calibration::remove))
         .route("/api/calibration/plan", post(api::calibration::plan))
-        .route("/api/calibration/progress", post(api::calibration::progress))
+        .route(
+            "/api/calibration/progress",
+            post(api::calibration::progress),
+        )
         .route("/api/calibration/decision", post(api::decision::post))
         .route("/api/calibration/example", get(api::calibration::example))
         .route("/api/sample", get(api::along::sample))

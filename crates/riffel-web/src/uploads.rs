@@ -137,8 +137,14 @@ impl Uploads {
         body: Body,
     ) -> Result<(u32, u64), Fault> {
         let upload = self.of(page)?;
-        self.receive_numbered(upload.folder(), &upload.earlier, "earlier", kind, (announced, body))
-            .await
+        self.receive_numbered(
+            upload.folder(),
+            &upload.earlier,
+            "earlier",
+            kind,
+            (announced, body),
+        )
+        .await
     }
 
     /// Write what comes to disk as one of the files of a folder; its number and its size in bytes.

@@ -35,7 +35,13 @@ pub(crate) async fn data(
     let own = page.calibrations.begin(asker.owner()?, &page.uploads)?;
     let received = page
         .uploads
-        .receive_numbered(own.folder.path(), &own.data, "data", kind, (announced, body))
+        .receive_numbered(
+            own.folder.path(),
+            &own.data,
+            "data",
+            kind,
+            (announced, body),
+        )
         .await?;
     let (number, bytes) = received;
     Ok(Told(json!({ "number": number, "bytes": bytes })))

@@ -36,13 +36,18 @@ impl Question {
         }
         let unwritten = |_| Fault::bad("the actions cannot be written");
         let mut files = Vec::new();
-        let mut plan: Table = toml::from_str(plan).map_err(|_| Fault::defect("the plan cannot be read"))?;
+        let mut plan: Table =
+            toml::from_str(plan).map_err(|_| Fault::defect("the plan cannot be read"))?;
         let mut actions = Vec::new();
         for (number, mut action) in self.action.into_iter().enumerate() {
             // Nothing that a page sends names a file.
             if let Some(changes) = action.remove("changes") {
                 let name = format!("action-{}.toml", number + 1);
-                let changes = changes.as_table().map(toml::to_string).transpose().map_err(unwritten)?;
+                let changes = changes
+                    .as_table()
+                    .map(toml::to_string)
+                    .transpose()
+                    .map_err(unwritten)?;
                 files.push((name.clone(), changes.unwrap_or_default()));
                 action.insert("changes".to_owned(), name.into());
             }

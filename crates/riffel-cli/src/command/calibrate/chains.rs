@@ -114,7 +114,11 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
     answer.doubts.iter().map(String::as_str).for_each(complain);
-    Ok(if answer.is_conclusive { 0 } else { NO_CONCLUSION })
+    Ok(if answer.is_conclusive {
+        0
+    } else {
+        NO_CONCLUSION
+    })
 }
 
 /// Write what follows from the draws: what they tell of values together, where the plan has levels and the traffic says how much of

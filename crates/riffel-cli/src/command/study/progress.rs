@@ -42,7 +42,11 @@ impl SampleProgress {
             bar,
             terminal: stderr().is_terminal(),
             lines: !is_among_results(),
-            line_every: if is_for_a_program() { TOLD_EVERY } else { LINE_EVERY },
+            line_every: if is_for_a_program() {
+                TOLD_EVERY
+            } else {
+                LINE_EVERY
+            },
             total,
             done: AtomicU64::new(0),
             begun: Instant::now(),
