@@ -40,7 +40,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const trouble = element('p', { className: 'fault', id: 'plan-fault', hidden: true });
   const savePlan = worded('button', 'save_plan', { type: 'button', className: 'plain', id: 'save-plan', hidden: true });
   const drop = element('div', { className: 'panel wide drop', id: 'calibration-drop' },
-    element('div', { className: 'buttons' }, data.input, data.choose, example, worded('span', 'drop_data', { className: 'drop-hint' })), source, data.list);
+    element('div', { className: 'buttons' }, data.input, data.choose, example, worded('span', 'drop_data', { className: 'drop-hint' })), hint, source, data.list);
   const known = element('article', { className: 'panel wide', id: 'priors-panel', hidden: true }, element('header', {}, worded('h2', 'known_before'), worded('span', 'known_before_help', { className: 'aside' })),
     priors.place, trouble, element('div', { className: 'settings' }, element('label', { className: 'choice' }, worded('span', 'draws_of_chain'), draws), run, bar, stop, status, savePlan));
 
@@ -52,6 +52,12 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   async function askPlan() {
     const own = ++turn;
     known.hidden = !data.question.length;
+    // What was chosen for data goes with the last of them.
+    if (!data.files.length) {
+      priors.changes = {};
+      examples = null;
+      source.hidden = true;
+    }
     hint.hidden = data.files.length > 0;
     stale();
     if (known.hidden || !state.current || state.view !== 'calibrate') return;
@@ -116,7 +122,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const taking = element('span', { className: 'aside', id: 'taking' });
   answer.ways.append(take, taking);
   const decision = new Decision({ state, traffic, complain, save, spoken: (text) => answer.spoken(text) });
-  place.append(drop, hint, known, ...answer.panels, ...decision.panels);
+  place.append(drop, known, ...answer.panels, ...decision.panels);
 
   const written = () => answer.answer?.parameters.filter((one) => one.may_be_written_back) ?? [];
   function show(given) {
@@ -155,9 +161,9 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
       const given = await json(response);
       if (!response.ok) throw new Fault(given, response.status);
       const { keys } = await ask('/api/case', { case: { toml: given.case } });
+      replace({ case: keys, point: null, tab: 'calibrate', traffic: given.traffic }, t('example_open'));
       priors.changes = given.changes.parameters;
       examples = given.costs;
-      replace({ case: keys, point: null, tab: 'calibrate', traffic: given.traffic }, t('example_open'));
       source.hidden = false;
       await data.add(given.data.map(({ name, text }) => new File([text], name, { type: 'text/csv' })));
     } catch (fault) {

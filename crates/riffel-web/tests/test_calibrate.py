@@ -144,6 +144,10 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     page.page.locator("#calibration-files button").first.click()
     page.settle()
     assert page.page.locator("#calibration-files li").count() == 3
+    for _ in range(3):
+        page.page.locator("#calibration-files button").first.click()
+    page.settle()
+    assert "Measurements tell" in page.text("#view-calibrate") and not page.page.locator("#priors").is_visible()
     page.complaints.clear()
 
 
