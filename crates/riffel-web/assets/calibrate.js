@@ -54,7 +54,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
     known.hidden = !data.question.length;
     // What was chosen for data goes with the last of them.
     if (!data.files.length) {
-      priors.changes = {};
+      priors.take({});
       examples = null;
       source.hidden = true;
     }
@@ -162,7 +162,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
       if (!response.ok) throw new Fault(given, response.status);
       const { keys } = await ask('/api/case', { case: { toml: given.case } });
       replace({ case: keys, point: null, tab: 'calibrate', traffic: given.traffic }, t('example_open'));
-      priors.changes = given.changes.parameters;
+      priors.take(given.changes.parameters);
       examples = given.costs;
       source.hidden = false;
       await data.add(given.data.map(({ name, text }) => new File([text], name, { type: 'text/csv' })));

@@ -23,10 +23,21 @@ export const unitInWords = (text) => text.replace('dB per 1e6 passages', t('pass
 /** Words of the program with the names of values as the page has them. */
 export const withNames = (text, names) => [...names].sort((a, b) => b.length - a.length).reduce((words, name) => words.replaceAll(name, nameOfValue(name)), unitInWords(text));
 
+/** Where a reload finds what was changed. */
+const KEPT = 'riffel-priors';
+
+function kept() {
+  try {
+    return JSON.parse(sessionStorage.getItem(KEPT)) ?? {};
+  } catch {
+    return {};
+  }
+}
+
 export class Priors {
   /** `onChange` is told that priors are others, or that a value is left out. */
   constructor({ onChange }) {
-    Object.assign(this, { onChange, changes: {}, usual: [] });
+    Object.assign(this, { onChange, changes: kept(), usual: [] });
     this.table = element('table', { className: 'comparison', id: 'priors' });
     this.place = element('div', { className: 'sideways', tabIndex: 0, role: 'group' }, this.table);
     this.place.dataset.tLabel = 'uncertain';
@@ -41,12 +52,22 @@ export class Priors {
     translate(this.place);
   }
 
+  /** Take changes in the place of those before. */
+  take(changes) {
+    this.changes = changes;
+    try {
+      sessionStorage.setItem(KEPT, JSON.stringify(changes));
+    } catch {
+      // Then a reload has the usual priors.
+    }
+  }
+
   #change(name, more) {
     const change = { ...this.changes[name], ...more };
     if (!change.left_out) delete change.left_out;
     if (!Object.keys(change.prior ?? {}).length) delete change.prior;
-    if (Object.keys(change).length) this.changes[name] = change;
-    else delete this.changes[name];
+    const { [name]: _, ...others } = this.changes;
+    this.take(Object.keys(change).length ? { ...others, [name]: change } : others);
     this.onChange();
   }
 

@@ -137,10 +137,12 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     page.until(lambda: not page.page.locator("#plan-fault").is_visible())
     page.settle()
 
-    # A reload finds the files again.
+    # A reload finds the files and what was changed again.
     page.page.reload()
     page.settle()
     page.until(lambda: "receptance of the rail" in page.text("#calibration-files"))
+    page.settle()
+    assert page.page.locator("#priors input[type=text]").first.input_value() == "280 MN/m"
     page.page.locator("#calibration-files button").first.click()
     page.settle()
     assert page.page.locator("#calibration-files li").count() == 3
