@@ -5,6 +5,7 @@ use riffel_calibrate::{
 };
 use riffel_keys::{Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
+use serde::Serialize;
 
 use crate::{Column, Table};
 
@@ -109,44 +110,69 @@ fn axis(parameter: &Parameter) -> String {
     }
 }
 
+/// Densities of a value after and before the data, over the highest after them.
+#[derive(Default, Serialize)]
+pub(crate) struct Densities {
+    from: f64,
+    to: f64,
+    x: Vec<f64>,
+    after: Vec<f64>,
+    x_before: Vec<f64>,
+    before: Vec<f64>,
+}
+
+impl Densities {
+    pub(crate) fn of(parameter: &Parameter, values: &[f64], found: &Marginal) -> Self {
+        let prior = &parameter.prior;
+        let [low, .., high] = found.quantiles;
+        let ends = [1e-3, 1.0 - 1e-3].map(|share| prior.quantile(share));
+        let from = (low - 0.7 * (high - low)).max(ends[0].min(low));
+        let to = (high + 0.7 * (high - low)).min(ends[1].max(high));
+        let width = (to - from) / BINS as f64;
+        let middle = |bin: usize| from + (bin as f64 + 0.5) * width;
+        let after = (0..BINS).map(|bin| {
+            let is_in = |x: &&f64| (**x - middle(bin)).abs() <= 0.5 * width;
+            values.iter().filter(is_in).count() as f64 / values.len() as f64 / width
+        });
+        let after: Vec<f64> = after.collect();
+        let highest = after.iter().copied().fold(0.0, f64::max);
+        // Density of the prior: shares over the distances of its quantiles.
+        let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
+        let ends: Vec<f64> = ends.map(|share| prior.quantile(share)).collect();
+        let before = ends
+            .windows(2)
+            .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
+        let before = before.filter(|(x, _)| (from..=to).contains(x));
+        let (x_before, before) = before.map(|(x, density)| (x, density / highest)).unzip();
+        Self {
+            from,
+            to,
+            x: (0..BINS).map(middle).collect(),
+            after: after.iter().map(|density| density / highest).collect(),
+            x_before,
+            before,
+        }
+    }
+}
+
 /// The distribution of a value after and before the data.
 fn marginal(parameter: &Parameter, values: &[f64], found: &Marginal) -> LinePanel {
-    let prior = &parameter.prior;
-    let [low, .., high] = found.quantiles;
-    let ends = [1e-3, 1.0 - 1e-3].map(|share| prior.quantile(share));
-    let from = (low - 0.7 * (high - low)).max(ends[0].min(low));
-    let to = (high + 0.7 * (high - low)).min(ends[1].max(high));
-    let width = (to - from) / BINS as f64;
-    let middle = |bin: usize| from + (bin as f64 + 0.5) * width;
-    let after = (0..BINS).map(|bin| {
-        let is_in = |x: &&f64| (**x - middle(bin)).abs() <= 0.5 * width;
-        values.iter().filter(is_in).count() as f64 / values.len() as f64 / width
-    });
-    let after: Vec<f64> = after.collect();
-    let highest = after.iter().copied().fold(0.0, f64::max);
-    // Density of the prior: shares over the distances of its quantiles.
-    let ends = (0..=400).map(|part| (0.5 + f64::from(part)) / 401.0);
-    let ends: Vec<f64> = ends.map(|share| prior.quantile(share)).collect();
-    let before = ends
-        .windows(2)
-        .map(|pair| (0.5 * (pair[0] + pair[1]), 1.0 / 401.0 / (pair[1] - pair[0])));
-    let before = before.filter(|(x, _)| (from..=to).contains(x));
-    let (x, y): (Vec<f64>, Vec<f64>) = before.map(|(x, density)| (x, density / highest)).unzip();
+    let densities = Densities::of(parameter, values, found);
     LinePanel {
         x_label: axis(parameter),
         y_label: "density, relative".to_owned(),
-        x_range: Some((from, to)),
+        x_range: Some((densities.from, densities.to)),
         series: vec![
             Series {
                 label: "after".to_owned(),
-                x: (0..BINS).map(middle).collect(),
-                y: after.iter().map(|density| density / highest).collect(),
+                x: densities.x,
+                y: densities.after,
                 ..Series::default()
             },
             Series {
                 label: "before".to_owned(),
-                x,
-                y,
+                x: densities.x_before,
+                y: densities.before,
                 style: LineStyle::Dashed,
                 ..Series::default()
             },

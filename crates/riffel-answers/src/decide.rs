@@ -14,6 +14,7 @@ pub struct DecideAnswer {
     title: Option<String>,
     #[serde(flatten)]
     decision: Decision,
+    sentences: Vec<Message>,
     remarks: Vec<Message>,
 }
 
@@ -32,22 +33,14 @@ impl DecideAnswer {
         if cost.is_some_and(|cost| cost.from_limit.is_none()) {
             remarks.push(say!(rise_after_grinding_assumed));
         }
+        let decision = Decision::of(plan, chains)?;
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
             title: plan.file.title.clone(),
-            decision: Decision::of(plan, chains)?,
+            sentences: sentences(&decision),
+            decision,
             remarks,
         })
-    }
-
-    /// Names of the actions.
-    fn names(&self) -> Vec<Message> {
-        let actions = self.decision.actions.iter().enumerate();
-        let name = |(index, action): (usize, &riffel_calibrate::ActionOutcome)| match index {
-            0 => say!(action_none),
-            _ => Message::verbatim(&action.title),
-        };
-        actions.map(name).collect()
     }
 
     /// A table of what it is worth to know things.
@@ -84,6 +77,61 @@ impl DecideAnswer {
     }
 }
 
+/// Names of the actions.
+fn names(decision: &Decision) -> Vec<Message> {
+    let actions = decision.actions.iter().enumerate();
+    let name = |(index, action): (usize, &riffel_calibrate::ActionOutcome)| match index {
+        0 => say!(action_none),
+        _ => Message::verbatim(&action.title),
+    };
+    actions.map(name).collect()
+}
+
+/// What the ranking says.
+fn sentences(decision: &Decision) -> Vec<Message> {
+    let actions = decision.actions.iter().zip(names(decision));
+    let best = actions.min_by_key(|(action, _)| action.rank);
+    let currency = &*decision.currency;
+    let mut sentences = Vec::new();
+    if let Some((action, name)) = best {
+        sentences.push(say!(
+            cheapest_in_the_mean,
+            action = name,
+            cost = fixed(action.mean_cost_per_year, 0),
+            currency = currency,
+            share = fixed(100.0 * action.probability_cheapest, 0)
+        ));
+    }
+    let breaking = decision
+        .actions
+        .iter()
+        .filter(|it| !it.breaks.holds())
+        .count();
+    if breaking == decision.actions.len() {
+        sentences.push(say!(all_actions_break));
+    } else if breaking > 0 {
+        sentences.push(say!(actions_break, count = breaking));
+    }
+    sentences.push(say!(
+        worth_of_knowing_all,
+        worth = fixed(decision.evpi_per_year, 0),
+        currency = currency
+    ));
+    let pays = decision
+        .measurements
+        .iter()
+        .filter(|it| it.net.is_some_and(|net| net > 0.0));
+    match (
+        pays.collect::<Vec<&Worth>>().first(),
+        decision.measurements.is_empty(),
+    ) {
+        (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
+        (None, false) => sentences.push(say!(no_measurement_pays)),
+        (None, true) => {}
+    }
+    sentences
+}
+
 /// A share in per cent.
 fn percent(share: f64) -> Option<f64> {
     Some(100.0 * share)
@@ -112,7 +160,11 @@ impl Answer for DecideAnswer {
             |name: &str, head: Message, shown: usize, value: &dyn Fn(usize) -> Option<f64>| {
                 Column::fixed(name, head, (0..actions.len()).map(value), shown)
             };
-        let mut columns = vec![Column::words("action", say!(action_column), self.names())];
+        let mut columns = vec![Column::words(
+            "action",
+            say!(action_column),
+            names(&self.decision),
+        )];
         for (place, name, head) in [
             (2, "months_q50", say!(months_to_limit_median)),
             (0, "months_q05", say!(five_per_cent)),
@@ -201,48 +253,7 @@ impl Answer for DecideAnswer {
     }
 
     fn sentences(&self) -> Vec<Message> {
-        let decision = &self.decision;
-        let actions = decision.actions.iter().zip(self.names());
-        let best = actions.min_by_key(|(action, _)| action.rank);
-        let currency = &*decision.currency;
-        let mut sentences = Vec::new();
-        if let Some((action, name)) = best {
-            sentences.push(say!(
-                cheapest_in_the_mean,
-                action = name,
-                cost = fixed(action.mean_cost_per_year, 0),
-                currency = currency,
-                share = fixed(100.0 * action.probability_cheapest, 0)
-            ));
-        }
-        let breaking = decision
-            .actions
-            .iter()
-            .filter(|it| !it.breaks.holds())
-            .count();
-        if breaking == decision.actions.len() {
-            sentences.push(say!(all_actions_break));
-        } else if breaking > 0 {
-            sentences.push(say!(actions_break, count = breaking));
-        }
-        sentences.push(say!(
-            worth_of_knowing_all,
-            worth = fixed(decision.evpi_per_year, 0),
-            currency = currency
-        ));
-        let pays = decision
-            .measurements
-            .iter()
-            .filter(|it| it.net.is_some_and(|net| net > 0.0));
-        match (
-            pays.collect::<Vec<&Worth>>().first(),
-            decision.measurements.is_empty(),
-        ) {
-            (Some(first), _) => sentences.push(say!(measure_first, measurement = &first.title)),
-            (None, false) => sentences.push(say!(no_measurement_pays)),
-            (None, true) => {}
-        }
-        sentences
+        self.sentences.clone()
     }
 
     fn figure(&self) -> LineFigure {
@@ -253,7 +264,7 @@ impl Answer for DecideAnswer {
             y: (1..20).map(|part| 5.0 * f64::from(part)).collect(),
             ..Series::default()
         };
-        let names = self.names();
+        let names = names(&self.decision);
         let actions = || decision.actions.iter().zip(&names);
         let panel =
             |subtitle: &str, x_label: String, series: Vec<Series>, marks: Vec<Mark>| LinePanel {

@@ -4,7 +4,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel_study::Distribution;
 use serde_json::Value;
 
-use crate::data::{Block, Given, Group, differences, sums};
+use crate::data::{Block, Given, Group, Place, differences, sums};
 use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
@@ -207,6 +207,10 @@ impl Block for Levels {
 
     fn observed(&self) -> Vec<f64> {
         self.data.clone()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        Vec::new()
     }
 
     fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {

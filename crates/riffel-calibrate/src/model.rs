@@ -35,6 +35,21 @@ pub struct Parameter {
     pub(crate) in_data: Option<Vec<String>>,
 }
 
+impl Parameter {
+    /// The key of the case whose value it is; none of what is of vehicles, of factors and of what the model misses.
+    pub fn key_of_case(&self) -> Option<&str> {
+        match &self.role {
+            Role::Key(key) => Some(key),
+            _ => None,
+        }
+    }
+
+    /// Whether it is the size of what the model misses, and no value of a case or its traffic.
+    pub fn is_size(&self) -> bool {
+        self.role == Role::Size
+    }
+}
+
 /// What a value does.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Role {

@@ -2,19 +2,16 @@
 
 use std::path::{Path, PathBuf};
 
-use rayon::prelude::*;
 use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
 use serde_json::{Value, json};
 
-use crate::chain::{Draw, random};
+use crate::chain::Draw;
 use crate::error::CalibrationError;
 use crate::plan::Plan;
-use crate::posterior::Named;
+use crate::predicted::replicas;
 use crate::run::{Chains, Folder};
 use crate::summary::Summary;
 
-/// The random numbers of replicas are those of no chain and of no rail.
-const STREAM: u64 = u64::MAX - 1;
 /// Draws of the prior that are written.
 const OF_PRIOR: u64 = 1000;
 
@@ -171,27 +168,7 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
 fn predictive(plan: &Plan, chains: &Chains) -> [(&'static str, Vec<Written>); 2] {
     let posterior = &plan.posterior;
     let all: Vec<&Draw> = chains.draws.iter().flatten().collect();
-    // By draw and block.
-    let drawn: Vec<Vec<[Vec<f64>; 2]>> = all
-        .into_par_iter()
-        .enumerate()
-        .map(|(index, draw)| {
-            let values = posterior.values(&draw.place);
-            let trial = posterior.model.trial(&values);
-            let mut random = random(plan.file.sampler.seed, STREAM, index as u64);
-            let of_block = |named: &Named| {
-                let sizes = named.sizes(&values);
-                let predicted = named.block.predict(&trial).ok()?;
-                let likelihood = named.block.of_each(&predicted, &sizes)?;
-                let replica = named.block.replicate(&predicted, &sizes, &mut random)?;
-                Some([likelihood, replica])
-            };
-            let blocks = posterior.blocks.iter().map(of_block);
-            // A draw that was kept has a density.
-            let nothing = || [Vec::new(), Vec::new()];
-            blocks.map(|block| block.unwrap_or_else(nothing)).collect()
-        })
-        .collect();
+    let drawn = replicas(plan, &all);
     let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
     [("log_likelihood", 0), ("posterior_predictive", 1)].map(|(group, part)| {
         let blocks = posterior

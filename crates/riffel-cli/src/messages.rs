@@ -120,8 +120,17 @@ pub(crate) fn complain_of(report: Report) {
 }
 
 /// True if another program reads what ends the run.
-fn is_for_a_program() -> bool {
+pub(crate) fn is_for_a_program() -> bool {
     TO_A_PROGRAM.load(Ordering::Relaxed)
+}
+
+/// How far the work is, for a program that reads it; whether one does.
+pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
+    let is_for_a_program = is_for_a_program();
+    if is_for_a_program {
+        write_line(&json!({ "progress": { "done": done, "of": of } }));
+    }
+    is_for_a_program
 }
 
 /// An error as one line of JSON.

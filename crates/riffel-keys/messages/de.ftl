@@ -501,6 +501,11 @@ first-of-pair = Wert
 second-of-pair = anderer Wert
 told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
+calibration-allows-no-conclusion = die Ketten erlauben keinen Schluss, wegen { $doubts } Zweifeln, die bei ihnen stehen: mehr Ziehungen können sie ausräumen
+calibration-tells-nothing = aus den Daten geht keiner der { $count } Werte hervor: jeder ist so unsicher wie zuvor
+calibration-tells-all = aus den Daten gehen alle { $count } Werte hervor, am besten { $best }
+calibration-tells-some = aus den Daten gehen { $told } von { $count } Werten hervor, am besten { $best }; nicht hervor geht { $untold }
+value-is-not-told = { $value } geht aus diesen Daten nicht hervor: 90 % der Vorverteilung liegen zwischen { $low } und { $high } { $unit }
 drawn-as-levels-see-it = über die Kalibrierung ist der Fall so, wie ihn die datierten Pegel sehen, mit { $set }
 median-with-band = { $median } ({ $low } … { $high })
 growth-over-posterior = über { $draws } Ziehungen der Kalibrierung wächst im Median { $wavelength } mm am schnellsten ({ $shortest } bis { $longest } mm, 90 %) und verdoppelt sich in { $time } (90 %)

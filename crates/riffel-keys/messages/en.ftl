@@ -509,6 +509,11 @@ first-of-pair = value
 second-of-pair = other value
 told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
 told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone
+calibration-allows-no-conclusion = the chains allow no conclusion, by { $doubts } doubts that are told with them: more draws may settle these
+calibration-tells-nothing = the data tell none of the { $count } values: each is as uncertain as before
+calibration-tells-all = the data tell all { $count } values, most of all { $best }
+calibration-tells-some = the data tell { $told } of { $count } values, most of all { $best }; they do not tell { $untold }
+value-is-not-told = { $value } is not told by these data: 90 % of its prior lie between { $low } and { $high } { $unit }
 drawn-as-levels-see-it = over the calibration the case is as its dated levels see it, with { $set }
 median-with-band = { $median } ({ $low } … { $high })
 growth-over-posterior = over { $draws } draws of the calibration { $wavelength } mm grows fastest in the median ({ $shortest } to { $longest } mm, 90 %) and doubles in { $time } (90 %)

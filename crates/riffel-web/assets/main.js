@@ -3,6 +3,7 @@
 import { Banner } from './banner.js';
 import { theme } from './colors.js';
 import { startBogie } from './bogie.js';
+import { startCalibrate } from './calibrate.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings, refit } from './curves.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
@@ -576,10 +577,11 @@ $('help-tour').addEventListener('click', () => {
 });
 startCompare(shared);
 const measure = startMeasure(shared);
+const calibrate = startCalibrate(shared);
 startBogie(shared);
 startMotion(shared);
 startPaper(shared);
-startTakeAway({ ...shared, measure });
+startTakeAway({ ...shared, measure, calibrate });
 startPrinting({ applyTheme, redraw });
 for (const [id, figure] of [
   ['map', () => ({ name: 'map', map: view })], ['phasors', () => ({ name: 'loop', drawing: $('phasors'), table: $('amplitudes').parentElement })],

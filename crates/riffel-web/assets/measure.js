@@ -185,8 +185,6 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     if (input.files[0]) take(input.files[0]);
     input.value = '';
   });
-  addEventListener('dragover', () => drop.classList.add('over'));
-  for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => drop.classList.remove('over'));
 
   const question = () => {
     return { case: { keys: state.accepted }, name: file.name, ...traffic.question, ...(format && { format }), ...earlier.question };

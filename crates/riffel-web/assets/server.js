@@ -115,6 +115,9 @@ export async function askOnce(path, body, headers) {
   }
 }
 
+/** A question that is no work, such as how far work is. */
+export const peek = (path) => ask(path, {}).then(json);
+
 /** How long a question may be under way before a newer one breaks it off [ms]. */
 const PATIENCE = 250;
 

@@ -11,7 +11,7 @@ export function save(blob, name) {
 
 const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
 
-export function startTakeAway({ state, traffic, banner, complain, replace, measure }) {
+export function startTakeAway({ state, traffic, banner, complain, replace, measure, calibrate }) {
   const menu = document.getElementById('take-away');
   const actions = {
     link: async (button) => {
@@ -79,12 +79,19 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     }
   }
 
-  addEventListener('dragover', (event) => event.preventDefault());
+  const over = (is) => document.querySelectorAll('.drop').forEach((one) => one.classList.toggle('over', is));
+  addEventListener('dragover', (event) => {
+    event.preventDefault();
+    over(true);
+  });
+  for (const end of ['dragleave', 'drop', 'dragend']) addEventListener(end, () => over(false));
   addEventListener('drop', (event) => {
     event.preventDefault();
     const files = [...(event.dataTransfer?.files ?? [])];
-    const [toml, record] = [files.find(({ name }) => name.endsWith('.toml')), files.find(({ name }) => !name.endsWith('.toml'))];
+    const toml = files.find(({ name }) => name.endsWith('.toml'));
+    const records = files.filter(({ name }) => !name.endsWith('.toml'));
     if (toml) openFile(toml);
-    if (record) measure.take(record, event.target);
+    if (state.view === 'calibrate') calibrate.take(records);
+    else if (records.length) measure.take(records[0], event.target);
   });
 }

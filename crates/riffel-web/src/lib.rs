@@ -7,11 +7,13 @@
 
 mod api;
 mod assets;
-mod earlier_records;
+mod calibrations;
 mod fault;
 mod file;
 mod guard;
 mod impatient;
+mod numbered_files;
+mod plan_changes;
 mod program;
 mod queue;
 mod request;
@@ -27,6 +29,7 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 
+use calibrations::Calibrations;
 use fault::{Fault, Refusal};
 use program::Program;
 use queue::Queue;
@@ -45,7 +48,10 @@ pub(crate) struct Page {
     marches: Queue,
     /// Work on files, one at a time, which must not hold up the sliders.
     long: Queue,
+    /// Calibrations, one at a time: they take up to minutes, beside which measured rails are still answered.
+    chains: Queue,
     uploads: Uploads,
+    calibrations: Calibrations,
     program: Program,
 }
 
@@ -71,6 +77,16 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/along", post(api::along::post))
         .route("/api/along/spectrum", post(api::along::spectrum))
         .route("/api/noise", post(api::noise::post))
+        .route("/api/calibration", post(api::calibration::post))
+        .route("/api/calibration/data", post(api::calibration::data))
+        .route("/api/calibration/remove", post(api::calibration::remove))
+        .route("/api/calibration/plan", post(api::calibration::plan))
+        .route(
+            "/api/calibration/progress",
+            post(api::calibration::progress),
+        )
+        .route("/api/calibration/decision", post(api::decision::post))
+        .route("/api/calibration/example", get(api::calibration::example))
         .route("/api/sample", get(api::along::sample))
         .route("/api/report", post(api::report::of_rail))
         .route("/api/report/case", post(api::report::of_case))

@@ -12,17 +12,30 @@ use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use axum::http::StatusCode;
-use serde::Deserialize;
+use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::Fault;
 use crate::queue::Wanted;
 
-/// What a run says on a line of standard error; only what ends it matters here.
+/// What ends a run, on a line of standard error.
 #[derive(Deserialize)]
 struct Line {
     error: ErrorDocument,
+}
+
+/// How far a run is, on another.
+#[derive(Deserialize)]
+struct ProgressLine {
+    progress: Progress,
+}
+
+/// How far a run is.
+#[derive(Clone, Copy, Default, Deserialize, Serialize)]
+pub(crate) struct Progress {
+    done: u64,
+    of: u64,
 }
 
 /// What ended a run.
@@ -112,7 +125,19 @@ impl Program {
         question: &Value,
         wanted: &Wanted,
     ) -> Result<Value, Fault> {
-        let printed = self.run(folder, &["ask", name], question, wanted)?;
+        self.ask_telling(folder, name, question, wanted, &|_| ())
+    }
+
+    /// The same, with how far it is.
+    pub(crate) fn ask_telling(
+        &self,
+        folder: &Path,
+        name: &str,
+        question: &Value,
+        wanted: &Wanted,
+        tell: &dyn Fn(Progress),
+    ) -> Result<Value, Fault> {
+        let printed = self.run_telling(folder, &["ask", name], question, wanted, tell)?;
         serde_json::from_str(&printed)
             .map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -124,6 +149,17 @@ impl Program {
         arguments: &[&str],
         input: &Value,
         wanted: &Wanted,
+    ) -> Result<String, Fault> {
+        self.run_telling(folder, arguments, input, wanted, &|_| ())
+    }
+
+    fn run_telling(
+        &self,
+        folder: &Path,
+        arguments: &[&str],
+        input: &Value,
+        wanted: &Wanted,
+        tell: &dyn Fn(Progress),
     ) -> Result<String, Fault> {
         let failed =
             |error: io::Error| Fault::defect(&format!("the program cannot be run: {error}"));
@@ -166,14 +202,24 @@ impl Program {
                     "`riffel roughness` reads it without a limit",
                 ));
             }
+            if let Some(progress) = progress_of(&fs::read_to_string(&err).unwrap_or_default()) {
+                tell(progress);
+            }
             std::thread::sleep(LOOK);
         };
-        if status.success() {
+        // One says that what is printed allows no conclusion, which it says itself.
+        if matches!(status.code(), Some(0 | 1)) {
             return fs::read_to_string(&out).map_err(failed);
         }
         let words = fs::read_to_string(&err).unwrap_or_default();
         Err(fault_of(&words))
     }
+}
+
+/// How far a run has last said to be.
+fn progress_of(words: &str) -> Option<Progress> {
+    let mut lines = words.lines().rev();
+    lines.find_map(|line| Some(serde_json::from_str::<ProgressLine>(line).ok()?.progress))
 }
 
 /// The error among what the program has said on standard error, notes left aside.
@@ -225,5 +271,14 @@ mod tests {
         assert_eq!(fault["help"], help);
         let silent = serde_json::to_value(fault_of("note: nothing\n")).unwrap();
         assert_eq!(silent["message"], "the program broke off");
+    }
+
+    #[test]
+    fn the_last_line_of_progress_counts() {
+        let line = |done: u64| format!("{{\"progress\": {{\"done\": {done}, \"of\": 9}}}}\n");
+        let words = format!("{}{{\"remark\": {{}}}}\n{}{{\"prog", line(3), line(5));
+        let last = progress_of(&words).unwrap();
+        assert_eq!((last.done, last.of), (5, 9));
+        assert!(progress_of("note: nothing\n").is_none());
     }
 }

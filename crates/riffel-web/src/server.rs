@@ -15,6 +15,7 @@ use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
+use crate::calibrations::Calibrations;
 use crate::impatient::Impatient;
 use crate::program::Program;
 use crate::queue::Queue;
@@ -96,11 +97,13 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, S
         queue: Queue::new(workers),
         marches: Queue::new(1),
         long: Queue::for_files(),
+        chains: Queue::for_files(),
+        calibrations: Calibrations::default(),
         uploads: Uploads::new().map_err(ServeError::Folder)?,
         program: Program::new(options.program),
     };
     let place = page.uploads.place().to_owned();
-    let queues = [&page.queue, &page.marches, &page.long].map(Queue::clone);
+    let queues = [&page.queue, &page.marches, &page.long, &page.chains].map(Queue::clone);
     let service = TowerToHyperService::new(router(page));
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);

@@ -14,8 +14,8 @@ use tempfile::TempDir;
 use tokio::io::AsyncWriteExt;
 use tokio::sync::Semaphore;
 
-use crate::earlier_records::EarlierRecords;
 use crate::fault::Fault;
+use crate::numbered_files::NumberedFiles;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
 const LARGEST: u64 = 2 << 30;
@@ -55,7 +55,7 @@ pub(crate) struct Upload {
     /// Its name in there, made here.
     pub(crate) name: String,
     pub(crate) bytes: u64,
-    pub(crate) earlier: EarlierRecords,
+    pub(crate) earlier: NumberedFiles,
 }
 
 impl Upload {
@@ -117,7 +117,7 @@ impl Uploads {
             folder,
             name,
             bytes,
-            earlier: EarlierRecords::default(),
+            earlier: NumberedFiles::default(),
         });
         let mut files = self.files();
         files.retain(|(other, _)| *other != page);
@@ -137,9 +137,28 @@ impl Uploads {
         body: Body,
     ) -> Result<(u32, u64), Fault> {
         let upload = self.of(page)?;
-        let place = upload.earlier.reserve()?;
-        let name = file_name(&format!("earlier-{}", place.number()), kind);
-        let path = upload.folder().join(&name);
+        self.receive_numbered(
+            upload.folder(),
+            &upload.earlier,
+            "earlier",
+            kind,
+            (announced, body),
+        )
+        .await
+    }
+
+    /// Write what comes to disk as one of the files of a folder; its number and its size in bytes.
+    pub(crate) async fn receive_numbered(
+        &self,
+        folder: &Path,
+        files: &NumberedFiles,
+        stem: &str,
+        kind: &str,
+        (announced, body): (Option<u64>, Body),
+    ) -> Result<(u32, u64), Fault> {
+        let place = files.reserve()?;
+        let name = file_name(&format!("{stem}-{}", place.number()), kind);
+        let path = folder.join(&name);
         match self.store(&path, announced, body).await {
             Ok(bytes) => Ok((place.keep(name), bytes)),
             Err(fault) => {
@@ -385,7 +404,7 @@ mod tests {
         record.earlier.remove(record.folder(), 1);
         assert!(record.earlier.file(1).is_err() && record.earlier.file(3).is_ok());
         assert_eq!(inside(), 2);
-        for _ in 1..crate::earlier_records::MOST {
+        for _ in 1..crate::numbered_files::MOST {
             earlier(1).await.unwrap();
         }
         assert!(earlier(1).await.is_err(), "one too many");

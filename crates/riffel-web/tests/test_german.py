@@ -178,7 +178,7 @@ def show(page, view):
             page.until(lambda: figure.locator("figure").count() > 0 and not figure.locator(".waiting").is_visible())
 
 
-@pytest.mark.parametrize("view", ["explore", "compare", "motion", "curve", "measure", "paper"])
+@pytest.mark.parametrize("view", ["explore", "compare", "motion", "curve", "measure", "calibrate", "paper"])
 def test_no_view_says_anything_in_english(open_page, view):
     page = open_page(locale="de-DE", viewport={"width": 1440, "height": 2400})
     page.page.locator("details").evaluate_all("(all) => all.forEach((one) => (one.open = true))")

@@ -16,7 +16,7 @@ from axe_playwright_python.sync_playwright import Axe
 from conftest import PATIENCE, PROGRAM, ROOT, Served
 
 NOMINAL = (ROOT / "cases/nominal.toml").read_text()
-VIEWS = ["explore", "compare", "measure", "curve", "motion", "paper"]
+VIEWS = ["explore", "compare", "measure", "calibrate", "curve", "motion", "paper"]
 
 
 def drag(page, slider, value):

@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
-use super::{Block, Given, Group, table};
+use super::{Block, Given, Group, Observable, Place, table};
 use crate::file::Kind;
 use crate::gaussian::Density;
 use crate::matrix::Matrix;
@@ -201,6 +201,15 @@ impl Block for DecayRates {
 
     fn observed(&self) -> Vec<f64> {
         self.rate.clone()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let place = |centre: &f64| Place {
+            measured: Observable::DecayRateDbPerM,
+            at: *centre,
+            of: None,
+        };
+        self.centre.iter().map(place).collect()
     }
 
     /// Of a normal error that tells as much as Student's; bounds tell next to nothing.

@@ -8,7 +8,7 @@ use riffel::Complex64;
 use riffel_case::Case;
 use riffel_keys::CaseError;
 
-use super::{Block, Group, Held, differences, sums, table};
+use super::{Block, Group, Held, Observable, Place, differences, sums, table};
 use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
@@ -198,6 +198,19 @@ impl Block for FrequencyResponses {
         let moduli = self.response.iter().map(|measured| measured.norm().ln());
         let phases = self.response.iter().map(|measured| measured.arg());
         moduli.chain(phases).collect()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let parts = [Observable::ReceptanceMPerN, Observable::ReceptancePhaseRad];
+        let of_part = |measured: Observable| {
+            let lines = self.angular_frequency.iter().enumerate();
+            lines.map(move |(row, w)| Place {
+                measured,
+                at: w / TAU,
+                of: self.position.as_ref().map(|position| position[row]),
+            })
+        };
+        parts.into_iter().flat_map(of_part).collect()
     }
 
     /// The places of the blows, where there are several.

@@ -40,6 +40,9 @@ pub(crate) trait Block: Send + Sync {
     /// The data, in the order of the predictions.
     fn observed(&self) -> Vec<f64>;
 
+    /// What each datum is and where it was measured, in the order of the predictions.
+    fn places(&self) -> Vec<Place>;
+
     /// ln of the density of each datum given all others of the block; none where it is beyond numbers.
     fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>>;
 
@@ -91,6 +94,48 @@ pub(crate) trait Block: Send + Sync {
     fn as_levels(&self) -> Option<&Levels> {
         None
     }
+}
+
+/// What a datum is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "snake_case")]
+pub enum Observable {
+    /// |H| of the rail \[m/N\], over frequency \[Hz\], at a position \[m\].
+    ReceptanceMPerN,
+    /// arg H \[rad\], over the same.
+    ReceptancePhaseRad,
+    /// Decay of vibration along the rail, over frequency \[Hz\].
+    DecayRateDbPerM,
+    /// Rise of a level since its band was first measured, over wavelength \[m\], after so many passages.
+    LevelRiseDb,
+    /// Level of a run of an axle box over the first level of its band, over wavelength \[m\].
+    AxleBoxLevelDb,
+    /// A-weighted level beside the track over the first levels of its bands by their shares in it, over passages.
+    PassByLevelDb,
+    /// ln of what a wave has grown by since the first date \[Np\], over wavelength \[m\], after so many passages.
+    WaveGrowthNp,
+    /// How far a wave has moved along the direction of travel \[rad\], over the same.
+    WaveDriftRad,
+}
+
+impl Observable {
+    /// A datum as it was measured, of the form in which it is compared.
+    pub(crate) fn told(self, compared: f64) -> f64 {
+        match self {
+            Self::ReceptanceMPerN | Self::DecayRateDbPerM => compared.exp(),
+            _ => compared,
+        }
+    }
+}
+
+/// Where a datum was measured.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Place {
+    pub(crate) measured: Observable,
+    /// Frequency or wavelength.
+    pub(crate) at: f64,
+    /// Position or passages, where there are any.
+    pub(crate) of: Option<f64>,
 }
 
 /// What is left out of some data.

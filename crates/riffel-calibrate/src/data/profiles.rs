@@ -10,7 +10,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile};
 
-use super::{Block, differences, sums, table};
+use super::{Block, Observable, Place, differences, sums, table};
 use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
@@ -310,6 +310,19 @@ impl Block for DatedProfiles {
 
     fn observed(&self) -> Vec<f64> {
         self.data.clone()
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let parts = [Observable::WaveGrowthNp, Observable::WaveDriftRad];
+        let of_part = |measured: Observable| {
+            self.lines.iter().map(move |line| Place {
+                measured,
+                at: line.wave.wavelength,
+                of: Some(line.passages),
+            })
+        };
+        let places = parts.into_iter().flat_map(of_part);
+        places.take(self.data.len()).collect()
     }
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {

@@ -6,6 +6,7 @@ pub(crate) mod decision;
 mod discrepancy;
 mod parameter;
 mod pass_by;
+mod uncertain;
 mod usual;
 
 use std::path::{Path, PathBuf};
@@ -21,6 +22,7 @@ use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
 
+pub use uncertain::Uncertain;
 pub use usual::Measured;
 
 /// Standard deviations of a prior from its median beyond which it excludes what the case says.

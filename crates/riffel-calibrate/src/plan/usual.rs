@@ -321,9 +321,11 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
                 add(of_key.key, of_key.prior(own, of_key.factor));
             }
         }
+        let share = vehicle.traction_share;
+        let [low, high] = [share.min(0.05), share.max(0.95)];
         add(
             "vehicle.traction_share",
-            "uniform = { min = 0.05, max = 0.95 }\n".to_owned(),
+            format!("uniform = {{ min = {low}, max = {high} }}\n"),
         );
         if let Some(mean) = own("speed.mean") {
             let spread = OF_SPEED.0.min(OF_SPEED.1 * mean);

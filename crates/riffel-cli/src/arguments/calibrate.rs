@@ -60,6 +60,10 @@ pub(crate) struct CalibrateChains {
     #[arg(long, conflicts_with = "restart")]
     pub(crate) dry_run: bool,
 
+    /// Print one JSON document: what the chains say, with --dry-run the plan.
+    #[arg(long)]
+    pub(crate) json: bool,
+
     /// Number of threads [default: one for each processor].
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..))]
     pub(crate) threads: Option<u16>,

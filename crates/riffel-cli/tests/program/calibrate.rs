@@ -51,6 +51,28 @@ fn a_case_and_its_tables_make_a_plan() {
         "{}",
         outcome.text
     );
+    let plan = sandbox.json(&format!("{make} --json"));
+    let priors = plan["parameters"].as_array().unwrap();
+    let sleeper = priors.iter().find(|one| one["key"] == "track.sleeper.mass");
+    assert_eq!(sleeper.unwrap()["prior"]["factor"], 1.05, "{plan}");
+    assert_eq!(plan["data"][0]["kind"], "decay-rate");
+    // Of a vehicle that says nothing of them all wheels are driven, which its prior holds.
+    let set = "validation/calibration/b-three-dates";
+    sandbox.copy(set);
+    let traffic = fs::read_to_string(sandbox.path(&format!("{set}/traffic.toml"))).unwrap();
+    let traffic = traffic.replace("traction_share = 0.5\n", "");
+    fs::write(sandbox.path("driven.toml"), traffic).unwrap();
+    let plan = sandbox.json(&format!(
+        "calibrate {set}/case.toml --with {set}/roughness.csv --traffic driven.toml -o out --dry-run --json"
+    ));
+    let priors = plan["parameters"].as_array().unwrap();
+    let share = priors
+        .iter()
+        .find(|one| one["key"] == "vehicle.traction_share");
+    assert_eq!(
+        share.unwrap()["prior"],
+        serde_json::json!({ "min": 0.05, "max": 1 })
+    );
     assert!(!sandbox.path("out").exists());
     fs::create_dir(sandbox.path("out")).unwrap();
     fs::write(sandbox.path("out/plan.toml"), "mine").unwrap();
@@ -188,6 +210,28 @@ fn chains_lead_to_a_forecast_and_a_decision() {
     );
     let array: serde_json::Value = serde_json::from_str(&array.unwrap()).unwrap();
     assert_eq!(array["shape"], serde_json::json!([2, 400, 2]));
+    // The document of the same chains has what the table has.
+    let outcome = sandbox.riffel(&format!("calibrate {plan} -o out --restart --json -q"));
+    // Doubts stand behind it.
+    let documents = serde_json::Deserializer::from_str(&outcome.text);
+    let document = documents.into_iter::<serde_json::Value>().next();
+    let document = document.unwrap().unwrap();
+    let summary = fs::read_to_string(sandbox.path("out/summary.csv")).unwrap();
+    for (line, value) in summary
+        .lines()
+        .skip(1)
+        .zip(document["parameters"].as_array().unwrap())
+    {
+        let cells: Vec<&str> = line.split(',').collect();
+        let median: f64 = cells[6].parse().unwrap();
+        let own = value["quantiles"][2].as_f64().unwrap();
+        assert_eq!(value["name"], cells[0]);
+        // Nine digits of the table.
+        assert!((own / median - 1.0).abs() < 1e-8, "{own} {median}");
+        assert_eq!(value["may_be_written_back"], false, "told together only");
+    }
+    assert_eq!(document["is_conclusive"], outcome.status == Some(0));
+    assert_eq!(document["data"][0]["measured"], "level_rise_db");
     // The same forecast on demand; another limit, other months.
     let forecast = sandbox.json(&format!(
         "forecast {set}/case.toml --posterior out --json -q"

@@ -1,14 +1,14 @@
-// What the page that is one file does not hold, in place of `measure.js` and `bogie.js`: a sentence that says where it is.
+// What the page that is one file does not hold, in place of `measure.js`, `calibrate.js` and `bogie.js`: a sentence that says where it is.
 
 import { element } from './elements.js';
 import { currentLanguage } from './words.js';
 
 const ELSEWHERE = {
-  en: 'This page is one file. Measured rails, bogies in a curve, reports, and maps as PNG, SVG and HTML are on the page that riffel serve opens.',
-  de: 'Diese Seite ist eine Datei. Gemessene Schienen, Drehgestelle im Bogen, Berichte und Karten als PNG, SVG und HTML hat die Seite, die riffel serve öffnet.',
+  en: 'This page is one file. Measured rails, calibration, bogies in a curve, reports, and maps as PNG, SVG and HTML are on the page that riffel serve opens.',
+  de: 'Diese Seite ist eine Datei. Gemessene Schienen, Kalibrierung, Drehgestelle im Bogen, Berichte und Karten als PNG, SVG und HTML hat die Seite, die riffel serve öffnet.',
 };
 
-for (const part of ['tab-measure', 'tab-curve', 'view-measure', 'view-curve']) document.getElementById(part).remove();
+for (const part of ['tab-measure', 'tab-calibrate', 'tab-curve', 'view-measure', 'view-calibrate', 'view-curve']) document.getElementById(part).remove();
 for (const kind of ['png', 'svg', 'html', 'report']) document.querySelector(`[data-take=${kind}]`).remove();
 
 export function startMeasure({ listen, banner }) {
@@ -23,3 +23,5 @@ export function startMeasure({ listen, banner }) {
 }
 
 export function startBogie() {}
+
+export function startCalibrate() {}

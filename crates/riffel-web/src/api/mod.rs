@@ -1,7 +1,9 @@
 //! What the page can ask for besides [`riffel_page::QUESTIONS`], one file for each.
 
 pub(crate) mod along;
+pub(crate) mod calibration;
 pub(crate) mod curve;
+pub(crate) mod decision;
 pub(crate) mod earlier;
 pub(crate) mod export;
 mod file_headers;

@@ -8,6 +8,7 @@ use axum::http::{HeaderMap, Request, StatusCode, header};
 use serde_json::{Value, json};
 use tower::ServiceExt;
 
+use crate::calibrations::Calibrations;
 use crate::program::Program;
 use crate::queue::Queue;
 use crate::uploads::Uploads;
@@ -21,6 +22,8 @@ fn page_with(queue: Queue) -> Page {
         queue,
         marches: Queue::new(1),
         long: Queue::for_files(),
+        chains: Queue::for_files(),
+        calibrations: Calibrations::default(),
         uploads: Uploads::new().unwrap(),
         program: Program::new(vec!["/nowhere/riffel".into()]),
     }

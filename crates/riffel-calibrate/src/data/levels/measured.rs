@@ -21,7 +21,7 @@ pub(crate) struct MeasuredRail {
 
 /// Where a level stands in what was measured: its row, of a run or a site by its number.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Place {
+pub(super) enum RowPlace {
     Dated(usize),
     Run(usize, usize),
     PassBy(usize, usize),
@@ -41,7 +41,7 @@ impl MeasuredRail {
     /// Its levels: by date, then those of runs, then those that were heard.
     pub(super) fn rows(&self, bands: &[ThirdOctave]) -> Vec<LevelRow> {
         let place_of = |band: ThirdOctave| bands.partition_point(|other| *other < band);
-        let level = |row: &Row, view: usize, place: Place| LevelRow {
+        let level = |row: &Row, view: usize, place: RowPlace| LevelRow {
             place,
             view,
             passages: row.passages,
@@ -50,18 +50,20 @@ impl MeasuredRail {
             bands: vec![(place_of(row.band), 1.0)],
         };
         let own = self.dated.rows.iter().enumerate();
-        let own = own.map(|(index, row)| level(row, self.dated.view, Place::Dated(index)));
+        let own = own.map(|(index, row)| level(row, self.dated.view, RowPlace::Dated(index)));
         let mut rows: Vec<LevelRow> = own.collect();
         rows.sort_by(|a, b| a.passages.total_cmp(&b.passages));
         for (number, run) in self.runs.iter().enumerate() {
             let of_run = run.rows.iter().enumerate();
-            rows.extend(of_run.map(|(index, row)| level(row, run.view, Place::Run(number, index))));
+            rows.extend(
+                of_run.map(|(index, row)| level(row, run.view, RowPlace::Run(number, index))),
+            );
         }
         for (number, pass_bys) in self.pass_bys.iter().enumerate() {
             let heard = pass_bys.rows.iter().enumerate();
             rows.extend(heard.map(|(index, row)| {
                 LevelRow {
-                    place: Place::PassBy(number, index),
+                    place: RowPlace::PassBy(number, index),
                     view: pass_bys.view,
                     passages: row.passages,
                     level: row.level,
@@ -75,11 +77,11 @@ impl MeasuredRail {
         rows
     }
 
-    pub(super) fn level_mut(&mut self, place: Place) -> &mut f64 {
+    pub(super) fn level_mut(&mut self, place: RowPlace) -> &mut f64 {
         match place {
-            Place::Dated(row) => &mut self.dated.rows[row].level,
-            Place::Run(run, row) => &mut self.runs[run].rows[row].level,
-            Place::PassBy(site, row) => &mut self.pass_bys[site].rows[row].level,
+            RowPlace::Dated(row) => &mut self.dated.rows[row].level,
+            RowPlace::Run(run, row) => &mut self.runs[run].rows[row].level,
+            RowPlace::PassBy(site, row) => &mut self.pass_bys[site].rows[row].level,
         }
     }
 }

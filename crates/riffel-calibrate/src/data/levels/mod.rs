@@ -17,9 +17,9 @@ use riffel::noise::BandRadiation;
 use riffel::roughness::ThirdOctave;
 use riffel_case::LoopOnTrack;
 
-use self::measured::{Place, Row};
+use self::measured::{Row, RowPlace};
 use self::pass_by::Passing;
-use super::{Block, Group, Held, differences, sum_of, sums, table};
+use super::{Block, Group, Held, Observable, Place, differences, sum_of, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
@@ -60,7 +60,7 @@ type Weights = Vec<(usize, f64)>;
 /// A level with what its model needs.
 struct LevelRow {
     /// Where it stands in what was measured.
-    place: Place,
+    place: RowPlace,
     view: usize,
     /// Since the first date.
     passages: f64,
@@ -81,7 +81,7 @@ impl LevelRow {
     /// Whether it is the level of a band, and of no other.
     fn is_of(&self, band: usize) -> bool {
         matches!(self.bands[..], [(own, _)] if own == band)
-            && !matches!(self.place, Place::PassBy(..))
+            && !matches!(self.place, RowPlace::PassBy(..))
     }
 }
 
@@ -97,11 +97,13 @@ impl Levels {
         let rows = measured.rows(&bands);
         // Levels of a date share an error, and those of a run or of a site.
         let shared = |one: &LevelRow, other: &LevelRow| match (one.place, other.place) {
-            (Place::Dated(_), Place::Dated(_)) if one.passages == other.passages => {
+            (RowPlace::Dated(_), RowPlace::Dated(_)) if one.passages == other.passages => {
                 dated.common_error
             }
-            (Place::Run(one, _), Place::Run(other, _)) if one == other => runs[one].common_error,
-            (Place::PassBy(one, _), Place::PassBy(other, _)) if one == other => {
+            (RowPlace::Run(one, _), RowPlace::Run(other, _)) if one == other => {
+                runs[one].common_error
+            }
+            (RowPlace::PassBy(one, _), RowPlace::PassBy(other, _)) if one == other => {
                 pass_bys[one].common_error
             }
             _ => 0.0,
@@ -133,7 +135,8 @@ impl Levels {
         });
         let of_runs = runs.iter().enumerate().filter_map(|(number, run)| {
             let of_run = run.missed?;
-            let is_own = |row: &LevelRow| matches!(row.place, Place::Run(own, _) if own == number);
+            let is_own =
+                |row: &LevelRow| matches!(row.place, RowPlace::Run(own, _) if own == number);
             Some(missed(&|one, other| match is_own(one) && is_own(other) {
                 true => kernel(of_run, one, other),
                 false => 0.0,
@@ -187,6 +190,12 @@ impl Levels {
         })
     }
 
+    /// That of the band of a row.
+    fn wavelength(&self, row: &LevelRow) -> f64 {
+        let band = row.bands.first();
+        band.map_or(f64::NAN, |(band, _)| self.bands[*band].wavelength())
+    }
+
     pub(crate) fn bands(&self) -> &[ThirdOctave] {
         &self.bands
     }
@@ -230,14 +239,14 @@ impl Levels {
             };
             let mean = |energies: f64| 10.0 * (energies / LINES_PER_BAND as f64).log10();
             levels.push(match (row.place, &row.bands[..]) {
-                (Place::Run(run, _), [(band, _)]) => {
+                (RowPlace::Run(run, _), [(band, _)]) => {
                     let speed = self.measured.runs[run].speed;
                     let shakes = || Ok(accelerations(trial.case(row.view)?, &self.lines, speed));
                     let felt = &once(&mut felt, run, shakes)?[band * LINES_PER_BAND..];
                     let energies = grown(*band).zip(felt).map(|(grown, felt)| grown * felt);
                     mean(energies.sum()) - MICROMETRE
                 }
-                (Place::PassBy(site, pass), bands) => {
+                (RowPlace::PassBy(site, pass), bands) => {
                     let pass_bys = &self.measured.pass_bys[site];
                     let Passing { speed, heard, .. } = &pass_bys.rows[pass];
                     let key = (site, speed.to_bits());
@@ -344,6 +353,27 @@ impl Block for Levels {
     fn observed(&self) -> Vec<f64> {
         let levels: Vec<f64> = self.rows.iter().map(|row| row.level).collect();
         self.contrast(&levels)
+    }
+
+    fn places(&self) -> Vec<Place> {
+        let place = |(row, _): &(usize, Weights)| {
+            let row = &self.rows[*row];
+            let (measured, at, of) = match row.place {
+                RowPlace::PassBy(..) => (Observable::PassByLevelDb, row.passages, None),
+                RowPlace::Run(..) => (
+                    Observable::AxleBoxLevelDb,
+                    self.wavelength(row),
+                    Some(row.passages),
+                ),
+                RowPlace::Dated(_) => (
+                    Observable::LevelRiseDb,
+                    self.wavelength(row),
+                    Some(row.passages),
+                ),
+            };
+            Place { measured, at, of }
+        };
+        self.contrasts.iter().map(place).collect()
     }
 
     fn covariance(&self, sizes: &[f64], times: f64) -> Matrix {

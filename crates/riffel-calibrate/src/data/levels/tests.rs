@@ -63,7 +63,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
         for (row, own) in levels.rows.iter().zip(&grown) {
             let more = |band: usize| missed[band] * row.passages / UNIT;
             let level = match row.place {
-                Place::PassBy(site, pass) => {
+                RowPlace::PassBy(site, pass) => {
                     let PassBys {
                         rows,
                         train,
@@ -74,7 +74,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
                     let radiation = trial.radiation(row.view, speed, &rows[pass].heard);
                     // Each band as the trolley finds it at the same date.
                     let same = |(other, _): &(&LevelRow, &f64)| {
-                        matches!(other.place, Place::Dated(_)) && other.passages == row.passages
+                        matches!(other.place, RowPlace::Dated(_)) && other.passages == row.passages
                     };
                     let of_bands = levels.rows.iter().zip(&grown).filter(same);
                     let of_bands = of_bands.map(|(other, grown)| {
@@ -87,7 +87,7 @@ fn what_is_left_of_levels_scatters_as_it_is_taken_to() {
                 _ => {
                     let band = row.bands[0].0;
                     let shared = match row.place {
-                        Place::Run(run, _) => measured.runs[run].common_error * common[8],
+                        RowPlace::Run(run, _) => measured.runs[run].common_error * common[8],
                         _ => {
                             let date = levels.dates().iter().position(|it| *it == row.passages);
                             measured.dated.common_error * common[date.unwrap()]

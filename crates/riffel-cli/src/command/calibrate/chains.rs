@@ -6,9 +6,9 @@ use std::time::Instant;
 use riffel_answers::calibrate::{close_pairs, correlations, directions, figure};
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
-use riffel_answers::{Answer, level_limit};
+use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
 use riffel_calibrate::{
-    CalibrationError, Chains, Folder, Identifiability, Marginal, Measured, Plan, Summary, TOLD,
+    CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Summary,
 };
 
 use crate::arguments::{CalibrateChains, stem};
@@ -41,7 +41,10 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         }
     };
     if arguments.dry_run {
-        print(&dry_run(&plan)?)?;
+        match arguments.json {
+            true => print(&json(&PlanDocument::from(&plan)))?,
+            false => print(&dry_run(&plan)?)?,
+        }
         print_remarks(&plan.remarks);
         return Ok(0);
     }
@@ -90,24 +93,32 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     };
     let summary = chains.summary(&plan);
     let names = folder.write(&plan, &chains, &summary)?;
-    let conclusions = conclusions(&plan, &chains, &summary, models.as_ref(), &path)?;
+    let told = Identifiability::of(&plan, &chains).map_err(CalibrationError::Refused)?;
+    let answer = Calibration::new(&plan, &chains, &summary, &told);
+    let conclusions = conclusions(&plan, &chains, (&summary, &told), models.as_ref(), &path)?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
-    print(&format!(
-        "{title}\n{}{conclusions}{}: {}\n",
-        marginals(&summary),
-        path.display(),
-        names.join(" ")
-    ))?;
+    print(&match arguments.json {
+        true => json(&answer),
+        false => format!(
+            "{title}\n{}{conclusions}{}: {}\n",
+            marginals(&summary),
+            path.display(),
+            names.join(" ")
+        ),
+    })?;
     say(format_args!(
         "sampled in {}",
         duration(begun.elapsed().as_secs_f64())
     ));
     print_remarks(&plan.remarks);
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
-    print_remarks(&untold(&summary));
-    let doubts = summary.doubts();
-    doubts.iter().map(String::as_str).for_each(complain);
-    Ok(if doubts.is_empty() { 0 } else { NO_CONCLUSION })
+    print_remarks(&answer.untold);
+    answer.doubts.iter().map(String::as_str).for_each(complain);
+    Ok(if answer.is_conclusive {
+        0
+    } else {
+        NO_CONCLUSION
+    })
 }
 
 /// Write what follows from the draws: what they tell of values together, where the plan has levels and the traffic says how much of
@@ -115,19 +126,18 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
 fn conclusions(
     plan: &Plan,
     chains: &Chains,
-    summary: &Summary,
+    (summary, told): (&Summary, &Identifiability),
     models: Option<&CompetingModels>,
     folder: &Path,
 ) -> miette::Result<String> {
-    let told = Identifiability::of(plan, chains).map_err(CalibrationError::Refused)?;
     let mut staging = Staging::new("calibrate", folder)?;
-    let directions = directions(&told);
+    let directions = directions(told);
     let mut text = format!("{}\n", table_of(&directions));
-    for sentence in close_pairs(&told) {
+    for sentence in close_pairs(told) {
         text += &format!("{}\n", sentence.text(language()));
     }
-    let mut tables = vec![directions, correlations(&told)];
-    staging.write_figure("posterior", &figure(plan, chains, summary, &told))?;
+    let mut tables = vec![directions, correlations(told)];
+    staging.write_figure("posterior", &figure(plan, chains, summary, told))?;
     if plan.passages_per_day.is_some() && plan.has_levels() {
         let limit = level_limit(LIMIT)?;
         let answer = PosteriorForecast::new(plan, chains, &limit, MONTHS)?;
@@ -183,41 +193,13 @@ fn marginals(summary: &Summary) -> String {
         let [low, _, middle, _, high] = marginal.quantiles;
         rows.add_row([
             marginal.name.clone(),
-            four(middle),
-            four(low),
-            four(high),
+            four_digits(middle),
+            four_digits(low),
+            four_digits(high),
             format!("{:.3}", marginal.rhat),
             format!("{:.0} %", 100.0 * marginal.contraction.max(0.0)),
             marginal.unit.clone(),
         ]);
     }
     format!("{rows}\n")
-}
-
-/// A number with four digits.
-fn four(number: f64) -> String {
-    match number.abs() {
-        size if (0.01..1e5).contains(&size) => {
-            let decimals = (3 - size.log10().floor() as i32).clamp(0, 6);
-            format!("{number:.*}", decimals as usize)
-        }
-        _ => format!("{number:.3e}"),
-    }
-}
-
-/// What the data do not tell.
-fn untold(summary: &Summary) -> Vec<String> {
-    let untold =
-        |marginal: &&Marginal| marginal.contraction.is_nan() || marginal.contraction < TOLD;
-    let untold = summary.marginals.iter().filter(untold).map(|marginal| {
-        let [low, .., high] = marginal.prior_quantiles;
-        format!(
-            "{} is not told by these data: 90 % of its prior lie between {} and {} {}",
-            marginal.name,
-            four(low),
-            four(high),
-            marginal.unit
-        )
-    });
-    untold.collect()
 }

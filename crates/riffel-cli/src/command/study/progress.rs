@@ -7,10 +7,12 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 
-use crate::messages::{is_quiet, say};
+use crate::messages::{is_for_a_program, is_quiet, say, tell_progress};
 
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
 const LINE_EVERY: Duration = Duration::from_secs(60);
+/// The same where a program reads it.
+const TOLD_EVERY: Duration = Duration::from_millis(300);
 
 /// A bar with rate and time left on a terminal; elsewhere a line a minute, but none where results go to the same place.
 pub(in crate::command) struct SampleProgress {
@@ -19,6 +21,7 @@ pub(in crate::command) struct SampleProgress {
     bar: ProgressBar,
     terminal: bool,
     lines: bool,
+    line_every: Duration,
     total: u64,
     done: AtomicU64,
     begun: Instant,
@@ -39,6 +42,11 @@ impl SampleProgress {
             bar,
             terminal: stderr().is_terminal(),
             lines: !is_among_results(),
+            line_every: if is_for_a_program() {
+                TOLD_EVERY
+            } else {
+                LINE_EVERY
+            },
             total,
             done: AtomicU64::new(0),
             begun: Instant::now(),
@@ -65,9 +73,12 @@ impl SampleProgress {
         // A thread that finds the clock taken leaves the line to the one that has it.
         if self.lines
             && let Ok(mut last) = self.last_line.try_lock()
-            && last.elapsed() > LINE_EVERY
+            && last.elapsed() > self.line_every
         {
             *last = Instant::now();
+            if tell_progress(done, self.total) {
+                return;
+            }
             let rate = done as f64 / self.begun.elapsed().as_secs_f64();
             let left = duration((self.total - done) as f64 / rate);
             say(format_args!(

@@ -1,4 +1,4 @@
-//! Earlier records of a rail, in the folder of the present one.
+//! Files in a folder of a page, by numbers: earlier records of a rail beside the present one, data of a calibration.
 
 use std::fs;
 use std::path::Path;
@@ -8,12 +8,12 @@ use axum::http::StatusCode;
 
 use crate::fault::Fault;
 
-/// Most earlier records of one rail.
+/// Most files of one folder.
 pub(crate) const MOST: usize = 6;
 
-/// The earlier records of one rail by number.
+/// The files of one folder by number.
 #[derive(Default)]
-pub(crate) struct EarlierRecords(Mutex<Numbered>);
+pub(crate) struct NumberedFiles(Mutex<Numbered>);
 
 #[derive(Default)]
 struct Numbered {
@@ -25,7 +25,7 @@ struct Numbered {
 
 /// The place of a record that is coming, given back unless it is kept.
 pub(crate) struct Coming<'a> {
-    records: &'a EarlierRecords,
+    records: &'a NumberedFiles,
     number: u32,
 }
 
@@ -54,7 +54,7 @@ impl Drop for Coming<'_> {
     }
 }
 
-impl EarlierRecords {
+impl NumberedFiles {
     fn numbered(&self) -> MutexGuard<'_, Numbered> {
         self.0.lock().unwrap_or_else(PoisonError::into_inner)
     }
@@ -64,7 +64,7 @@ impl EarlierRecords {
         let mut numbered = self.numbered();
         if numbered.files.len() >= MOST {
             return Err(Fault::bad(format!(
-                "there are {MOST} earlier records already, which is as many as the page takes"
+                "there are {MOST} such files already, which is as many as the page takes"
             )));
         }
         numbered.last += 1;

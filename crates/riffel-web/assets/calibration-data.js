@@ -1,0 +1,137 @@
+// The measurements by which a case is calibrated: files that the program keeps for this page, each with what it is taken as.
+
+import { element, worded } from './elements.js';
+import { said } from './german.js';
+import { Fault, askOnce, send } from './server.js';
+import { currentLanguage, fileSize, number, t, translate } from './words.js';
+
+/** Where a reload finds the names of the files that the program keeps for this page. */
+const KEPT = 'riffel-calibration-data';
+/** Most files that the program takes. */
+const MOST = 6;
+
+export class CalibrationData {
+  /** `onChange` is told that there are other files; `plan` asks for the plan of one of them alone. */
+  constructor({ onChange, plan, complain, banner, labels }) {
+    Object.assign(this, { onChange, plan, complain, banner, labels, files: [] });
+    this.input = element('input', { type: 'file', id: 'calibration-file', className: 'away', multiple: true, accept: '.csv,.txt,.tsv,.dat,text/plain,text/csv' });
+    this.input.addEventListener('change', () => {
+      this.add([...this.input.files]);
+      this.input.value = '';
+    });
+    this.choose = worded('label', 'choose_data', { htmlFor: 'calibration-file', className: 'plain' });
+    this.list = element('ul', { className: 'calibration-files', id: 'calibration-files' });
+    this.#restore();
+  }
+
+  /** Those that the program can take. */
+  get question() {
+    return this.files.filter(({ number: own, refused }) => own !== undefined && !refused).map(({ number: own, name }) => ({ number: own, name }));
+  }
+
+  async add(chosen) {
+    for (const file of chosen) {
+      if (this.files.length >= MOST) return this.banner.say(() => t('most_data', { most: MOST, name: file.name }), { until: 'closed' });
+      await this.#send(file);
+    }
+    return undefined;
+  }
+
+  async #send(file) {
+    const record = this.#record({ name: file.name, size: file.size });
+    this.files.push(record);
+    this.show();
+    const coming = send('/api/calibration/data', file, (share) => (record.state.textContent = `${t('uploading')} ${number(100 * share, 3)} %`));
+    try {
+      record.number = (await coming.done).number;
+    } catch (fault) {
+      this.files = this.files.filter((other) => other !== record);
+      this.show();
+      if (fault instanceof Fault) this.complain(fault, { what: `${file.name}: ` });
+      return;
+    }
+    this.#keep();
+    await this.read(record);
+    this.onChange();
+  }
+
+  /** Ask what a file is taken as; one that cannot be told says why, and is left out. */
+  async read(record) {
+    try {
+      const plan = await this.plan([{ number: record.number, name: record.name }]);
+      if (plan) Object.assign(record, { kind: plan.data[0].kind, refused: null });
+    } catch (fault) {
+      if (!(fault instanceof Fault)) throw fault;
+      if (fault.status === 410) return this.#gone();
+      Object.assign(record, { kind: null, refused: fault });
+    }
+    return this.show();
+  }
+
+  /** Another case may take what this one refused. */
+  async reread() {
+    for (const record of [...this.files]) if (record.number !== undefined) await this.read(record);
+  }
+
+  /** After a restart the program has no files of this page. */
+  #gone() {
+    const names = this.files.map(({ name }) => name).join(', ');
+    this.files = [];
+    this.#keep();
+    this.show();
+    if (names) this.banner.say(() => t('record_gone', names), { until: 'closed' });
+  }
+
+  #remove(record) {
+    this.files = this.files.filter((other) => other !== record);
+    if (record.number !== undefined) askOnce('/api/calibration/remove', { number: record.number }).catch((fault) => this.complain(fault, { what: `${record.name}: ` }));
+    this.#keep();
+    this.show();
+    this.input.focus();
+    this.onChange();
+  }
+
+  #record({ name, size, number: own }) {
+    const record = { name, size, number: own, kind: null, refused: null };
+    record.state = element('span', { className: 'aside' });
+    record.trouble = element('p', { className: 'fault', hidden: true });
+    const drop = element('button', { type: 'button', className: 'plain small', textContent: '✕' });
+    drop.addEventListener('click', () => this.#remove(record));
+    record.reword = () => drop.setAttribute('aria-label', `${t('drop')}: ${name}`);
+    record.place = element('li', {}, element('span', { className: 'name', textContent: name, title: name }), drop, record.state, record.trouble);
+    return record;
+  }
+
+  show() {
+    for (const record of this.files) {
+      record.reword();
+      if (record.kind || record.refused) record.state.textContent = record.refused ? t('left_out') : t('taken_as', { kind: t(record.kind), size: fileSize(record.size) });
+      record.trouble.hidden = !record.refused;
+      if (!record.refused) continue;
+      const { text, language } = said(record.refused.message);
+      const help = record.refused.help ? ` (${said(record.refused.help).text})` : '';
+      Object.assign(record.trouble, { textContent: this.labels(text + help), lang: language });
+    }
+    this.list.replaceChildren(...this.files.map(({ place }) => place));
+    this.list.lang = currentLanguage();
+    translate(this.choose);
+  }
+
+  #keep() {
+    try {
+      const files = this.files.filter(({ number: own }) => own !== undefined).map(({ name, size, number: own }) => ({ name, size, number: own }));
+      if (files.length) sessionStorage.setItem(KEPT, JSON.stringify(files));
+      else sessionStorage.removeItem(KEPT);
+    } catch {
+      // Then a reload asks for the files again.
+    }
+  }
+
+  #restore() {
+    try {
+      this.files = (JSON.parse(sessionStorage.getItem(KEPT)) ?? []).map((file) => this.#record(file));
+    } catch {
+      // There were none.
+    }
+  }
+}

@@ -1,0 +1,201 @@
+//! `POST /api/calibration`: what measurements say of the case of the page; `/data`, `/remove`: the files of these; `/plan`: what
+//! would be computed; `/progress`: how far it is. `GET /api/calibration/example`: a case with data to try.
+
+use axum::body::Body;
+use axum::extract::State;
+use axum::http::HeaderMap;
+use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
+use serde::Deserialize;
+use serde_json::{Value, json};
+
+use super::file_headers::kind_and_length;
+use super::roughness::CASE_FILE;
+use crate::Page;
+use crate::calibrations::{Calibration, Drawn};
+use crate::fault::{Fault, Refusal};
+use crate::plan_changes::PlanChanges;
+use crate::program::Program;
+use crate::queue::Wanted;
+use crate::request::{Asked, Asker};
+use crate::told::Told;
+use crate::workspace::Workspace;
+
+/// The plan beside its case, its traffic and its data, and the folder of its results.
+const PLAN_FILE: &str = "plan.toml";
+pub(super) const POSTERIOR: &str = "posterior";
+
+/// Receive a file of measurements.
+pub(crate) async fn data(
+    State(page): State<Page>,
+    asker: Asker,
+    headers: HeaderMap,
+    body: Body,
+) -> Result<Told<Value>, Refusal> {
+    let (kind, announced) = kind_and_length(&headers);
+    let own = page.calibrations.begin(asker.owner()?, &page.uploads)?;
+    let received = page
+        .uploads
+        .receive_numbered(
+            own.folder.path(),
+            &own.data,
+            "data",
+            kind,
+            (announced, body),
+        )
+        .await?;
+    let (number, bytes) = received;
+    Ok(Told(json!({ "number": number, "bytes": bytes })))
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Removal {
+    number: u32,
+}
+
+pub(crate) async fn remove(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(removal): Asked<Removal>,
+) -> Result<Told<Value>, Refusal> {
+    if let Ok(own) = page.calibrations.of(&asker.owner()?) {
+        own.data.remove(own.folder.path(), removal.number);
+    }
+    Ok(Told(json!({})))
+}
+
+/// A file of measurements in a question.
+#[derive(Deserialize)]
+struct DataFile {
+    number: u32,
+    /// Its name to the user.
+    name: String,
+}
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+    #[serde(flatten)]
+    traffic: Traffic,
+    data: Vec<DataFile>,
+    #[serde(default)]
+    changes: PlanChanges,
+}
+
+impl Question {
+    /// Case, traffic, data and plan in a folder of their own; and what the program says of the plan.
+    fn put(
+        &self,
+        own: &Calibration,
+        program: &Program,
+        wanted: &Wanted,
+    ) -> Result<(Workspace, Value), Fault> {
+        // They are checked here, and open no file.
+        self.case.read()?;
+        self.traffic.read()?;
+        let files = Workspace::within(own.folder.path())?;
+        files.write(CASE_FILE, &self.case.toml()?)?;
+        files.write(TRAFFIC_FILE, &self.traffic.toml()?)?;
+        let tables = self.data.iter().map(|data| {
+            let file = own.data.file(data.number)?;
+            files.put(&own.folder.path().join(file), &data.name)
+        });
+        let tables = tables.collect::<Result<Vec<String>, Fault>>()?;
+        let ask = |question: Value| program.ask(files.path(), "calibrate", &question, wanted);
+        let usual = ask(json!({
+            "plan": CASE_FILE, "with": tables, "traffic": TRAFFIC_FILE, "output": ".", "dry_run": true,
+        }))?;
+        files.write(PLAN_FILE, &self.changes.made(&usual)?)?;
+        let mut plan = ask(json!({ "plan": PLAN_FILE, "output": POSTERIOR, "dry_run": true }))?;
+        // What was taken for granted, the plan itself no longer says.
+        plan["remarks"] = usual["remarks"].clone();
+        plan["usual"] = usual["parameters"].clone();
+        Ok((files, plan))
+    }
+}
+
+pub(crate) async fn plan(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Told<Value>, Refusal> {
+    let own = page.calibrations.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    page.queue
+        // Plans of single files and of all are asked for side by side: none takes the place of another.
+        .run(None, move |wanted| {
+            let (files, mut plan) = question.put(&own, &program, wanted)?;
+            for (key, file) in [("case", CASE_FILE), ("traffic", TRAFFIC_FILE)] {
+                plan[key] = files.read(file)?.into();
+            }
+            Ok(Told(plan))
+        })
+        .await
+}
+
+pub(crate) async fn post(
+    State(page): State<Page>,
+    asker: Asker,
+    Asked(question): Asked<Question>,
+) -> Result<Told<Value>, Refusal> {
+    let own = page.calibrations.of(&asker.owner()?)?;
+    let program = page.program.clone();
+    page.chains
+        .run(asker.subject("calibration"), move |wanted| {
+            own.tell(crate::program::Progress::default());
+            let (files, plan) = question.put(&own, &program, wanted)?;
+            let asked = json!({ "plan": PLAN_FILE, "output": POSTERIOR });
+            let tell = |progress| own.tell(progress);
+            let answer = program.ask_telling(files.path(), "calibrate", &asked, wanted, &tell)?;
+            let plan = plan["text"].as_str().unwrap_or_default().to_owned();
+            own.keep(Drawn { files, plan });
+            Ok(Told(answer))
+        })
+        .await
+}
+
+pub(crate) async fn progress(
+    State(page): State<Page>,
+    asker: Asker,
+) -> Result<Told<Value>, Refusal> {
+    let own = page.calibrations.of(&asker.owner()?)?;
+    Ok(Told(json!(own.progress())))
+}
+
+/// Levels of three dates, with the case and the traffic that they belong to: made by Riffel, with known values.
+///
+/// Growth holds the wear coefficient with friction, tractive ratio and the share of driven wheels as one product: these are left
+/// out, and the wear coefficient tells the product.
+pub(crate) async fn example() -> Told<Value> {
+    const LEFT_OUT: [&str; 6] = [
+        "vehicle.traction_share",
+        "vehicle.tractive_ratio",
+        "contact.friction",
+        "contact.transverse_radius",
+        "track.sleeper.mass",
+        "rail.loss_factor",
+    ];
+    let left_out = LEFT_OUT.map(|name| (name.to_owned(), json!({ "left_out": true })));
+    let left_out: serde_json::Map<String, Value> = left_out.into_iter().collect();
+    // Evenly between the two lies what has the standard deviation of the made-up traffic, 8 km/h.
+    let speeds = json!({ "from_km_per_h": 96.14, "to_km_per_h": 123.86 });
+    let mut vehicle = speeds.clone();
+    vehicle["name"] = "unit".into();
+    vehicle["share"] = 1.into();
+    vehicle["tractive_ratio"] = 0.15.into();
+    let mut traffic = speeds;
+    traffic["passages_per_day"] = 6000.into();
+    traffic["months"] = 24.into();
+    traffic["vehicles"] = json!([vehicle]);
+    Told(json!({
+        "case": include_str!("../../example/case.toml"),
+        "traffic": traffic,
+        "data": [{ "name": "roughness.csv", "text": include_str!("../../example/roughness.csv") }],
+        "changes": { "parameters": left_out },
+        // Chosen; the upkeep of remedies by the key that they change.
+        "costs": {
+            "grinding": "9000",
+            "price": "1000",
+            "upkeep": [["track.pad.stiffness", "800"], ["contact.friction", "400"], ["speed.standard_deviation", "250"]],
+        },
+    }))
+}
