@@ -23,6 +23,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "along.js": "text/javascript; charset=utf-8",
     "banner.js": "text/javascript; charset=utf-8",
     "bogie.js": "text/javascript; charset=utf-8",
+    "calm.js": "text/javascript; charset=utf-8",
     "causes.js": "text/javascript; charset=utf-8",
     "bogie-drawing.js": "text/javascript; charset=utf-8",
     "colors.js": "text/javascript; charset=utf-8",
