@@ -82,9 +82,15 @@ fn parse(text: &str) -> Result<Vec<LinePlace>, Refusal> {
         let name = &table.names[column];
         let unit = table.unit_below(column).or_else(|| length_in(name));
         let unit = unit.unwrap_or("m");
-        let at = |end: String| Refusal::new(Some(row.line), format!("the column `{name}` {end}"));
-        let size = metres(unit).ok_or_else(|| at(format!("is in {unit}, which is no length")))?;
-        Ok(size * row.number(column).map_err(at)?)
+        let at = |message: String| Refusal::new(Some(row.line), message);
+        let size = metres(unit).ok_or_else(|| {
+            at(format!(
+                "the column `{name}` is in {unit}, which is no length"
+            ))
+        })?;
+        let value = row.number(column);
+        let value = value.map_err(|end| at(format!("the column `{name}` {end}")))?;
+        Ok(size * value)
     };
     let place = |row: Row<'_>| {
         let (from, to) = (in_metres(&row, columns.from)?, in_metres(&row, columns.to)?);
@@ -157,6 +163,10 @@ mod tests {
                 "the column `position` is \"x\", not a number",
             ),
             ("position,kind\n1,\n", "the column `kind` is empty"),
+            (
+                "position,kind\n[kg],\n1,weld\n",
+                "is in kg, which is no length",
+            ),
         ] {
             let refusal = of(text).unwrap_err();
             assert!(refusal.contains(part), "{refusal}");

@@ -2,7 +2,7 @@
 
 import { letterSize, theme } from './colors.js';
 import { decoded } from './columns.js';
-import { axis, draw, layout, palette } from './curves.js';
+import { axis, draw, layout, palette, refit } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords, said } from './german.js';
@@ -47,7 +47,7 @@ export class Along {
     const tabled = (id, word, name) => {
       const table = element('table', { className: 'comparison', id });
       const header = element('header', {}, worded('h2', word));
-      const panel = element('article', { className: 'panel half', hidden: true, id: `${id}-panel` }, header, element('div', { className: 'sideways scroll' }, table));
+      const panel = element('article', { className: 'panel wide', hidden: true, id: `${id}-panel` }, header, element('div', { className: 'sideways scroll' }, table));
       offer(header, () => ({ name, table }), save, ['csv']);
       return { table, panel };
     };
@@ -89,12 +89,6 @@ export class Along {
     const before = this.table;
     this.table = file && { name: file.name, text: decoded(new Uint8Array(await file.arrayBuffer())) };
     this.#ask(() => (this.table = before));
-  }
-
-  /** What a project keeps of it. */
-  bringBack(table) {
-    this.table = table;
-    if (this.held) this.#ask();
   }
 
   #choose(part) {
@@ -172,13 +166,16 @@ export class Along {
     }
     const ground = (roughness.grind?.sections ?? []).map(({ from_m, to_m }) => ({ type: 'rect', xref: 'x', yref: 'paper', x0: along(from_m), x1: along(to_m), y0: 0, y1: 1 - strip, fillcolor: warm, opacity: 0.13, line: { width: 0 }, layer: 'below' }));
     const chosen = this.part ? [{ type: 'rect', xref: 'x', yref: 'paper', x0: along(this.part.from_m), x1: along(this.part.to_m), y0: 0, y1: 1, line: { color: soft, width: 1.6 } }] : [];
-    this.plot.style.height = `${Math.max(17, 9 * bands.length) + 1.8 * there.length}rem`;
+    const rem = `${Math.max(17, 9 * bands.length) + 1.8 * there.length}rem`;
+    const isOther = this.plot.style.height !== rem;
+    this.plot.style.height = rem;
     await draw(this.plot, traces, layout({
       xaxis: axis(`${t('position')} [${unit}]`, { anchor: `y${bands.length > 1 ? bands.length : ''}` }), ...axes, shapes: [...ground, ...chosen],
       // A click counts wherever it is, not on a line alone; a part that is looked at stays while anything else is drawn anew.
       hovermode: 'x', hoverdistance: -1, uirevision: String(this.held.turn),
       margin: { l: 5 * letterSize(), r: 10, t: 0.6 * letterSize(), b: 3 * letterSize() },
     }));
+    if (isOther) refit(this.panel);
     this.size = size;
     if (this.listening || !this.plot.on) return;
     this.listening = true;

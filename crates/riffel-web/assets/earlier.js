@@ -44,7 +44,7 @@ export class Earlier {
 
   /** Another record has taken the place of that to which these belong: what `bringBack` takes, null if there were none. */
   forget() {
-    const gone = this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
+    const gone = this.kept;
     this.coming?.abort();
     // Files on their way belong to the rail before.
     Object.assign(this, { records: [], date: '', rail: this.rail + 1 });
@@ -53,6 +53,11 @@ export class Earlier {
     this.#keep();
     this.#show();
     return gone;
+  }
+
+  /** The files with their dates, and that of the record; null if there are none. After a reload there is no file any more. */
+  get kept() {
+    return this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
   }
 
   /** The record to which these belonged is back: send them again, with their dates. */

@@ -81,7 +81,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   ];
   const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, labels, save });
   const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, labels, save });
-  place.append(drop, along.panels[0], ...panels.slice(0, 2), ...along.panels.slice(1), ...panels.slice(2, -1), ...noise.panels, panels.at(-1));
+  place.append(drop, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
 
@@ -272,7 +272,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     along.show(read?.rails?.length || (read?.length_m && read.grind) ? held : null, part, read?.length_m);
     noise.show(answer);
     if (!answer) return;
-    against.textContent = [t('measured_against', caseTitle(answered.keys)), answered.part && `${metres(answered.part.from_m)}–${metres(answered.part.to_m)} m`].filter(Boolean).join(', ');
+    against.textContent = [t('measured_against', caseTitle(answered.keys)), answered.part && `${metres(answered.part.from_m)}–${metres(answered.part.to_m)} m.`].filter(Boolean).join(' ');
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
@@ -384,9 +384,14 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   tellFile();
   return {
     saveReport,
-    /** Name of the record that is open, null where there is none. */
-    get recordName() {
-      return file?.name ?? null;
+    /** The record that is open with all that belongs to it, null where there is none. */
+    get record() {
+      return file && { file, format, table: along.table, earlier: earlier.kept };
+    },
+    /** The record of a project. */
+    bringBack({ file: chosen, format: columnsThen, table, earlier: earlierThen }) {
+      along.table = table;
+      take(chosen, { columns: columnsThen, earlierThen });
     },
     /** Take a file from any view; one that is dropped on the earlier records is one of them. */
     take(chosen, target) {

@@ -51,6 +51,7 @@ static FILES: &[(&str, &str, &str)] = &files! {
     "paper.js": "text/javascript; charset=utf-8",
     "phasors.js": "text/javascript; charset=utf-8",
     "printing.js": "text/javascript; charset=utf-8",
+    "project.js": "text/javascript; charset=utf-8",
     "remedies.js": "text/javascript; charset=utf-8",
     "sidebar.js": "text/javascript; charset=utf-8",
     "server.js": "text/javascript; charset=utf-8",
