@@ -27,7 +27,7 @@ export class Along {
     Object.assign(this, { question, onPart, complain, labels, held: null, answer: null, part: null, table: null });
     this.line = new Line('/api/along', json);
     this.plot = element('div', { className: 'curve tall', id: 'along' });
-    const head = element('header', {}, worded('h2', 'along'), worded('span', 'along_hint', { className: 'aside' }));
+    const head = element('header', {}, worded('h2', 'along'));
     this.shown = element('strong', { id: 'part' });
     this.whole = worded('button', 'whole_record', { type: 'button', className: 'plain small', id: 'whole-record' });
     this.whole.addEventListener('click', () => this.#choose(null));
@@ -42,7 +42,7 @@ export class Along {
     this.drop.addEventListener('click', () => this.#takeTable(null));
     const parts = element('div', { className: 'buttons' }, element('span', {}, worded('span', 'shown_below'), ' ', this.shown), this.whole, this.inView);
     const layer = element('div', { className: 'buttons' }, this.input, worded('label', 'line_table', { htmlFor: 'line-table', className: 'plain small' }), this.drop, worded('span', 'line_table_hint', { className: 'fine' }));
-    this.panel = element('article', { className: 'panel wide', hidden: true, id: 'along-panel' }, head, parts, this.plot, worded('p', 'rms_axis', { className: 'fine' }), layer);
+    this.panel = element('article', { className: 'panel wide', hidden: true, id: 'along-panel' }, head, parts, this.plot, element('p', { className: 'fine' }, worded('span', 'rms_axis'), '; ', worded('span', 'along_hint')), layer);
     offer(head, () => ({ name: 'along', plot: this.plot }), save);
     const tabled = (id, word, name) => {
       const table = element('table', { className: 'comparison', id });

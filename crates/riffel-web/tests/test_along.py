@@ -7,6 +7,7 @@ import math
 import subprocess
 
 import pytest
+from axe_playwright_python.sync_playwright import Axe
 from conftest import PROGRAM, ROOT
 
 DATA = "() => (document.getElementById('along').data ?? []).map(({ name, x, y, yaxis }) => ({ name, x, y, yaxis: yaxis ?? 'y' }))"
@@ -118,6 +119,10 @@ def test_sections_are_judged_the_worst_first_and_lead_to_their_part(open_page, t
     # A part is one of both rails.
     assert page.page.locator("#section-verdicts tr[aria-current]").all_inner_texts() == [row for row in rows() if "0–100" in row]
     assert "0–100 m" in page.text("#measured-against")
+    for scheme in ["light", "dark"]:
+        page.page.emulate_media(color_scheme=scheme)
+        page.settle()
+        assert Axe().run(page.page, context="#view-measure", options={"resultTypes": ["violations"]}).response["violations"] == [], scheme
     page.keep("sections-de", whole=True)
     page.close()
 
