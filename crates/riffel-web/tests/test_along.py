@@ -100,6 +100,30 @@ def test_everything_follows_the_part_that_is_clicked(page):
     assert level(page, "rail left, Now") == pytest.approx(whole) and noise_of() == heard
 
 
+def test_a_drag_zooms_and_the_part_in_view_is_taken(page):
+    measured(page, two_rails())
+    along(page)
+    page.settle()
+    band = page.page.locator("#along .nsewdrag").first
+    band.evaluate("(plot) => plot.scrollIntoView({ block: 'center' })")
+    box = band.bounding_box()
+    place = lambda share: (box["x"] + share * box["width"], box["y"] + box["height"] / 2)
+    page.page.mouse.move(*place(0.25))
+    page.page.mouse.down()
+    page.page.mouse.move(*place(0.5), steps=5)
+    page.page.mouse.move(*place(0.75), steps=5)
+    page.page.mouse.up()
+    page.until(page.page.locator("#part-in-view").is_visible)
+    # A drag is no click: nothing is taken by itself.
+    assert page.text("#part") == "whole record"
+    page.page.click("#part-in-view")
+    page.settle()
+    # To a pixel of some hundred for 120 m.
+    assert [float(end) for end in page.text("#part").removesuffix(" m").split("–")] == pytest.approx([30, 90], abs=1)
+    page.page.mouse.dblclick(*place(0.5))
+    page.until(lambda: not page.page.locator("#part-in-view").is_visible())
+
+
 def test_sections_are_judged_the_worst_first_and_lead_to_their_part(open_page, tmp_path):
     page = open_page(locale="de-DE")
     text = two_rails(240)
