@@ -379,6 +379,17 @@ grew-in-a-year-within = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen
 grew-in-a-million = { $wavelength } mm ist um { $rate } dB je 10⁶ Überrollungen gewachsen
 grew-in-a-million-within = { $wavelength } mm ist um { $rate } dB je 10⁶ Überrollungen gewachsen, 95-%-Intervall { $low } bis { $high }
 
+## Abschnitte einer Schiene gegen Grenzwerte
+
+section-within = innerhalb der Grenzwerte, nichts zu schleifen
+section-within-levels = innerhalb des Grenzwerts der Pegel; kein Grenzwert sagt, was zu schleifen ist
+section-over-levels = { $excess } dB über dem Grenzwert der Pegel bei { $wavelength } mm
+section-over-rms = auf { $share } % der Länge über dem Grenzwert des Effektivwerts bei { $band } mm, bis zum { $ratio }-Fachen, wo { $allowed } % erlaubt sind
+section-nothing-to-grind = nichts zu schleifen: was zu schleifen ist, folgt aus dem gleitenden Effektivwert, und der liegt hier nirgends über seinem Grenzwert
+section-to-grind = { $length } m zu schleifen
+section-short-places = innerhalb der Grenzwerte, aber { $length } m zu schleifen: geschliffen wird jede Stelle, an der der gleitende Effektivwert über seinem Grenzwert liegt, hier { $share } % des Abschnitts bei { $band } mm und bis zum { $ratio }-Fachen; der Grenzwert erlaubt { $allowed } %, und Pegel sind ein Mittel über den Abschnitt
+section-ground-along = { $length } m mit dem geschliffen, was daneben liegt: hier ist nichts über einem Grenzwert des Effektivwerts, aber was nahe beieinander liegt, wird in einem geschliffen, und nicht weniger als die kürzeste Länge
+
 ## Schweißungen, Stöße und Squats
 
 defect-at = { $place } m ({ $height } µm)

@@ -387,6 +387,17 @@ grew-in-a-year-within = { $wavelength } mm has grown by { $rate } dB a year, 95 
 grew-in-a-million = { $wavelength } mm has grown by { $rate } dB per 10⁶ passages
 grew-in-a-million-within = { $wavelength } mm has grown by { $rate } dB per 10⁶ passages, 95 % interval { $low } to { $high }
 
+## Sections of a rail against limits
+
+section-within = within the limits, nothing to grind
+section-within-levels = within the limit of levels; no limit says what to grind
+section-over-levels = over the limit of levels by { $excess } dB at { $wavelength } mm
+section-over-rms = over the limit of RMS on { $share } % of it at { $band } mm, up to { $ratio } times, where { $allowed } % are allowed
+section-nothing-to-grind = nothing to grind: what to grind follows from the moving RMS, which is nowhere over its limit here
+section-to-grind = { $length } m to grind
+section-short-places = within the limits, but { $length } m to grind: grinding takes every place where the moving RMS is over its limit, here { $share } % of the section at { $band } mm and up to { $ratio } times; the limit allows { $allowed } %, and levels are a mean over the section
+section-ground-along = { $length } m ground along with what lies beside: nothing here is over a limit of RMS, but what lies close is ground as one, and no less than the shortest length
+
 ## Welds, joints and squats
 
 defect-at = { $place } m ({ $height } µm)

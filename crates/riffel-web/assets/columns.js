@@ -18,7 +18,7 @@ const isNumber = (cell) => /^[+-]?(\d+([.,]\d*)?|[.,]\d+)([eE][+-]?\d+)?$/.test(
 const cellsOf = (line, mark) => (mark === ' ' ? line.trim().split(/\s+/) : line.split(mark)).map((cell) => cell.trim().replace(/^"(.*)"$/, '$1'));
 
 /** The text of a file, as the program takes it: UTF-16 by its mark, else UTF-8 and, where it is none, Windows-1252. The end may be within a letter. */
-function decoded(bytes) {
+export function decoded(bytes) {
   const mark = { '255 254': 'utf-16le', '254 255': 'utf-16be' }[bytes.subarray(0, 2).join(' ')];
   if (mark) return new TextDecoder(mark).decode(bytes, { stream: true });
   try {

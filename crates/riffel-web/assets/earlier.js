@@ -19,9 +19,9 @@ let dateFields = 0;
 const isDay = (text) => /^\d{4}-\d\d-\d\d$/.test(text) && text >= FIRST_DATE;
 
 export class Earlier {
-  /** `onChange` is told that there are other records or dates; `format` gives the columns that were chosen, `labels` puts words of the program into those of the form. */
-  constructor({ onChange, format, complain, banner, labels }) {
-    Object.assign(this, { onChange, format, complain, banner, labels, records: [], date: '', rail: 0 });
+  /** `onChange` is told that there are other records or dates; `reading` gives the columns and the part of the line that were chosen, `labels` puts words of the program into those of the form. */
+  constructor({ onChange, reading, complain, banner, labels }) {
+    Object.assign(this, { onChange, layout: reading, complain, banner, labels, records: [], date: '', rail: 0 });
     this.own = this.#dateField('record-date');
     this.ownRow = element('div', { className: 'earlier-record' }, worded('label', 'measured_on', { htmlFor: 'record-date' }), this.own.input, this.own.fault);
     this.list = element('ul', { className: 'earlier-records', id: 'earlier-records' });
@@ -44,7 +44,7 @@ export class Earlier {
 
   /** Another record has taken the place of that to which these belong: what `bringBack` takes, null if there were none. */
   forget() {
-    const gone = this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
+    const gone = this.kept;
     this.coming?.abort();
     // Files on their way belong to the rail before.
     Object.assign(this, { records: [], date: '', rail: this.rail + 1 });
@@ -53,6 +53,11 @@ export class Earlier {
     this.#keep();
     this.#show();
     return gone;
+  }
+
+  /** The files with their dates, and that of the record; null if there are none. After a reload there is no file any more. */
+  get kept() {
+    return this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
   }
 
   /** The record to which these belonged is back: send them again, with their dates. */
@@ -126,12 +131,11 @@ export class Earlier {
   async #read(record) {
     record.isAsked = true;
     record.state.textContent = t('computing');
-    const format = this.format();
     // Other columns may be chosen before it is read: the last question counts.
     const turn = (record.turn = (record.turn ?? 0) + 1);
     let [spectra, refused] = [null, null];
     try {
-      spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...(format && { format }) }));
+      spectra = await json(await askOnce('/api/earlier/read', { number: record.number, name: record.name, ...this.layout() }));
     } catch (fault) {
       if (!(fault instanceof Fault) && !cancelled(fault)) throw fault;
       refused = fault instanceof Fault ? fault : { message: t('stopped_once') };
@@ -236,7 +240,7 @@ export class Earlier {
       if (!record.refused) continue;
       const { text, language } = said(record.refused.message);
       const sentence = this.labels(text);
-      Object.assign(record.trouble, { textContent: this.format() ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence, lang: language });
+      Object.assign(record.trouble, { textContent: this.layout().format ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence, lang: language });
     }
     // Rows that are there stay in place: one may be typed into.
     const places = this.records.map(({ place }) => place);

@@ -603,5 +603,5 @@ if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !sidebar.isWaiting && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.calm.isWaiting && !sidebar.calm.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

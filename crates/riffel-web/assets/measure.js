@@ -31,8 +31,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   let answered = null;
   /** How the record is laid out, where its columns were chosen. */
   let format = file?.format ?? null;
-  /** The record that the program has, with its columns. */
-  let held = file && { file, format };
+  /** Which part of the line is shown; null is all of it. */
+  let part = null;
+  /** The record that the program has, with its columns, each time anew. */
+  let turn = 0;
+  const hold = () => (held = { file, format, turn: ++turn });
+  let held = file && { file, format, turn };
 
   // What is asked --------------------------------------------------------------------------------------
 
@@ -43,12 +47,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   sample.addEventListener('click', trySample);
   const source = worded('p', 'sample_source', { className: 'fine', id: 'sample-source', hidden: true });
   const columns = new Columns({ onChoose: (chosen) => {
-    format = chosen;
-    held = { file, format };
+    [format, part] = [chosen, null];
+    hold();
     keepRecord(file);
     earlier.reread().then(ask);
   } });
-  const earlier = new Earlier({ onChange: () => ask(), format: () => format, complain, banner, labels });
+  const earlier = new Earlier({ onChange: () => ask(), reading: () => reading(), complain, banner, labels });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
   const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
   const status = element('span', { className: 'aside', id: 'record-state' });
@@ -75,9 +79,9 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
   ];
-  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), complain, save });
+  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, labels, save });
   const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, labels, save });
-  place.append(drop, ...panels.slice(0, 2), ...along.panels, ...panels.slice(2, -1), ...noise.panels, panels.at(-1));
+  place.append(drop, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
 
@@ -90,8 +94,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const answerBefore = file === before ? answer : null;
     let sent = 0;
     banner.clear('success');
-    file = chosen;
-    format = chosenColumns;
+    [file, format, part] = [chosen, chosenColumns, null];
     source.hidden = !chosen.isSample;
     columns.offer(chosen, chosenColumns);
     answer = null;
@@ -107,7 +110,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     coming.done.then(() => {
       if (file !== chosen) return;
       coming = null;
-      held = { file, format };
+      hold();
       keepRecord(chosen);
       const earlierBefore = earlier.forget();
       tellFile();
@@ -186,9 +189,14 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     input.value = '';
   });
 
-  const question = () => {
-    return { case: { keys: state.accepted }, name: file.name, ...traffic.question, ...(format && { format }), ...earlier.question };
-  };
+  const reading = () => ({ ...(format && { format }), ...part });
+  const question = () => ({ case: { keys: state.accepted }, name: file.name, ...traffic.question, ...reading(), ...earlier.question });
+
+  /** Everything below follows a part of the line, or all of it again. */
+  function choosePart(chosen) {
+    part = chosen;
+    earlier.reread().then(ask);
+  }
 
   function ask() {
     if (!file || coming || !state.accepted || state.view !== 'measure') return;
@@ -199,10 +207,10 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     tellFile(t('computing'));
     stale(true);
     const asked = question();
-    const keys = state.accepted;
+    const [keys, asksFor] = [state.accepted, part];
     line.ask(asked, (given) => {
       answer = given;
-      answered = { question: JSON.stringify(asked), keys };
+      answered = { question: JSON.stringify(asked), keys, part: asksFor };
       banner.clear('success');
       tellFile();
       stale(line.pending || !state.current);
@@ -211,9 +219,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     }, (fault) => {
       const { name } = file;
       tellFile();
+      if (fault.status === 422 && asksFor) {
+        // A part that has no answer leaves what is shown.
+        part = answered.part;
+        show();
+      } else if (fault.status === 422) columns.open();
       // After a restart the program has no record of this page.
-      // The columns may be others than those that were guessed.
-      if (fault.status === 422) columns.open();
       if (fault.status !== 410) return complain(fault, { what: named(fault, name) });
       answer = null;
       forgetFile();
@@ -254,10 +265,12 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   function show() {
     for (const one of panels) one.hidden = !answer;
     report.hidden = against.hidden = !answer;
-    along.show(answer?.roughness ?? null, answer?.limits);
+    // A table of levels has no line.
+    const { roughness: read } = answer ?? {};
+    along.show(read?.rails?.length || (read?.length_m && read.grind) ? held : null, part, read?.length_m);
     noise.show(answer);
     if (!answer) return;
-    against.textContent = t('measured_against', caseTitle(answered.keys));
+    against.textContent = [t('measured_against', caseTitle(answered.keys)), answered.part && `${metres(answered.part.from_m)}–${metres(answered.part.to_m)} m.`].filter(Boolean).join(' ');
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
@@ -292,15 +305,17 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     return `${t('rail_named', rail)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
 
-  /** Spectra of earlier records in the colour of their rail, the older the paler. */
-  function before(rails, curve, levels) {
+  /** Spectra of the whole record behind those of a part, and of earlier records, in the colour of their rail; the older the paler. */
+  function behind(rails, curve, levels) {
     const colors = palette();
     const { spectra } = earlier;
     const oldest = Math.max(...spectra.map(({ age }) => age)) + 1;
-    return spectra.map(({ rail, words, age, spectrum: own }) => {
+    const whole = (answered.part && along.answer?.roughness.rails) || [];
+    const all = [...whole.map(({ name, spectrum: own }) => ({ rail: name, words: t('whole_record'), age: oldest, spectrum: own })), ...spectra];
+    return all.map(({ rail, words, age, spectrum: own }) => {
       const k = rails.findIndex(({ name }) => name === rail);
       const name = rails.length > 1 && rail ? `${t('rail_named', rail)}, ${words}` : words;
-      return { ...curve(levels(own), name, colors[k > 0 ? 3 + (k % 4) : 0], 'dot'), opacity: 0.4 + (0.5 * (age + 1)) / oldest };
+      return { ...curve(levels(own), name, colors[k > 0 ? 3 + (k % 4) : 0], 'dot'), opacity: spectra.length ? Math.min(0.9, 0.4 + (0.5 * (age + 1)) / oldest) : 0.6 };
     });
   }
 
@@ -317,7 +332,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     const traces = [
       ...(rails.length > 1 ? rails.map((rail, k) => curve(levels(rail.spectrum), `${t('rail_named', rail.name)}, ${t('now')}`, colors[k ? 3 + (k % 4) : 0])) : [curve(levels(roughness.spectrum), t('now'), colors[0])]),
       ...(forecast.fault ? [] : [curve(levels(forecast.spectrum_then), t('in_months', number(forecast.horizon.months)), colors[1])]),
-      ...before(rails, curve, levels),
+      ...behind(rails, curve, levels),
       ...limits.map((limit, k) => curve(limit.wavelength_m_and_level_db, limit.edition, colors[2 + k], 'dash')),
     ];
     const ticks = [2, 5, 10, 20, 50, 100, 200, 500, 1000, 2000];
@@ -347,7 +362,6 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
       noise.reword();
       earlier.reword();
       show();
-      along.drawPlace();
     } else if (what === 'view') {
       if (answer) show();
       if (!answer || answered.question !== JSON.stringify(question())) ask();
@@ -368,9 +382,14 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
   tellFile();
   return {
     saveReport,
-    /** Name of the record that is open, null where there is none. */
-    get recordName() {
-      return file?.name ?? null;
+    /** The record that is open with all that belongs to it, null where there is none. */
+    get record() {
+      return file && { file, format, table: along.table, earlier: earlier.kept };
+    },
+    /** The record of a project. */
+    bringBack({ file: chosen, format: columnsThen, table, earlier: earlierThen }) {
+      along.table = table;
+      take(chosen, { columns: columnsThen, earlierThen });
     },
     /** Take a file from any view; one that is dropped on the earlier records is one of them. */
     take(chosen, target) {

@@ -1,5 +1,6 @@
 // The headline: what grows fastest under the traffic and in what time, what it follows, and what helps most.
 
+import { Calm } from './calm.js';
 import { card } from './causes.js';
 import { drawCurves } from './sweep.js';
 import { palette } from './curves.js';
@@ -17,6 +18,7 @@ export class Outlook {
   /** `question` is the case with its traffic; `onPlace` takes a place of the map, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
   constructor(view, { state, question, onPlace, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
     Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
+    this.calm = new Calm(CALM, () => this.#rank());
     this.line.onCancel = this.ranking.onCancel = onCancel;
     this.remedies = new Remedies({ state, save, ...ways });
     this.large = element('strong', { id: 'doubling' });
@@ -42,28 +44,21 @@ export class Outlook {
   ask() {
     this.stale('line');
     this.stale('remedies');
-    clearTimeout(this.calm);
+    this.calm.stop();
     const show = (answer) => {
       this.#show(answer);
       if (!this.line.pending && this.state.current) this.fresh('line');
     };
     this.line.ask(this.question(), (answer) => {
       show(answer);
-      clearTimeout(this.calm);
-      this.calm = setTimeout(() => this.#rank(), CALM);
+      this.calm.begin();
     }, (fault) => show({ fault }));
   }
 
-  /** Whether remedies are still to be asked for. */
-  get isWaiting() {
-    return Boolean(this.calm);
-  }
-
   #rank() {
-    this.calm = null;
     if (!this.state.current) return;
     this.ranking.ask(this.question(), (answer) => {
-      if (this.calm || this.ranking.pending) return;
+      if (this.calm.isWaiting || this.ranking.pending) return;
       this.remedies.show(answer);
       this.fresh('remedies');
       this.#tell();

@@ -1,5 +1,6 @@
 // On top of the keys: a search, and those whose value is not that of a preset or default or of the case as it was opened, each with a way back.
 
+import { Calm } from './calm.js';
 import { element, lead, worded } from './elements.js';
 import { get, si, split } from './keys.js';
 import { Line, json } from './server.js';
@@ -10,7 +11,7 @@ const CALM = 200;
 
 export class Sidebar {
   constructor(place, { form, state }) {
-    Object.assign(this, { form, state, opened: {}, without: {}, line: new Line('/api/own-values', json) });
+    Object.assign(this, { form, state, opened: {}, without: {}, line: new Line('/api/own-values', json), calm: new Calm(CALM, () => this.#compare()) });
     this.search = element('input', { type: 'search', id: 'search-keys', autocomplete: 'off', spellcheck: false });
     this.search.addEventListener('input', () => this.#find());
     this.none = worded('p', 'no_key_found', { className: 'fine', hidden: true });
@@ -29,20 +30,16 @@ export class Sidebar {
   /** The case at hand has been accepted. */
   show() {
     this.#list();
-    clearTimeout(this.calm);
-    this.calm = setTimeout(() => {
-      this.calm = null;
-      this.line.ask({ case: { keys: this.state.accepted } }, (without) => {
-        this.without = without;
-        this.#list();
-        const { form } = this;
-        form.tick(Object.fromEntries([...form.sliders.keys()].map((key) => [key, this.#reference(key)])));
-      });
-    }, CALM);
+    this.calm.begin();
   }
 
-  get isWaiting() {
-    return Boolean(this.calm);
+  #compare() {
+    this.line.ask({ case: { keys: this.state.accepted } }, (without) => {
+      this.without = without;
+      this.#list();
+      const { form } = this;
+      form.tick(Object.fromEntries([...form.sliders.keys()].map((key) => [key, this.#reference(key)])));
+    });
   }
 
   /** The number [SI] that a slider would stand at by itself. */

@@ -1,5 +1,6 @@
-// Take away: the case as a link or a file, and back from a file.
+// Take away: the case as a link or a file, the project, and back from a file.
 
+import { PROJECT, inWords, read, written } from './project.js';
 import { askOnce, json, work } from './server.js';
 import { currentLanguage, t, t2 } from './words.js';
 
@@ -13,12 +14,18 @@ const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/
 
 export function startTakeAway({ state, traffic, banner, complain, replace, measure, calibrate }) {
   const menu = document.getElementById('take-away');
+  const open = () => ({ case: state.keys, variants: state.variants, traffic: traffic.given });
   const actions = {
     link: async (button) => {
       await navigator.clipboard.writeText(location.href);
-      if (measure.recordName) banner.notice(t('link_without_record', measure.recordName));
+      banner.notice([t('link_holds', inWords(open())), measure.record && t('link_without_record', measure.record.file.name)].filter(Boolean).join(' '));
       button.textContent = t('copied');
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
+    },
+    project: async () => {
+      const { text, holds, left } = await written({ ...open(), record: measure.record });
+      save(new Blob([text], { type: 'application/json' }), `${fileName(state)}${PROJECT}`);
+      banner.notice([t('project_saved', holds), left && t('project_without_record', left)].filter(Boolean).join(' '));
     },
     toml: async () => {
       const answer = await json(await askOnce('/api/case', { case: { keys: state.keys }, language: currentLanguage() }));
@@ -63,17 +70,31 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     menu.hidePopover();
   });
 
+  /** A project takes the place of all that is open. */
+  async function openProject(file) {
+    const project = await read(file);
+    // What the program refuses is not opened.
+    await askOnce('/api/case', { case: { keys: project.case } });
+    replace({ ...project, point: null, tab: state.view }, t('project_opened', { name: file.name, holds: inWords(project) }));
+    if (project.record) measure.bringBack(project.record);
+  }
+
   /** A case file fills the form; one with an error says at which field and line. */
+  async function openCase(file) {
+    const answer = await json(await askOnce('/api/case', { case: { toml: await file.text() } }));
+    replace({ case: answer.keys, point: null, tab: state.view }, t('comments_gone', file.name));
+  }
+
   async function openFile(file) {
     // Under way from the first byte read until the case is shown.
     const opening = new AbortController();
     work.begin(opening);
     try {
-      const answer = await json(await askOnce('/api/case', { case: { toml: await file.text() } }));
-      replace({ case: answer.keys, point: null, tab: state.view }, t('comments_gone', file.name));
+      await (file.name.endsWith(PROJECT) ? openProject : openCase)(file);
       banner.clear();
     } catch (fault) {
-      complain(fault, { what: t2('file_fault', file.name, fault.line) });
+      if (typeof fault === 'string') banner.say(() => fault, { until: 'closed' });
+      else complain(fault, { what: t2('file_fault', file.name, fault.line) });
     } finally {
       work.end(opening);
     }
@@ -88,9 +109,9 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
   addEventListener('drop', (event) => {
     event.preventDefault();
     const files = [...(event.dataTransfer?.files ?? [])];
-    const toml = files.find(({ name }) => name.endsWith('.toml'));
-    const records = files.filter(({ name }) => !name.endsWith('.toml'));
-    if (toml) openFile(toml);
+    const isOurs = ({ name }) => name.endsWith('.toml') || name.endsWith(PROJECT);
+    const [ours, records] = [files.find(isOurs), files.filter((file) => !isOurs(file))];
+    if (ours) openFile(ours);
     if (state.view === 'calibrate') calibrate.take(records);
     else if (records.length) measure.take(records[0], event.target);
   });

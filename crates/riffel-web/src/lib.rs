@@ -75,7 +75,6 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/earlier/remove", post(api::earlier::remove))
         .route("/api/measure", post(api::roughness::measure))
         .route("/api/along", post(api::along::post))
-        .route("/api/along/spectrum", post(api::along::spectrum))
         .route("/api/noise", post(api::noise::post))
         .route("/api/calibration", post(api::calibration::post))
         .route("/api/calibration/data", post(api::calibration::data))

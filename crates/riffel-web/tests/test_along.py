@@ -7,7 +7,8 @@ import math
 import subprocess
 
 import pytest
-from conftest import PROGRAM
+from axe_playwright_python.sync_playwright import Axe
+from conftest import PROGRAM, ROOT
 
 DATA = "() => (document.getElementById('along').data ?? []).map(({ name, x, y, yaxis }) => ({ name, x, y, yaxis: yaxis ?? 'y' }))"
 
@@ -36,10 +37,8 @@ def two_rails(metres=120, start=0.0):
 
 def test_moving_rms_limits_and_sections_along_the_line(page):
     measured(page, two_rails())
-    page.until(page.page.locator("#along-panel").is_visible)
-    page.page.select_option("#along-rail", "left")
     curves = along(page)
-    course, limit = curves["30–100 mm"], curves["limit 30–100 mm"]
+    course, other, limit = curves["rail left, 30–100 mm"], curves["rail right, 30–100 mm"], curves["limit 30–100 mm"]
     # Grassie, Saxon & Smith (1999): 7 µm. The RMS of a sine is its amplitude over √2, to 3 % by the edges of the band.
     assert set(limit["y"]) == {7.0} and limit["yaxis"] == course["yaxis"]
     within = [y for x, y in zip(course["x"], course["y"]) if 45 < x < 65]
@@ -50,34 +49,127 @@ def test_moving_rms_limits_and_sections_along_the_line(page):
     assert len(rows) == 1 and rows[0].startswith("left")
     start, end = (float(value) for value in page.text("#sections button").split("–"))
     assert start == pytest.approx(40, abs=1) and end == pytest.approx(70, abs=1)
-    page.page.select_option("#along-rail", "right")
-    page.until(lambda: max(page.page.evaluate(DATA)[0]["y"]) < 2)
-    page.until(lambda: max(page.page.evaluate(DATA)[2]["y"]) < 2)
+    assert max(other["y"]) < 2 and other["yaxis"] == course["yaxis"]
 
 
-def test_a_click_shows_the_spectrum_there(page):
+SPECTRUM = "() => document.getElementById('spectrum').data.map(({ name, x, y }) => ({ name, x, y }))"
+
+
+def level(page, name):
+    """The level of the third octave about 63 mm of a curve of the spectrum."""
+    [curve] = [curve for curve in page.page.evaluate(SPECTRUM) if curve["name"] == name]
+    return dict(zip((round(x) for x in curve["x"]), curve["y"]))[63]
+
+
+def test_everything_follows_the_part_that_is_clicked(page):
+    page.open_case((ROOT / "cases/main-line.toml").read_text())
     measured(page, two_rails(start=5000.0))
     curves = along(page)
     # Kilometres where the line is long.
-    assert 5.0 <= min(curves["30–100 mm"]["x"]) and max(curves["30–100 mm"]["x"]) < 5.2
-    page.page.locator("#along").scroll_into_view_if_needed()
+    assert 5.0 <= min(curves["rail left, 30–100 mm"]["x"]) and max(curves["rail left, 30–100 mm"]["x"]) < 5.2
     page.settle()
+    whole = level(page, "rail left, Now")
+    noise_of = lambda: page.text("#noise-verdict")
+    heard = noise_of()
+    asked = []
+    page.page.on("request", lambda request: request.method == "POST" and asked.append((request.url.split("/api/")[-1], json.loads(request.post_data))) if "/api/" in request.url else None)
 
-    def level_at(share):
+    def go(share):
+        page.page.locator("#along .nsewdrag").first.evaluate("(plot) => plot.scrollIntoView({ block: 'center' })")
         box = page.page.locator("#along .nsewdrag").first.bounding_box()
         page.page.mouse.move(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
-        page.until(lambda: page.page.evaluate("() => document.getElementById('along')._hoverdata?.length"))
+        pointed = lambda: page.page.evaluate("() => document.getElementById('along')._hoverdata?.[0].x ?? 0")
+        page.until(lambda: abs(pointed() - 5 - 0.12 * share) < 5e-3)
         page.page.mouse.click(box["x"] + share * box["width"], box["y"] + box["height"] / 2)
         wanted = f"{5000 + 120 * share:.0f}"[:3]
-        page.until(lambda: page.page.locator("#place-panel").is_visible() and wanted in page.text("#place-panel h2"))
+        page.until(lambda: page.text("#part").replace(",", "").startswith(wanted))
         page.settle()
-        data = page.page.evaluate("() => document.getElementById('place-spectrum').data.map(({ name, x, y }) => ({ name, x, y }))")
-        [here] = [curve for curve in data if curve["name"] == "rail left, here"]
-        return dict(zip((round(x) for x in here["x"]), here["y"]))[63]
+        return level(page, "rail left, Now")
 
     # In the wave its level is that of 20/√2 µm, 23 dB re 1 µm; the third octave about 63 mm loses none of it.
-    assert level_at(0.46) == pytest.approx(20 * math.log10(20 / math.sqrt(2)), abs=0.5)
-    assert level_at(0.1) < 3
+    there = go(0.46)
+    assert there == pytest.approx(20 * math.log10(20 / math.sqrt(2)), abs=0.5)
+    # Of the whole record it is what 30 m of 120 m leave, 6 dB less; that curve stands behind.
+    assert there - whole == pytest.approx(6.0, abs=0.7) and level(page, "rail left, whole record") == pytest.approx(whole)
+    assert noise_of() != heard
+    questions = {name: question for name, question in asked}
+    assert questions["measure"]["to_m"] == questions["noise"]["to_m"] == pytest.approx(questions["measure"]["from_m"] + 10)
+    assert go(0.15) < 3
+    page.page.click("#whole-record")
+    page.settle()
+    assert level(page, "rail left, Now") == pytest.approx(whole) and noise_of() == heard
+
+
+def test_a_drag_zooms_and_the_part_in_view_is_taken(page):
+    measured(page, two_rails())
+    along(page)
+    page.settle()
+    band = page.page.locator("#along .nsewdrag").first
+    band.evaluate("(plot) => plot.scrollIntoView({ block: 'center' })")
+    box = band.bounding_box()
+    place = lambda share: (box["x"] + share * box["width"], box["y"] + box["height"] / 2)
+    page.page.mouse.move(*place(0.25))
+    page.page.mouse.down()
+    page.page.mouse.move(*place(0.5), steps=5)
+    page.page.mouse.move(*place(0.75), steps=5)
+    page.page.mouse.up()
+    page.until(page.page.locator("#part-in-view").is_visible)
+    # A drag is no click: nothing is taken by itself.
+    assert page.text("#part") == "whole record"
+    page.page.click("#part-in-view")
+    page.settle()
+    # To a pixel of some hundred for 120 m.
+    assert [float(end) for end in page.text("#part").removesuffix(" m").split("–")] == pytest.approx([30, 90], abs=1)
+    page.page.mouse.dblclick(*place(0.5))
+    page.until(lambda: not page.page.locator("#part-in-view").is_visible())
+
+
+def test_sections_are_judged_the_worst_first_and_lead_to_their_part(open_page, tmp_path):
+    page = open_page(locale="de-DE")
+    text = two_rails(240)
+    measured(page, text)
+    along(page)
+    rows = lambda: page.page.locator("#section-verdicts tbody tr").all_inner_texts()
+    page.settle()
+    (tmp_path / "trolley.csv").write_text(text)
+    told = subprocess.run([PROGRAM, "roughness", "trolley.csv", "--json"], capture_output=True, check=True, text=True, cwd=tmp_path).stdout
+    sections = json.loads(told)["sections"]
+    assert [(section["rail"], section["from_m"]) for section in sections[:1]] == [("left", 0.0)]
+    assert len(rows()) == len(sections) == 4
+    assert "über dem Grenzwert der Pegel" in rows()[0] and "m zu schleifen" in rows()[0]
+    page.page.locator("#section-verdicts tbody tr").first.click()
+    page.until(lambda: page.text("#part").startswith("0–100"))
+    page.settle()
+    # A part is one of both rails.
+    assert page.page.locator("#section-verdicts tr[aria-current]").all_inner_texts() == [row for row in rows() if "0–100" in row]
+    assert "0–100 m" in page.text("#measured-against")
+    for scheme in ["light", "dark"]:
+        page.page.emulate_media(color_scheme=scheme)
+        page.settle()
+        assert Axe().run(page.page, context="#view-measure", options={"resultTypes": ["violations"]}).response["violations"] == [], scheme
+    page.keep("sections-de", whole=True)
+    page.close()
+
+
+def test_what_lies_along_the_line_is_read_by_the_program(page):
+    measured(page, two_rails(240))
+    along(page)
+    table = lambda text, name="line.csv": page.page.set_input_files("#line-table", files=[{"name": name, "mimeType": "text/csv", "buffer": text.encode("cp1252")}])
+    table("von_m;bis_m;Art;Name\n20;90;Bogen;R 300\n50;50;Schweißung;S 7\n")
+    page.until(lambda: "Bogen" in along(page))
+    found = along(page)
+    assert found["Bogen"]["x"][:2] == [20, 90] and found["Schweißung"]["x"][:2] == [50, 50]
+    assert "Bogen R 300" in page.page.locator("#section-verdicts tbody tr").first.inner_text()
+    # Another that is none says why, and leaves the one before.
+    refused = len(page.complaints)
+    table("a,b\n1,2\n", name="other.csv")
+    page.until(lambda: "a column `kind`" in page.text("#trouble"))
+    page.settle()
+    assert "Bogen" in along(page) and page.text("#line-table-drop") == "✕ line.csv"
+    del page.complaints[refused:]
+    page.page.click("#line-table-drop")
+    page.until(lambda: "Bogen" not in along(page))
+    page.settle()
 
 
 def test_columns_of_a_table_of_many_are_chosen(open_page):
@@ -97,15 +189,15 @@ def test_columns_of_a_table_of_many_are_chosen(open_page):
         page.page.locator("#columns-table tr").nth(k).locator("select").last.select_option("mm")
     page.page.click("#columns-use")
     curves = along(page)
-    assert max(curves["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
-    assert sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"]
+    assert max(curves["rail inner, 30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    assert "rail outer, 30–100 mm" in curves
     # Another record takes its place; undo reads the first by its columns again.
     refused = len(page.complaints)
     measured(page, two_rails(80))
-    page.until(lambda: "rail left" in page.page.locator("#along-rail option").all_inner_texts())
+    page.until(lambda: "rail left, 30–100 mm" in along(page))
     page.page.locator("#notice button").first.click()
-    page.until(lambda: sorted(page.page.locator("#along-rail option").all_inner_texts()) == ["rail inner", "rail outer"])
-    assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    page.until(lambda: "rail inner, 30–100 mm" in along(page))
+    assert max(along(page)["rail inner, 30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
     assert selects() == ["position", "km", "none", "height", "mm", "height", "mm", "none"]
     assert len(page.complaints) == refused
     # Nothing chosen is told, and asks nothing.
@@ -239,4 +331,5 @@ def test_columns_of_other_encodings_are_offered(page, encoding):
     page.page.click("#columns-use")
     page.settle()
     assert not page.page.locator("#trouble").is_visible()
-    assert max(along(page)["30–100 mm"]["y"]) == pytest.approx(20 / math.sqrt(2), rel=0.05)
+    heights = [max(curve["y"]) for name, curve in along(page).items() if name.startswith("rail") and name.endswith("30–100 mm")]
+    assert len(heights) == 2 and max(heights) == pytest.approx(20 / math.sqrt(2), rel=0.05)

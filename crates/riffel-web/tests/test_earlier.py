@@ -233,23 +233,24 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
 
 
 @pytest.mark.without_curves
-def test_a_link_says_that_it_holds_no_record(open_page):
+def test_a_link_says_what_it_holds_and_that_it_holds_no_record(open_page):
     page = open_page(locale="de-DE", permissions=["clipboard-read", "clipboard-write"])
     copy = lambda: (page.page.click("[popovertarget=take-away]"), page.page.click("[data-take=link]"), page.page.keyboard.press("Escape"))
     copied = lambda: page.page.evaluate("() => navigator.clipboard.readText()")
     copy()
     page.until(lambda: copied() == page.page.url)
-    assert not page.page.locator("#notice").is_visible()
+    page.until(page.page.locator("#notice").is_visible)
+    told = page.text("#notice")
+    assert "Der Link enthält" in told and "keinen eigenen Verkehr" in told and "Messung" not in told
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
     page.until(page.page.locator("#earlier").is_visible)
     copy()
-    page.until(page.page.locator("#notice").is_visible)
-    told = page.text("#notice")
-    assert "nicht die Messung messung.csv" in told and english(told) == []
+    page.until(lambda: "Die Messung messung.csv enthält er nicht" in page.text("#notice"))
+    assert english(page.text("#notice")) == []
     page.page.select_option("#language", "en")
     copy()
-    page.until(lambda: "not the record messung.csv" in page.text("#notice"))
+    page.until(lambda: "does not hold the record messung.csv" in page.text("#notice"))
     page.close(complaints=len(page.complaints))
 
 

@@ -1,10 +1,10 @@
 //! Roughness as data.
 
 use riffel::roughness::{BandSummary, GrindSection, Spectrum, line_length};
-use riffel_rail::ReaderFormat;
+use riffel_rail::{LinePlace, ReaderFormat};
 use serde::Serialize;
 
-use super::{ProfileAnswer, RailAnswer, Verdict};
+use super::{ProfileAnswer, RailAnswer, SectionVerdict, Verdict};
 use crate::defect_document::DefectDocument;
 
 /// What `riffel roughness --json` prints.
@@ -21,6 +21,12 @@ pub struct RoughnessDocument {
     pub(super) bands: Vec<Band>,
     pub(super) removed: Removed,
     pub(super) verdicts: Vec<Verdict>,
+    /// Of a profile, each section of each rail, the worst first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) sections: Vec<SectionVerdict>,
+    /// What lies along the line, by a table.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub(super) along: Vec<LinePlace>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) grind: Option<Grind>,
     #[serde(skip_serializing_if = "Vec::is_empty")]

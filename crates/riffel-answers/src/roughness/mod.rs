@@ -3,6 +3,7 @@
 mod document;
 pub(crate) mod figure;
 mod profile;
+mod section_verdict;
 mod spectra;
 pub(crate) mod tables;
 mod verdict;
@@ -13,6 +14,7 @@ pub(crate) use document::{Band, bands};
 pub use document::{Level, Removed, RoughnessDocument};
 pub use profile::{ProfileAnswer, ProfileRequest, RailAnswer};
 pub(crate) use profile::{limit_levels, rms_limit};
+pub use section_verdict::SectionVerdict;
 pub use spectra::{MeanSpectra, SpectraAnswer};
 pub use verdict::Verdict;
 pub(crate) use verdict::{Judged, rail_in_words, worst_first};

@@ -9,10 +9,11 @@ use riffel::roughness::{
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_plot::{LineFigure, LinePanel};
-use riffel_rail::{DefectsAre, Limit, LimitTable, Record, defects_in_words};
+use riffel_rail::{DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words};
 
 use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
 use super::figure;
+use super::section_verdict::SectionVerdict;
 use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
 use super::words::name;
 use crate::AnswerError;
@@ -39,6 +40,10 @@ pub struct ProfileAnswer {
     pub record: Record,
     /// Each rail on its own, the worst first.
     pub rails: Vec<RailAnswer>,
+    /// Each section of each rail, the worst first.
+    pub sections_judged: Vec<SectionVerdict>,
+    /// What lies along the line, by a table.
+    along: Vec<LinePlace>,
     /// Energy mean over the rails, which is not judged.
     pub spectrum: Spectrum,
     /// What is ground as one.
@@ -175,6 +180,11 @@ impl ProfileAnswer {
             })
             .collect();
         worst_first(&mut rails);
+        let sections = rails.iter().flat_map(|rail| {
+            SectionVerdict::of_rail(&rail.name, &rail.analysis, &rail.sections, limits)
+        });
+        let mut sections_judged: Vec<SectionVerdict> = sections.collect();
+        SectionVerdict::worst_first(&mut sections_judged);
         let bands: Vec<BandSummary> = rails
             .iter()
             .flat_map(|rail| rail.analysis.bands.iter().copied())
@@ -187,12 +197,23 @@ impl ProfileAnswer {
         warnings.extend(remarks(&bands, &settings, record.spacing));
         Ok(Self {
             rails,
+            sections_judged,
+            along: Vec::new(),
             record,
             spectrum,
             grinding,
             warnings,
             length,
         })
+    }
+
+    /// The same, with what lies along the line.
+    #[must_use]
+    pub fn beside(mut self, along: Vec<LinePlace>) -> Self {
+        for section in &mut self.sections_judged {
+            section.beside(&along);
+        }
+        Self { along, ..self }
     }
 
     /// Steps of the work on a record.
@@ -270,6 +291,8 @@ impl ProfileAnswer {
                 .collect(),
             removed: self.removed(),
             verdicts: self.verdicts().cloned().collect(),
+            sections: self.sections_judged.clone(),
+            along: self.along.clone(),
             grind: Some(Grind::new(self)),
             rails: self.rails.iter().map(RailDocument::new).collect(),
             arithmetic_mean: None,

@@ -110,6 +110,8 @@ impl SpectraAnswer {
             bands: Vec::new(),
             removed: Removed { spikes: 0, pits: 0 },
             verdicts: self.verdicts.clone(),
+            sections: Vec::new(),
+            along: Vec::new(),
             grind: None,
             rails: Vec::new(),
             arithmetic_mean: Some(levels(&self.all.arithmetic)),

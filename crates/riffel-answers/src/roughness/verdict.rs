@@ -97,7 +97,7 @@ impl SectionOverLevels {
 }
 
 /// The band that is farthest over its limit, or nearest to it.
-fn worst_band(compared: &[LevelExcess]) -> Option<&LevelExcess> {
+pub(super) fn worst_band(compared: &[LevelExcess]) -> Option<&LevelExcess> {
     let bands = compared.iter();
     bands.max_by(|a, b| a.excess().total_cmp(&b.excess()))
 }

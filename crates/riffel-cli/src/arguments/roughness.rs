@@ -168,6 +168,11 @@ pub(crate) struct Roughness {
     #[arg(long, value_name = "LIMIT")]
     pub(crate) limit: Vec<String>,
 
+    /// Curves, stations, welds and joints along the line, told with the sections of a profile: a table with the columns position, or
+    /// from and to, and kind and name.
+    #[arg(long, value_name = "FILE")]
+    pub(crate) along: Option<PathBuf>,
+
     /// Keep the spectra of a table whose column has this value; may be repeated.
     #[arg(long = "where", value_name = "COLUMN=VALUE")]
     pub(crate) choose: Vec<String>,

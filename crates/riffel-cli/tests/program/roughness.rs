@@ -53,6 +53,30 @@ fn two_columns_are_understood_and_answered_under_the_fixed_names() {
     assert_eq!(sandbox.list("."), ["cases", "wave.csv"]);
 }
 
+/// The section of a part is told with what lies there alone; the table keeps all of it.
+#[test]
+fn sections_are_told_with_what_lies_there() {
+    let sandbox = Sandbox::new();
+    fs::write(sandbox.path("wave.csv"), wave()).unwrap();
+    let table = "from_km,to_km,kind,name\n0.002,0.004,curve,R 300\n0.018,0.018,weld,W 7\n";
+    fs::write(sandbox.path("line.csv"), table).unwrap();
+    let document = sandbox.json("roughness wave.csv --along line.csv --to \"15 m\" --json");
+    let [section] = &document["sections"].as_array().unwrap()[..] else {
+        panic!("15 m are one section: {document}");
+    };
+    // 3 µm at 50 mm are 6.5 dB, where the limit of levels is -1.1 dB; their RMS of 2.1 µm is below 7 µm.
+    assert!(
+        (number(&section["excess_db"]) - 7.6).abs() < 0.1,
+        "{section}"
+    );
+    assert_eq!(section["within"], false);
+    assert_eq!(number(&section["grind_m"]), 0.0);
+    let names = section["along"].as_array().unwrap().iter();
+    let names: Vec<&Value> = names.map(|place| &place["name"]).collect();
+    assert_eq!(names, ["R 300"]);
+    assert_eq!(document["along"].as_array().unwrap().len(), 2);
+}
+
 /// The same rail in other clothes gives the same levels.
 #[test]
 fn layouts_do_not_matter() {
@@ -225,6 +249,8 @@ fn bad_files_are_refused_and_leave_nothing() {
         "roughness wave.csv --window \"0 m\"",
         "roughness --synthesise missing.toml",
         "roughness wave.csv --merge=\"-1 m\"",
+        "roughness wave.csv --along wave.csv",
+        "roughness levels.csv --along line.csv",
     ] {
         let outcome = sandbox.riffel(arguments);
         assert_eq!(outcome.status, Some(2), "{arguments}: {}", outcome.text);

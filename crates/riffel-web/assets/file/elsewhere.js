@@ -19,7 +19,7 @@ export function startMeasure({ listen, banner }) {
   said.style.order = '99';
   document.querySelector('main').append(said);
   listen((what) => what === 'words' && say());
-  return { saveReport: async () => false, take: () => banner.notice(ELSEWHERE[currentLanguage()]) };
+  return { saveReport: async () => false, take: () => banner.notice(ELSEWHERE[currentLanguage()]), bringBack: () => banner.notice(ELSEWHERE[currentLanguage()]) };
 }
 
 export function startBogie() {}

@@ -1,15 +1,14 @@
-//! `POST /api/along`: a measured rail along the line; `POST /api/along/spectrum`: its spectrum at one place;
-//! `GET /api/sample`: a profile to try.
+//! `POST /api/along`: a measured rail along the line; `GET /api/sample`: a profile to try.
 
 use std::path::Path;
 
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
-use riffel_rail::ReaderFormat;
 use serde::{Deserialize, Serialize};
 use serde_json::{Value, json};
 
+use super::reading::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
@@ -18,6 +17,8 @@ use crate::workspace::Workspace;
 
 /// Where the program puts its tables.
 const RESULTS: &str = "along";
+/// The table of the reader before it has the name that the reader knows.
+const TABLE: &str = ".table";
 /// Columns of the highest moving RMS in a block are named so, then the band and its unit.
 const MOVING_RMS: &str = "moving_rms_max_";
 
@@ -25,10 +26,21 @@ const MOVING_RMS: &str = "moving_rms_max_";
 pub(crate) struct Question {
     /// Name of the file to the user.
     name: String,
-    #[serde(default)]
-    format: Option<ReaderFormat>,
+    #[serde(flatten)]
+    reading: Reading,
     /// Length of line of which the highest value is shown.
     block_m: f64,
+    /// What lies along the line.
+    #[serde(default)]
+    along: Option<Table>,
+}
+
+/// A table of the reader.
+#[derive(Deserialize)]
+struct Table {
+    /// Name of the file to the user.
+    name: String,
+    text: String,
 }
 
 /// A rail in blocks.
@@ -46,6 +58,8 @@ pub(crate) struct Answer {
     /// Shortest and longest wavelength of each band.
     bands_m: Vec<[f64; 2]>,
     rails: Vec<Rail>,
+    /// What `riffel roughness` says of the whole record.
+    roughness: Value,
 }
 
 pub(crate) async fn post(
@@ -65,20 +79,28 @@ pub(crate) async fn post(
         .run(asker.subject("course"), move |wanted| {
             let files = Workspace::within(upload.folder())?;
             let file = files.put(&upload.file(), &question.name)?;
-            let question = json!({
-                "file": file, "format": question.format, "block": format!("{block} m"), "output": RESULTS,
+            let along = question.along.map(|table| {
+                files.write(TABLE, &table.text)?;
+                files.put(&files.path().join(TABLE), &table.name)
             });
-            program.ask(files.path(), "roughness", &question, wanted)?;
+            let asked = question.reading.add_to(json!({
+                "file": file, "block": format!("{block} m"), "output": RESULTS, "along": along.transpose()?,
+            }));
+            let roughness = program.ask(files.path(), "roughness", &asked, wanted)?;
             let table = files.read(Path::new(RESULTS).join("blocks.csv"))?;
-            courses(&table)
-                .map(Told)
-                .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))
+            let (bands_m, rails) = courses(&table)
+                .ok_or_else(|| Fault::defect("the table of blocks cannot be read"))?;
+            Ok(Told(Answer {
+                bands_m,
+                rails,
+                roughness,
+            }))
         })
         .await
 }
 
 /// The table of blocks by rail and band; none if it is laid out in another way.
-fn courses(table: &str) -> Option<Answer> {
+fn courses(table: &str) -> Option<(Vec<[f64; 2]>, Vec<Rail>)> {
     let mut reader = csv::Reader::from_reader(table.as_bytes());
     let head = reader.headers().ok()?.clone();
     let column = |name: &str| head.iter().position(|field| field == name);
@@ -116,40 +138,7 @@ fn courses(table: &str) -> Option<Answer> {
             course.push(number(index).filter(|value| value.is_finite()));
         }
     }
-    Some(Answer { bands_m, rails })
-}
-
-#[derive(Deserialize)]
-pub(crate) struct PlaceQuestion {
-    name: String,
-    #[serde(default)]
-    format: Option<ReaderFormat>,
-    from_m: f64,
-    to_m: f64,
-}
-
-/// What `riffel roughness` says of a stretch.
-pub(crate) async fn spectrum(
-    State(page): State<Page>,
-    asker: Asker,
-    Asked(question): Asked<PlaceQuestion>,
-) -> Result<Told<Value>, Refusal> {
-    let upload = page.uploads.of(&asker.owner()?)?;
-    let program = page.program.clone();
-    page.long
-        .run(asker.subject("place"), move |wanted| {
-            let files = Workspace::within(upload.folder())?;
-            let question = json!({
-                "file": files.put(&upload.file(), &question.name)?,
-                "format": question.format,
-                "from": format!("{} m", question.from_m),
-                "to": format!("{} m", question.to_m),
-            });
-            program
-                .ask(files.path(), "roughness", &question, wanted)
-                .map(Told)
-        })
-        .await
+    Some((bands_m, rails))
 }
 
 /// The profile that `riffel roughness --synthesise` makes to the recipe that is built in.
@@ -183,9 +172,9 @@ mod tests {
     fn blocks_are_parted_by_rail_and_band() {
         let table = "rail,from_m,to_m,rms_10_to_30_mm_m,moving_rms_max_10_to_30_mm_m,moving_rms_max_30_to_100_mm_m\n\
                      \"low, inner\",0.0,10.0,1e-6,2e-6,\n\"low, inner\",10.0,20.0,1e-6,3e-6,4e-6\nhigh,0.0,10.0,1e-6,5e-6,6e-6\n";
-        let answer = courses(table).unwrap();
-        assert_eq!(answer.bands_m, [[0.01, 0.03], [0.03, 0.1]]);
-        let [low, high] = &answer.rails[..] else {
+        let (bands_m, rails) = courses(table).unwrap();
+        assert_eq!(bands_m, [[0.01, 0.03], [0.03, 0.1]]);
+        let [low, high] = &rails[..] else {
             panic!("two rails")
         };
         assert_eq!(

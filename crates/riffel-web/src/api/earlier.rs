@@ -5,11 +5,12 @@ use std::path::PathBuf;
 use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
-use riffel_rail::{ReaderFormat, read_date};
+use riffel_rail::read_date;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::file_headers::kind_and_length;
+use super::reading::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
@@ -55,8 +56,8 @@ pub(crate) async fn remove(
 pub(crate) struct Question {
     number: u32,
     name: String,
-    #[serde(default)]
-    format: Option<ReaderFormat>,
+    #[serde(flatten)]
+    reading: Reading,
 }
 
 /// What `riffel roughness` says of an earlier record.
@@ -73,7 +74,7 @@ pub(crate) async fn read(
         .run(subject, move |wanted| {
             let files = Workspace::within(upload.folder())?;
             let file = files.put(&upload.folder().join(file), &question.name)?;
-            let question = json!({ "file": file, "format": question.format });
+            let question = question.reading.add_to(json!({ "file": file }));
             program
                 .ask(files.path(), "roughness", &question, wanted)
                 .map(Told)

@@ -9,5 +9,6 @@ pub(crate) mod export;
 mod file_headers;
 pub(crate) mod noise;
 pub(crate) mod questions;
+mod reading;
 pub(crate) mod report;
 pub(crate) mod roughness;

@@ -69,11 +69,11 @@ pub(crate) async fn post(
                 return Ok(Told(json!({ "fault": fault })));
             }
             let (files, record) = rail.put(&upload)?;
-            let question = json!({
-                "case": CASE_FILE, "roughness": record, "format": rail.format, "traffic": TRAFFIC_FILE,
+            let question = rail.reading.add_to(json!({
+                "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE,
                 "speed": format!("{} m/s", rail.traffic.mean_speed()), "months": rail.months,
                 "limit_dba": limit, "wheel_modes": question.wheel.modes(),
-            });
+            }));
             let answer = program.ask(files.path(), "noise", &question, wanted);
             fault_as_answer(answer, wanted).map(Told)
         })

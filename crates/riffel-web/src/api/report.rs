@@ -44,12 +44,12 @@ pub(crate) async fn of_rail(
         .long
         .run(asker.subject("report"), move |wanted| {
             let (files, record) = question.put(&upload)?;
-            let mut report = json!({
+            let mut report = question.reading.add_to(json!({
                 "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE, "months": question.months,
-                "format": question.format, "speed": question.traffic.speed_range(), "output": REPORT,
+                "speed": question.traffic.speed_range(), "output": REPORT,
                 // As on the page, which takes a fitted coefficient only when it is told to.
                 "keep_coefficient": true,
-            });
+            }));
             earlier.add_to_diagnosis(&earlier.put(&files)?, &mut report);
             write(&program, &files, &report, language, wanted)
         })

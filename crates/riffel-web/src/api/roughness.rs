@@ -4,12 +4,13 @@ use axum::body::Body;
 use axum::extract::State;
 use axum::http::HeaderMap;
 use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
-use riffel_rail::{Limit, LimitTable, ReaderFormat};
+use riffel_rail::{Limit, LimitTable};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
 use super::earlier::{Earlier, EarlierRecord};
 use super::file_headers::kind_and_length;
+use super::reading::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
@@ -45,9 +46,8 @@ pub(crate) struct Question {
     #[serde(flatten)]
     pub(super) traffic: Traffic,
     pub(super) months: f64,
-    /// How the files are laid out, where the reader has chosen columns.
-    #[serde(default)]
-    pub(super) format: Option<ReaderFormat>,
+    #[serde(flatten)]
+    pub(super) reading: Reading,
     /// When the rail was measured, as 2026-01-31.
     #[serde(default)]
     date: Option<String>,
@@ -101,18 +101,17 @@ pub(crate) async fn measure(
             let ask = |name, question: &Value| program.ask(files.path(), name, question, wanted);
             // Short of a diagnosis or a forecast the levels are still worth seeing.
             let ask_or_fault = |name, question| fault_as_answer(ask(name, question), wanted);
-            let format = &question.format;
-            let roughness = ask("roughness", &json!({ "file": record, "format": format }))?;
-            let mut diagnose = json!({
-                "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE, "format": format,
+            let reading = &question.reading;
+            let roughness = ask("roughness", &reading.add_to(json!({ "file": record })))?;
+            let mut diagnose = reading.add_to(json!({
+                "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE,
                 "speed": question.traffic.speed_range(),
-            });
+            }));
             earlier.add_to_diagnosis(&before, &mut diagnose);
             let diagnosis = ask_or_fault("diagnose", &diagnose)?;
-            let forecast = json!({
-                "case": CASE_FILE, "spectrum": record, "traffic": TRAFFIC_FILE, "format": format,
-                "months": question.months,
-            });
+            let forecast = reading.add_to(json!({
+                "case": CASE_FILE, "spectrum": record, "traffic": TRAFFIC_FILE, "months": question.months,
+            }));
             let mut fitted = forecast.clone();
             earlier.add_to_forecast(&before, question.traffic.passages_per_day, &mut fitted);
             let mut answer = ask_or_fault("forecast", &fitted)?;

@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel_answers::roughness::{ProfileAnswer, band_row, counted};
-use riffel_rail::{LimitTable, Record};
+use riffel_rail::{LimitTable, LinePlace, Record};
 
 use super::{folder, grind_table, with_progress};
 use crate::arguments::{Roughness, Statistics};
@@ -17,7 +17,10 @@ pub(super) fn run(
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
-    let profile = judged(path, record, limits, &arguments.statistics)?;
+    // A table that is none is told of before the work.
+    let along = arguments.along.as_deref().map(LinePlace::read);
+    let along = along.transpose()?.unwrap_or_default();
+    let profile = judged(path, record, limits, &arguments.statistics)?.beside(along);
     if let Some(format) = &arguments.save_format {
         let existing = Existing::Keep("remove the file first");
         write_file(format, &profile.record.format.toml(), existing)?;

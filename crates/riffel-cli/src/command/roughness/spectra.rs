@@ -15,15 +15,23 @@ pub(super) fn run(
     limits: &[LimitTable],
     arguments: &Roughness,
 ) -> miette::Result<()> {
+    let along = arguments.along.as_ref();
     let of_profiles = [
-        ("--longest", arguments.statistics.longest),
-        ("--window", arguments.statistics.window),
+        (
+            "--longest",
+            arguments.statistics.longest.map(|value| value.to_string()),
+        ),
+        (
+            "--window",
+            arguments.statistics.window.map(|value| value.to_string()),
+        ),
+        ("--along", along.map(|path| path.display().to_string())),
     ];
     for (argument, value) in of_profiles {
         if let Some(value) = value {
             Err(CliError::Argument {
                 argument,
-                value: value.to_string(),
+                value,
                 rule: format!(
                     "left out: it is for profiles, and {} is a table of spectra",
                     survey.path().display()

@@ -1,0 +1,58 @@
+"""A project in one file: saved with all that is open, opened again, refused where it is none."""
+
+import base64
+import gzip
+import json
+
+import pytest
+from conftest import ROOT
+from test_along import two_rails
+
+pytestmark = pytest.mark.without_curves
+
+
+def test_a_project_holds_all_that_is_open_and_opens_again(open_page, tmp_path):
+    page = open_page()
+    page.open_case((ROOT / "cases/main-line.toml").read_text())
+    page.page.click("#tab-measure")
+    records = {"new.csv": two_rails(30), "old.csv": two_rails(20), "line.csv": "position_m;kind;name\n12;weld;W 7\n"}
+    given = lambda name: {"name": name, "mimeType": "text/csv", "buffer": records[name].encode()}
+    page.page.set_input_files("#record", files=[given("new.csv")])
+    page.until(page.page.locator("#along-panel").is_visible)
+    page.page.set_input_files("#earlier-file", files=[given("old.csv")])
+    page.page.set_input_files("#line-table", files=[given("line.csv")])
+    page.until(page.page.locator("#line-table-drop").is_visible)
+    for field, date in [("#record-date", "2026-05-01"), ("#earlier-records input[type=date]", "2025-05-01")]:
+        page.page.fill(field, date)
+        page.page.locator(field).blur()
+    page.settle()
+    page.page.click("[popovertarget=take-away]")
+    with page.page.expect_download() as download:
+        page.page.click("[data-take=project]")
+    file = tmp_path / "all.riffel"
+    download.value.save_as(file)
+    assert download.value.suggested_filename.endswith(".riffel")
+    assert "the record new.csv with 1 earlier" in page.text("#notice")
+    text = file.read_text()
+    project = json.loads(text)
+    assert project["version"] == 1 and gzip.decompress(base64.b64decode(project["record"]["gzip_base64"])).decode() == records["new.csv"]
+    page.close()
+
+    other = open_page(locale="de-DE")
+    title = other.page.evaluate("() => window.riffel.state.keys.title")
+    # What is none is refused in a sentence, and what is open stays.
+    for refused, words in [
+        (text[: len(text) // 2], "beschädigt"), (json.dumps({**project, "version": 9}), "Version 9"), ('{"a": 1}', "kein Projekt"),
+        (json.dumps({**project, "record": {**project["record"], "gzip_base64": project["record"]["gzip_base64"][:400]}}), "beschädigt"),
+    ]:
+        other.open_case(refused, name="all.riffel")
+        other.until(lambda: words in other.text("#trouble"))
+        assert other.page.evaluate("() => window.riffel.state.keys.title") == title and not other.page.locator("#notice").is_visible()
+    other.page.click("#tab-measure")
+    other.open_case(text, name="all.riffel")
+    other.until(lambda: other.page.locator("#earlier-records li").count() == 1 and other.page.locator("#line-table-drop").is_visible())
+    other.settle()
+    assert other.page.evaluate("() => window.riffel.state.keys") == project["case"] and not other.page.locator("#trouble").is_visible()
+    assert other.text("#record-state").startswith("new.csv")
+    assert [other.page.locator(field).input_value() for field in ("#record-date", "#earlier-records input[type=date]")] == ["2026-05-01", "2025-05-01"]
+    other.close()
