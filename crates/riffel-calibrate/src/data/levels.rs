@@ -435,11 +435,11 @@ impl Block for Levels {
         Some(sums(predicted, &errors))
     }
 
-    /// The first level of each band is zero.
+    /// The first level of each band stays.
     fn with_data(&self, contrasts: &[f64]) -> Option<Box<dyn Block>> {
-        let mut levels = vec![0.0; self.rows.len()];
-        for ((row, _), level) in self.contrasts.iter().zip(contrasts) {
-            levels[*row] = *level;
+        let mut levels: Vec<f64> = self.rows.iter().map(|row| row.row.level).collect();
+        for ((row, first), contrast) in self.contrasts.iter().zip(contrasts) {
+            levels[*row] = levels[*first] + contrast;
         }
         let (mut dated, mut runs) = self.measured.clone();
         dated.rows.clear();

@@ -5,6 +5,7 @@ mod drawn;
 mod likelihood;
 mod posterior;
 mod refusals;
+mod results;
 mod usual;
 
 use std::path::PathBuf;
