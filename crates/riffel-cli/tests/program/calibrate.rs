@@ -292,7 +292,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     let set = "validation/calibration/b-three-dates";
     sandbox.copy(set);
     let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
-        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 400\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 200\n\
         [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
         [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
         discrepancy = { kind = \"band\", standard_deviation = 1.0 }\n";
@@ -300,7 +300,7 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     let outcome = sandbox.riffel(&format!("calibrate {set}/smc.toml -o out"));
     assert!(outcome.status < Some(2), "{}", outcome.text);
     for words in [
-        "ln evidence −",
+        "ln evidence -",
         "by 2 runs; it moves with the width of the priors",
     ] {
         assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
