@@ -200,8 +200,8 @@ mod tests {
         (population.log_evidence, draws)
     }
 
-    /// U1: the evidence of three dates to 0.1, twice the spread of eight seeds of 0.05, and the growth to four standard errors of
-    /// 500 draws that count.
+    /// U1: the evidence of three dates, where each of some three steps that leave half of 1000 of effect errs by 1/√1000 = 0.03, to
+    /// three errors of them all; the growth to four standard errors of 500 draws that count.
     #[test]
     fn a_population_has_the_evidence_of_linear_levels() {
         let u1 = U1::read();
