@@ -102,6 +102,23 @@ pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
     pairs.collect()
 }
 
+/// ln of the evidence, with what it hangs on; none where the sampler tells none.
+pub fn log_evidence(chains: &Chains) -> Option<Message> {
+    let told = &chains.log_evidences;
+    let count = told.len() as f64;
+    // The mean of the evidences, not of their logarithms.
+    let highest = told.iter().copied().reduce(f64::max)?;
+    let sum: f64 = told.iter().map(|it| (it - highest).exp()).sum();
+    let lowest = told.iter().copied().fold(highest, f64::min);
+    Some(say!(
+        log_evidence,
+        value = fixed(highest + (sum / count).ln(), 2),
+        low = fixed(lowest, 2),
+        high = fixed(highest, 2),
+        runs = told.len()
+    ))
+}
+
 /// Name and unit of a value.
 fn axis(parameter: &Parameter) -> String {
     match &*parameter.unit {

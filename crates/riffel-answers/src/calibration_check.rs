@@ -1,6 +1,6 @@
 //! Whether the intervals of a calibration hold the truth as often as they say.
 
-use riffel_calibrate::{Ranked, Simulated};
+use riffel_calibrate::{Checked, Ranked, Simulated};
 use riffel_keys::{Message, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
 use serde::Serialize;
@@ -37,7 +37,7 @@ impl CalibrationCheck {
             say!(
                 ranks_are_uneven,
                 value = name(value),
-                runs = self.simulated.runs,
+                runs = value.ranks.len(),
                 probability = format!("{:.1e}", value.probability)
             )
         };
@@ -53,9 +53,10 @@ impl CalibrationCheck {
 }
 
 fn name(value: &Ranked) -> Message {
-    match &value.name {
-        Some(name) => Message::verbatim(name),
-        None => say!(log_likelihood_of_all_data),
+    match &value.of {
+        Checked::Parameter(name) => Message::verbatim(name),
+        Checked::LogLikelihood => say!(log_likelihood_of_all_data),
+        Checked::PassagesToLimit => say!(passages_to_the_limit),
     }
 }
 
@@ -70,7 +71,9 @@ impl Answer for CalibrationCheck {
         let values = &self.simulated.values;
         // Ranks of the ln likelihood are no interval of anything.
         let inside = |place: usize| {
-            let share = |value: &Ranked| value.name.as_ref().map(|_| 100.0 * value.inside[place]);
+            let share = |value: &Ranked| {
+                (value.of != Checked::LogLikelihood).then_some(100.0 * value.inside[place])
+            };
             values
                 .iter()
                 .map(share)
@@ -78,6 +81,7 @@ impl Answer for CalibrationCheck {
                 .into_iter()
         };
         let probability = values.iter().map(|value| Some(value.probability));
+        let simulations = values.iter().map(|value| Some(value.ranks.len() as f64));
         vec![Table {
             name: Self::NAME,
             columns: vec![
@@ -86,6 +90,7 @@ impl Answer for CalibrationCheck {
                     say!(checked_value),
                     values.iter().map(name).collect(),
                 ),
+                Column::fixed("simulations", say!(simulations), simulations, 0),
                 Column::fixed("inside_50_percent", say!(inside_50_percent), inside(0), 0),
                 Column::fixed("inside_80_percent", say!(inside_80_percent), inside(1), 0),
                 Column::fixed("inside_90_percent", say!(inside_90_percent), inside(2), 0),
@@ -121,7 +126,7 @@ impl Answer for CalibrationCheck {
             let ranks = (0..=riffel_calibrate::RANKED).map(|rank| {
                 let below = value.ranks.iter().filter(|own| **own <= rank).count() as f64;
                 let share = (rank + 1) as f64 / (riffel_calibrate::RANKED + 1) as f64;
-                (share, below / runs - share)
+                (share, below / value.ranks.len() as f64 - share)
             });
             let (x, y) = ranks.unzip();
             Series {

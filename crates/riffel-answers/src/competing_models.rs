@@ -1,7 +1,7 @@
 //! Which model of a plan predicts best what was left out.
 
 use riffel_calibrate::{
-    CalibrationError, Chains, Comparison, Held, MOST_SHAPE, ModelScore, Plan, Sampler, Score,
+    CalibrationError, Chains, Comparison, Held, ModelScore, Plan, Sampler, Score,
 };
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Series};
@@ -218,16 +218,6 @@ fn remarks(comparison: &Comparison) -> Vec<Message> {
         remarks.push(say!(one_group_left_out, held = left_out(score)));
     }
     for model in &comparison.models {
-        for score in &model.scores {
-            if let Some(shape) = score.shape.filter(|shape| *shape > MOST_SHAPE) {
-                remarks.push(say!(
-                    weights_not_trusted,
-                    model = name(model),
-                    held = left_out(score),
-                    shape = fixed(shape, 2)
-                ));
-            }
-        }
         if model.doubts > 0 {
             remarks.push(say!(
                 models_on_doubtful_chains,

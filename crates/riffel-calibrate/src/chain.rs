@@ -8,12 +8,10 @@ use crate::matrix::Matrix;
 use crate::moments::Moments;
 use crate::nuts::{Place, Potential, Statistics, transition, uniform};
 use crate::optimum::{climb, covariance};
-use crate::posterior::{Point, Posterior};
+use crate::posterior::{MOST_TRIALS, Point, Posterior};
 
 /// Places of the prior from which a chain looks for a top.
 const STARTS: u64 = 4;
-/// Most draws of the prior until the case takes one.
-const MOST_TRIALS: u64 = 200;
 /// Probability of acceptance that steps are made for.
 const ACCEPTANCE: f64 = 0.9;
 /// Draws to which the covariance of the start counts as much.

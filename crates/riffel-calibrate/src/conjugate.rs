@@ -241,3 +241,96 @@ impl Block for Levels {
         self.gaussian.covariance_of_mean(sizes, times)
     }
 }
+
+/// A likelihood with two modes over two values, each N(0, 1) before: 0.7 N(x; −1, s²) + 0.3 N(x; 1, s²) times N(y; 0.5, s²), s = 0.1.
+pub(crate) struct Modes;
+
+impl Modes {
+    const WEIGHTS: [(f64, f64); 2] = [(0.7, -1.0), (0.3, 1.0)];
+    const OTHER: f64 = 0.5;
+    const SPREAD: f64 = 0.1;
+    /// The share of the mode at x = 1: that of the likelihood, for the prior is even.
+    pub(crate) const RIGHT: f64 = 0.3;
+    /// ln of N(1; 0, 1 + s²) N(0.5; 0, 1 + s²): −ln 2π(1 + s²) − 1.25/2(1 + s²).
+    pub(crate) const LOG_EVIDENCE: f64 = -2.466_639_278_450_632;
+
+    pub(crate) fn posterior() -> Posterior {
+        let prior = Distribution::Normal {
+            mean: 0.0,
+            standard_deviation: 1.0,
+            min: f64::NEG_INFINITY,
+            max: f64::INFINITY,
+        };
+        let parameter = |name: &str| Parameter {
+            name: name.to_owned(),
+            unit: String::new(),
+            prior: Prior::Of(prior),
+            ends: [f64::NEG_INFINITY, f64::INFINITY],
+            role: Role::Size,
+            in_data: None,
+        };
+        Posterior {
+            model: Model {
+                parameters: vec![parameter("x"), parameter("y")],
+                views: Vec::new(),
+                vehicles: Vec::new(),
+                speed: None,
+            },
+            blocks: vec![Named {
+                names: vec!["modes".to_owned()],
+                block: Box::new(Self),
+                sizes: Vec::new(),
+                touched_by: vec![0, 1],
+            }],
+        }
+    }
+}
+
+impl Block for Modes {
+    fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
+        Ok(trial.values.to_vec())
+    }
+
+    fn density(&self, predicted: &[f64], _: &[f64]) -> Option<Density> {
+        let log = |x: f64, mean: f64| {
+            let t = (x - mean) / Self::SPREAD;
+            -0.5 * t * t - Self::SPREAD.ln() - 0.5 * std::f64::consts::TAU.ln()
+        };
+        let logs = Self::WEIGHTS.map(|(weight, mean)| weight.ln() + log(predicted[0], mean));
+        let highest = logs[0].max(logs[1]);
+        let parts = logs.map(|log| (log - highest).exp());
+        let sum = parts[0] + parts[1];
+        let pull = |mean: f64, x: f64| (mean - x) / Self::SPREAD.powi(2);
+        let pulls = Self::WEIGHTS.iter().zip(parts);
+        let by_x = pulls.map(|((_, mean), part)| part / sum * pull(*mean, predicted[0]));
+        Some(Density {
+            value: highest + sum.ln() + log(predicted[1], Self::OTHER),
+            by_prediction: vec![by_x.sum(), pull(Self::OTHER, predicted[1])],
+            by_size: Vec::new(),
+        })
+    }
+
+    fn views(&self) -> Vec<usize> {
+        Vec::new()
+    }
+
+    fn observed(&self) -> Vec<f64> {
+        vec![0.0; 2]
+    }
+
+    fn of_each(&self, _: &[f64], _: &[f64]) -> Option<Vec<f64>> {
+        None
+    }
+
+    fn replicate(&self, _: &[f64], _: &[f64], _: &mut Xoshiro256PlusPlus) -> Option<Vec<f64>> {
+        None
+    }
+
+    fn with_data(&self, _: &[f64]) -> Option<Box<dyn Block>> {
+        None
+    }
+
+    fn covariance(&self, _: &[f64], _: f64) -> Matrix {
+        Matrix::of(2, |i, j| if i == j { Self::SPREAD.powi(2) } else { 0.0 })
+    }
+}

@@ -176,11 +176,11 @@ fn yes() -> bool {
 #[derive(Debug, Clone, Deserialize)]
 #[serde(deny_unknown_fields, default)]
 pub struct SamplerFile {
-    /// `nuts`, the only one so far.
-    pub kind: String,
+    /// How.
+    pub kind: SamplerKind,
     /// Chains that know nothing of each other.
     pub chains: u64,
-    /// Draws of each chain that are left out: it finds its steps meanwhile.
+    /// Draws of each chain that are left out: it finds its steps meanwhile. `smc` needs none.
     pub warmup: u64,
     /// Draws of each chain that are kept.
     pub draws: u64,
@@ -191,13 +191,25 @@ pub struct SamplerFile {
 impl Default for SamplerFile {
     fn default() -> Self {
         Self {
-            kind: "nuts".to_owned(),
+            kind: SamplerKind::Nuts,
             chains: 4,
             warmup: 1000,
             draws: 1000,
             seed: 0,
         }
     }
+}
+
+/// A way to draw from a posterior.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum SamplerKind {
+    /// Trajectories along the slopes of the density, which find their own length.
+    Nuts,
+    /// Walkers that find their steps from each other, without slopes.
+    Ensemble,
+    /// A population that is led from the priors to the posterior: for several modes, and for the evidence.
+    Smc,
 }
 
 /// An uncertain value and its prior.

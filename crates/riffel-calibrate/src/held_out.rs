@@ -24,6 +24,8 @@ pub struct Score {
     pub error: f64,
     /// k̂ of the weights that leave the group out; none where chains were drawn without it.
     pub shape: Option<f64>,
+    /// Whether density and error are to be trusted: by the shape and by how many draws count.
+    pub is_told: bool,
     /// Data that were left out and have a band: those that are bounds have none.
     pub count: usize,
     /// How many of them lie within the band of 50 % of their prediction.
@@ -108,6 +110,7 @@ impl Score {
             log_density: highest + mean.ln(),
             error: (square / effective).sqrt() / mean,
             shape,
+            is_told: shape.is_none_or(|shape| Weights::are_told(shape, effective * count)),
             count: shares.len(),
             inside_50: inside(0.5),
             inside_90: inside(0.9),

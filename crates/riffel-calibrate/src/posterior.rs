@@ -2,16 +2,20 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
+use crate::chain::Draw;
 use crate::data::{Block, Size};
 use crate::gaussian::Density;
 use crate::matrix::{Matrix, dot};
 use crate::model::Model;
-use crate::nuts::uniform;
+use crate::nuts::{Statistics, uniform};
 
 /// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
 /// some six digits, and decay rates are taken from a quarter of their frequencies. A sampler's steps may use any force that follows from the place alone, for they stay volume-preserving
 /// and reversible; which states are kept follows from the density itself.
 const STEP: f64 = 1e-6;
+
+/// Most draws of the priors until the case takes one.
+pub(crate) const MOST_TRIALS: u64 = 200;
 
 /// Data with the sizes of what the model misses of them.
 pub(crate) struct Named {
@@ -27,6 +31,14 @@ pub(crate) struct Named {
 pub struct Posterior {
     pub(crate) model: Model,
     pub(crate) blocks: Vec<Named>,
+}
+
+/// A place in z with ln of the density of the prior and of the likelihood.
+#[derive(Debug, Clone)]
+pub(crate) struct Placed {
+    pub(crate) at: Vec<f64>,
+    pub(crate) log_prior: f64,
+    pub(crate) log_likelihood: f64,
 }
 
 /// ln of the density at a place, and its gradient.
@@ -144,11 +156,32 @@ impl Posterior {
 
     /// ln of the density at a place in z, up to a constant; none outside the priors and where the case refuses its values.
     pub fn log_density(&self, place: &[f64]) -> Option<f64> {
+        Some(self.log_parts(place)?.iter().sum())
+    }
+
+    /// ln of the density of the prior and of the likelihood, whose sum that is.
+    fn log_parts(&self, place: &[f64]) -> Option<[f64; 2]> {
         let prior = self.prior(place).0;
         let values = self.values(place);
         let likelihood = || self.log_likelihood_of_all(&values);
-        let sum = prior + prior.is_finite().then(likelihood)??;
-        sum.is_finite().then_some(sum)
+        let likelihood = prior.is_finite().then(likelihood)??;
+        likelihood.is_finite().then_some([prior, likelihood])
+    }
+
+    /// A place in z with what [`log_density`](Self::log_density) is the sum of.
+    pub(crate) fn placed(&self, at: Vec<f64>) -> Option<Placed> {
+        let [log_prior, log_likelihood] = self.log_parts(&at)?;
+        Some(Placed {
+            at,
+            log_prior,
+            log_likelihood,
+        })
+    }
+
+    /// A draw of the priors that the case takes.
+    pub(crate) fn begin(&self, random: &mut Xoshiro256PlusPlus) -> Option<Placed> {
+        let mut draws = (0..MOST_TRIALS).map(|_| self.drawn_from_priors(random));
+        draws.find_map(|values| self.placed(self.place(&values)))
     }
 
     /// What the model says of each datum at a place in z, block by block; none outside the priors and where the case refuses its
@@ -271,6 +304,40 @@ impl Posterior {
         Ok(Matrix::of(place.len(), |i, j| {
             dot(&columns[i], &columns[j])
         }))
+    }
+}
+
+impl Placed {
+    pub(crate) fn log_density(&self) -> f64 {
+        self.log_prior + self.log_likelihood
+    }
+
+    pub(crate) fn draw(&self, statistics: Statistics) -> Draw {
+        Draw {
+            place: self.at.clone(),
+            log_density: self.log_density(),
+            statistics,
+            step: 0.0,
+        }
+    }
+
+    pub(crate) fn numbers(&self) -> Vec<f64> {
+        let densities = [self.log_prior, self.log_likelihood];
+        self.at.iter().copied().chain(densities).collect()
+    }
+
+    /// Those of [`numbers`](Self::numbers) one after the other, in a space of some dimensions.
+    pub(crate) fn all(numbers: &[f64], size: usize) -> Option<Vec<Self>> {
+        let placed = numbers.chunks_exact(size + 2);
+        let of = |numbers: &[f64]| Self {
+            at: numbers[..size].to_vec(),
+            log_prior: numbers[size],
+            log_likelihood: numbers[size + 1],
+        };
+        placed
+            .remainder()
+            .is_empty()
+            .then(|| placed.map(of).collect())
     }
 }
 

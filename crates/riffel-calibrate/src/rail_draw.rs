@@ -2,6 +2,7 @@
 
 use std::f64::consts::LN_10;
 
+use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
 
@@ -10,13 +11,15 @@ use crate::data::Levels;
 use crate::error::CalibrationError;
 use crate::nuts::normal;
 use crate::plan::Plan;
-use crate::posterior::Named;
+use crate::posterior::{Named, Posterior};
 use crate::run::Chains;
 
 /// Most draws that are taken: errors of 3 % of a spread.
 const MOST: usize = 1000;
 /// The random numbers of rails are those of no chain.
 const STREAM: u64 = u64::MAX;
+
+const NO_LEVELS: &str = "the plan has no [[data]] of kind \"dated-levels\": without growth there is nothing to forecast";
 
 /// What one draw of the posterior says of a rail.
 pub(crate) struct RailDraw {
@@ -46,15 +49,41 @@ pub(crate) fn growing_bands<'a>(
     })
 }
 
+impl Posterior {
+    /// The data that tell of a rail that grows, if there are any.
+    pub(crate) fn levels(&self) -> Option<(&Named, &Levels)> {
+        let mut blocks = self.blocks.iter();
+        blocks.find_map(|named| Some((named, named.block.as_levels()?)))
+    }
+
+    /// The rail under the values of a place in z: L_b and d_b are drawn from their distribution, generalised least squares over
+    /// all dates.
+    pub(crate) fn rail_draw(
+        &self,
+        place: Vec<f64>,
+        random: &mut Xoshiro256PlusPlus,
+    ) -> Result<RailDraw, String> {
+        let (named, levels) = self.levels().ok_or(NO_LEVELS)?;
+        let values = self.values(&place);
+        let trial = self.model.trial(&values);
+        let rail = levels.rail(&trial, &named.sizes(&values))?;
+        let (drawn, missed) = rail.draw(|| normal(random));
+        let rates = levels.rates(&trial)?;
+        Ok(RailDraw {
+            levels: drawn,
+            missed,
+            rates,
+            place,
+            values,
+        })
+    }
+}
+
 impl Plan {
     /// The data that tell of a rail that grows.
     pub(crate) fn levels(&self) -> Result<(&Named, &Levels), CalibrationError> {
-        let mut blocks = self.posterior.blocks.iter();
-        let levels = blocks.find_map(|named| Some((named, named.block.as_levels()?)));
-        levels.ok_or_else(|| {
-            let reason = "the plan has no [[data]] of kind \"dated-levels\": without growth there is nothing to forecast";
-            CalibrationError::Refused(reason.to_owned())
-        })
+        let levels = self.posterior.levels();
+        levels.ok_or_else(|| CalibrationError::Refused(NO_LEVELS.to_owned()))
     }
 
     /// Whether there are any.
@@ -72,26 +101,12 @@ impl Plan {
     }
 
     /// The rail in draws that lie evenly in the chains, 1000 at most.
-    ///
-    /// L_b and d_b are drawn from their distribution under the values of each draw: generalised least squares over all dates.
     pub(crate) fn rail_draws(&self, chains: &Chains) -> Result<Vec<RailDraw>, CalibrationError> {
-        let (named, levels) = self.levels()?;
+        self.levels()?;
         let draws = chains.evenly(MOST).into_par_iter().enumerate();
         let drawn = draws.map(|(index, draw)| {
-            let place = draw.place.clone();
-            let values = self.posterior.values(&place);
-            let trial = self.posterior.model.trial(&values);
-            let rail = levels.rail(&trial, &named.sizes(&values))?;
             let mut random = random(self.file.sampler.seed, STREAM, index as u64);
-            let (drawn, missed) = rail.draw(|| normal(&mut random));
-            let rates = levels.rates(&trial)?;
-            Ok(RailDraw {
-                levels: drawn,
-                missed,
-                rates,
-                place,
-                values,
-            })
+            self.posterior.rail_draw(draw.place.clone(), &mut random)
         });
         drawn
             .collect::<Result<Vec<RailDraw>, String>>()

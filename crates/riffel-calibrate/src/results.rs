@@ -2,11 +2,14 @@
 
 use std::path::{Path, PathBuf};
 
+use jiff::Timestamp;
 use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
 use serde_json::{Value, json};
 
 use crate::chain::Draw;
 use crate::error::CalibrationError;
+use crate::file::SamplerKind;
+use crate::given::columns;
 use crate::plan::Plan;
 use crate::predicted::replicas;
 use crate::run::{Chains, Folder};
@@ -23,13 +26,14 @@ struct Written {
 }
 
 impl Folder<'_> {
-    /// Write `plan.toml`, the text of the plan.
+    /// Write `plan.toml`, the text of the plan with its files as they are seen from here.
     ///
     /// # Errors
     /// [`CalibrationError::Write`].
     pub fn write_plan(&self, plan: &Plan) -> Result<(), CalibrationError> {
         let path = self.path().join("plan.toml");
-        whole_file::write(&path, plan.text.as_bytes()).map_err(CalibrationError::write(&path))
+        let text = plan.text_in(self.path());
+        whole_file::write(&path, text.as_bytes()).map_err(CalibrationError::write(&path))
     }
 
     /// Write `summary.csv` and `posterior.zarr`; their names.
@@ -92,7 +96,7 @@ fn axes(group: &'static str, chains: u64, draws: u64) -> [Written; 2] {
     [axis("chain", chains), axis("draw", draws)]
 }
 
-fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
+fn all(plan: &Plan, chains: &Chains) -> Result<Vec<Written>, CalibrationError> {
     let parameters = plan.posterior.parameters();
     let mut written = Vec::new();
     let (count, draws) = (chains.draws.len() as u64, chains.draws[0].len() as u64);
@@ -125,7 +129,13 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
             draw.statistics.acceptance
         }),
     ];
+    // What only trajectories have.
+    let has_all = plan.file.sampler.kind == SamplerKind::Nuts;
+    let of_trajectories = ["energy", "tree_depth", "step_size"];
     for (name, data_type, value) in statistics {
+        if !has_all && of_trajectories.contains(&name) {
+            continue;
+        }
         let mut of_draws = over_draws("sample_stats", name, "", chains, value);
         of_draws.array.data_type = data_type;
         written.push(of_draws);
@@ -161,7 +171,13 @@ fn all(plan: &Plan, chains: &Chains) -> Vec<Written> {
         written.extend(axes(group, count, draws));
     }
     written.extend(data(plan));
-    written
+    let given = columns(plan, "constant_data")?.into_iter();
+    written.extend(given.map(|(array, values)| Written {
+        group: "constant_data",
+        array,
+        values,
+    }));
+    Ok(written)
 }
 
 /// ln likelihood of each datum given all others of its data, and data as they might have been measured, by draw.
@@ -222,20 +238,33 @@ const DIMENSIONS: [&str; 6] = [
     "datum", "datum_2", "datum_3", "datum_4", "datum_5", "datum_6",
 ];
 
+/// Attributes of the whole tree: ln of the evidence by each run besides, where it is told.
+fn with_evidence(mut attributes: Value, chains: &Chains) -> Value {
+    if let (Some(attributes), [_, ..]) = (attributes.as_object_mut(), &chains.log_evidences[..]) {
+        attributes.insert("log_evidence".to_owned(), json!(chains.log_evidences));
+    }
+    attributes
+}
+
 fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), CalibrationError> {
-    let written = all(plan, chains);
+    let written = all(plan, chains)?;
     let write = |name: PathBuf, bytes: &[u8]| {
         whole_file::write(&name, bytes).map_err(CalibrationError::write(&name))
     };
     if path.exists() {
         std::fs::remove_dir_all(path).map_err(CalibrationError::write(path))?;
     }
+    // The one that the same seed does not give again.
     let attributes = json!({
+        "created_at": Timestamp::now().to_string(),
         "inference_library": "riffel",
         "inference_library_version": env!("CARGO_PKG_VERSION"),
     });
     let empty = || json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
-    let mut root = group(attributes.clone(), written.iter().map(|it| &it.array));
+    let mut root = group(
+        with_evidence(attributes.clone(), chains),
+        written.iter().map(|it| &it.array),
+    );
     let mut groups: Vec<&str> = written.iter().map(|it| it.group).collect();
     groups.dedup();
     if let Some(metadata) = root

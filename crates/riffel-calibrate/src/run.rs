@@ -9,10 +9,11 @@ use riffel_study::Stop;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use crate::chain::{Chain, Draw};
+use crate::chain::Draw;
 use crate::error::CalibrationError;
 use crate::nuts::Statistics;
 use crate::plan::Plan;
+use crate::sampling::Sampling;
 
 /// Draws of a part of a chain, which is kept as a whole.
 const PART: u64 = 250;
@@ -24,7 +25,12 @@ const RECORD: &str = "calibration.json";
 /// The draws of all chains behind their warm-up.
 pub struct Chains {
     pub(crate) draws: Vec<Vec<Draw>>,
+    /// ln of the evidence as each of them tells it, if they do.
+    pub log_evidences: Vec<f64>,
 }
+
+/// The draws of a chain, and what it tells of the evidence.
+type OfChain = (Vec<Draw>, Option<f64>);
 
 impl Chains {
     /// Draws that lie evenly in all chains, so many at most.
@@ -122,7 +128,7 @@ impl<'a> Folder<'a> {
 
     /// Draws of each chain, those of the warm-up among them.
     pub fn draws_of_a_chain(&self) -> u64 {
-        self.plan.file.sampler.warmup + self.plan.file.sampler.draws
+        self.plan.file.sampler.left_out() + self.plan.file.sampler.draws
     }
 
     /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. `progress` is told
@@ -137,13 +143,19 @@ impl<'a> Folder<'a> {
         progress: &(dyn Fn(u64) + Sync),
         stop: &Stop,
     ) -> Result<Option<Chains>, CalibrationError> {
-        let chains: Result<Vec<Option<Vec<Draw>>>, CalibrationError> =
+        let chains: Result<Vec<Option<OfChain>>, CalibrationError> =
             (0..self.plan.file.sampler.chains)
                 .into_par_iter()
                 .map(|chain| self.chain(chain, progress, stop))
                 .collect();
-        let draws: Option<Vec<Vec<Draw>>> = chains?.into_iter().collect();
-        Ok(draws.map(|draws| Chains { draws }))
+        let chains: Option<Vec<OfChain>> = chains?.into_iter().collect();
+        Ok(chains.map(|chains| {
+            let (draws, log_evidences): (_, Vec<Option<f64>>) = chains.into_iter().unzip();
+            Chains {
+                draws,
+                log_evidences: log_evidences.into_iter().flatten().collect(),
+            }
+        }))
     }
 
     fn chain(
@@ -151,12 +163,12 @@ impl<'a> Folder<'a> {
         index: u64,
         progress: &(dyn Fn(u64) + Sync),
         stop: &Stop,
-    ) -> Result<Option<Vec<Draw>>, CalibrationError> {
+    ) -> Result<Option<OfChain>, CalibrationError> {
         let posterior = &self.plan.posterior;
         let sampler = &self.plan.file.sampler;
         let whole = self.draws_of_a_chain();
         let mut draws: Vec<Draw> = Vec::new();
-        let mut chain: Option<Chain> = None;
+        let mut chain: Option<Sampling> = None;
         for part in 0..whole.div_ceil(PART) {
             let length = PART.min(whole - part * PART);
             if let Some((kept, state)) = self.kept(index, part, length) {
@@ -170,30 +182,29 @@ impl<'a> Folder<'a> {
             }
             let mut going = match chain.take() {
                 Some(chain) => chain,
-                None => Chain::begin(posterior, sampler.seed, index, sampler.warmup).ok_or_else(
-                    || {
-                        let values = posterior.parameters().iter();
-                        let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
-                        let reason = posterior.log_likelihood(&values).err();
-                        let reason = reason
-                            .unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
-                        CalibrationError::NoStart { reason }
-                    },
-                )?,
+                None => Sampling::begin(posterior, sampler, index, stop).ok_or_else(|| {
+                    let values = posterior.parameters().iter();
+                    let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
+                    let reason = posterior.log_likelihood(&values).err();
+                    let reason =
+                        reason.unwrap_or_else(|| "they are too unlikely for numbers".to_owned());
+                    CalibrationError::NoStart { reason }
+                })?,
             };
             let mut new = Vec::new();
             for _ in 0..length {
                 if stop.is_asked() {
                     return Ok(None);
                 }
-                new.push(going.draw(posterior));
+                new.extend(going.draw(posterior));
                 progress(1);
             }
             self.keep(index, part, &new, &going)?;
             draws.extend(new);
             chain = Some(going);
         }
-        Ok(Some(draws.split_off(sampler.warmup as usize)))
+        let log_evidence = chain.and_then(|chain| chain.log_evidence());
+        Ok(Some((sampler.kept(draws, posterior), log_evidence)))
     }
 
     /// The array that the numbers of a part are written as.
@@ -212,7 +223,7 @@ impl<'a> Folder<'a> {
         chain: u64,
         part: u64,
         draws: &[Draw],
-        state: &Chain,
+        state: &Sampling,
     ) -> Result<(), CalibrationError> {
         let mut numbers = Vec::new();
         for draw in draws {
@@ -235,7 +246,7 @@ impl<'a> Folder<'a> {
     }
 
     /// The draws of a part and the chain behind them, if it is there and what was written.
-    fn kept(&self, chain: u64, part: u64, length: u64) -> Option<(Vec<Draw>, Chain)> {
+    fn kept(&self, chain: u64, part: u64, length: u64) -> Option<(Vec<Draw>, Sampling)> {
         let sampler = &self.plan.file.sampler;
         let size = self.plan.posterior.parameters().len();
         let bytes = fs::read(self.part(chain, part)).ok()?;
@@ -259,7 +270,7 @@ impl<'a> Folder<'a> {
                 },
             }
         });
-        let state = Chain::of_numbers(state, size, (sampler.seed, chain, sampler.warmup))?;
+        let state = Sampling::of_numbers(state, &self.plan.posterior, sampler, chain)?;
         Some((draws.collect(), state))
     }
 }

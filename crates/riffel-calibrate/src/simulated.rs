@@ -4,14 +4,19 @@
 //! (2023), Bayesian Analysis 20.
 
 use rayon::prelude::*;
+use riffel::roughness::LevelLimit;
 use riffel_study::Stop;
 use serde::Serialize;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::chain::{Chain, random};
+use crate::chain::random;
 use crate::error::CalibrationError;
+use crate::file::SamplerFile;
+use crate::nuts::uniform;
 use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
+use crate::rail_draw::{RailDraw, growing_bands};
+use crate::sampling::Sampling;
 
 /// Draws that a value is ranked among.
 pub const RANKED: usize = 99;
@@ -33,16 +38,16 @@ const STREAM: u64 = u64::MAX - 2;
 pub struct Simulated {
     /// Simulations.
     pub runs: usize,
-    /// The uncertain values, then the ln likelihood.
+    /// The uncertain values, then the ln likelihood, then the passages to the limit where the plan has dated levels.
     pub values: Vec<Ranked>,
 }
 
 /// A value among the draws of its chains.
 #[derive(Debug, Serialize)]
 pub struct Ranked {
-    /// Name of the parameter; none for the ln likelihood of all data.
-    pub name: Option<String>,
-    /// How many of 99 draws lie below the truth, by simulation.
+    /// What it is.
+    pub of: Checked,
+    /// How many of 99 draws lie below the truth, by simulation; without those in which all draws say the same.
     pub ranks: Vec<usize>,
     /// Probability of ranks as uneven as these where the truth lies anywhere among the draws.
     pub probability: f64,
@@ -50,8 +55,20 @@ pub struct Ranked {
     pub inside: [f64; 3],
 }
 
+/// What is ranked.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Checked {
+    /// The parameter of a name.
+    Parameter(String),
+    /// The ln likelihood of all data.
+    LogLikelihood,
+    /// Axle passages from the first date until a band reaches its limit: the months of a forecast.
+    PassagesToLimit,
+}
+
 impl Ranked {
-    fn new(name: Option<String>, ranks: Vec<usize>) -> Self {
+    fn new(of: Checked, ranks: Vec<usize>) -> Self {
         let count = ranks.len() as f64;
         let fits = |bins: &usize| ranks.len() as u64 >= LEAST_IN_A_BIN * *bins as u64;
         let bins = BINS.into_iter().find(fits).unwrap_or(BINS[4]);
@@ -75,7 +92,7 @@ impl Ranked {
                 / count
         };
         Self {
-            name,
+            of,
             probability: distribution.map_or(f64::NAN, |it| it.sf(square)),
             inside: [0.5, 0.8, 0.9].map(inside),
             ranks,
@@ -85,13 +102,15 @@ impl Ranked {
 
 impl Simulated {
     /// Simulate data from draws of the priors of a plan with its likelihood, and draw a chain of the plan's length on each; none
-    /// where a wish to stop came between. `progress` is told of each that is done.
+    /// where a wish to stop came between. `progress` is told of each that is done. Where the plan has dated levels, the passages
+    /// until they reach the limit are ranked as well.
     ///
     /// # Errors
     /// [`CalibrationError::Refused`] for a plan without data or with too few draws, [`CalibrationError::NoStart`].
     pub fn of(
         plan: &Plan,
         runs: u64,
+        limit: &LevelLimit,
         progress: &(dyn Fn(u64) + Sync),
         stop: &Stop,
     ) -> Result<Option<Self>, CalibrationError> {
@@ -111,29 +130,31 @@ impl Simulated {
                 "--runs is {runs}, but must be {LEAST_RUNS} or more: fewer ranks show no unevenness"
             ));
         }
-        let length = [sampler.warmup, sampler.draws];
+        let limits = limits(&plan.posterior, limit);
         let run = |index: u64| {
-            let ranks = ranks(&plan.posterior, sampler.seed, index, length, stop)?;
+            let ranks = ranks(&plan.posterior, sampler, index, &limits, stop)?;
             progress(1);
             Ok(ranks)
         };
-        let ranks: Result<Vec<Option<Vec<usize>>>, CalibrationError> =
+        let ranks: Result<Vec<Option<Ranks>>, CalibrationError> =
             (0..runs).into_par_iter().map(run).collect();
-        let ranks: Option<Vec<Vec<usize>>> = ranks?.into_iter().collect();
+        let ranks: Option<Vec<Ranks>> = ranks?.into_iter().collect();
         Ok(ranks.map(|ranks| Self::ranked(&plan.posterior, &ranks)))
     }
 
-    fn ranked(posterior: &Posterior, ranks: &[Vec<usize>]) -> Self {
-        let names = posterior
-            .parameters()
-            .iter()
-            .map(|it| Some(it.name.clone()));
-        let names = names.chain([None]).enumerate();
-        let of = |place: usize| ranks.iter().map(|ranks| ranks[place]).collect();
+    fn ranked(posterior: &Posterior, ranks: &[Ranks]) -> Self {
+        let names = posterior.parameters().iter();
+        let names = names.map(|it| Checked::Parameter(it.name.clone()));
+        let all = names.chain([Checked::LogLikelihood, Checked::PassagesToLimit]);
+        let of = |place: usize| ranks.iter().filter_map(move |ranks| *ranks.get(place)?);
+        let values = all
+            .enumerate()
+            .map(|(place, name)| (name, of(place).collect()));
         Self {
             runs: ranks.len(),
-            values: names
-                .map(|(place, name)| Ranked::new(name, of(place)))
+            values: values
+                .filter(|(_, ranks): &(Checked, Vec<usize>)| !ranks.is_empty())
+                .map(|(name, ranks)| Ranked::new(name, ranks))
                 .collect(),
         }
     }
@@ -145,43 +166,85 @@ impl Simulated {
     }
 }
 
-/// Ranks of each value and of the ln likelihood among thinned draws of a chain on simulated data; none where it was stopped.
+/// The rank of each value; none where all draws say the same.
+type Ranks = Vec<Option<usize>>;
+
+/// The limits of the bands of dated levels; none without such data.
+fn limits(posterior: &Posterior, limit: &LevelLimit) -> Option<Vec<Option<f64>>> {
+    let (_, levels) = posterior.levels()?;
+    let limits = levels.bands().iter();
+    let limits: Vec<Option<f64>> = limits.map(|band| limit.spectrum().level(*band)).collect();
+    limits.iter().any(Option::is_some).then_some(limits)
+}
+
+/// Ranks of each value, of the ln likelihood and of the passages to the limits among thinned draws of a chain on simulated data; none
+/// where it was stopped.
 fn ranks(
     posterior: &Posterior,
-    seed: u64,
+    sampler: &SamplerFile,
     index: u64,
-    [warmup, draws]: [u64; 2],
+    limits: &Option<Vec<Option<f64>>>,
     stop: &Stop,
-) -> Result<Option<Vec<usize>>, CalibrationError> {
+) -> Result<Option<Ranks>, CalibrationError> {
     if stop.is_asked() {
         return Ok(None);
     }
     let nowhere = || CalibrationError::NoStart {
         reason: "simulated data are too unlikely for numbers".to_owned(),
     };
+    let (seed, warmup) = (sampler.seed, sampler.left_out());
     let (values, simulated) = simulate(posterior, seed, index).ok_or_else(nowhere)?;
-    let mut chain = Chain::begin(&simulated, seed, index, warmup).ok_or_else(nowhere)?;
-    let likelihood = |values: &[f64]| simulated.log_likelihood_of_all(values).ok_or_else(nowhere);
-    let truth = likelihood(&values)?;
-    let truth = [&values[..], &[truth]].concat();
-    let mut below = vec![0; truth.len()];
-    let thin = draws / RANKED as u64;
+    let chain = Sampling::begin(&simulated, sampler, index, stop);
+    let mut chain = chain.ok_or_else(nowhere)?;
+    let mut of_rails = random(seed, STREAM - 1, index);
+    let mut all = |values: Vec<f64>| {
+        let likelihood = simulated.log_likelihood_of_all(&values);
+        let mut all = [&values[..], &[likelihood.ok_or_else(nowhere)?]].concat();
+        if let Some(limits) = limits {
+            // Levels and what is missed of growth given data and values: of the truth as well, for nothing is known of the levels before.
+            let rail = simulated.rail_draw(simulated.place(&values), &mut of_rails);
+            let rail = rail.map_err(CalibrationError::Refused)?;
+            all.push(passages_to_limit(&rail, limits));
+        }
+        Ok::<_, CalibrationError>(all)
+    };
+    let truth = all(values)?;
+    let thin = sampler.draws / RANKED as u64;
+    let mut drawn = Vec::new();
     for done in 1..=warmup + thin * RANKED as u64 {
         if stop.is_asked() {
             return Ok(None);
         }
-        let draw = chain.draw(&simulated);
-        if done <= warmup || !(done - warmup).is_multiple_of(thin) {
-            continue;
-        }
-        let drawn = simulated.values(&draw.place);
-        let own = likelihood(&drawn)?;
-        let drawn = [&drawn[..], &[own]].concat();
-        for (below, (drawn, truth)) in below.iter_mut().zip(drawn.iter().zip(&truth)) {
-            *below += usize::from(drawn < truth);
+        if let Some(draw) = chain.draw(&simulated)
+            && done > warmup
+            && (done - warmup).is_multiple_of(thin)
+        {
+            drawn.push(all(simulated.values(&draw.place))?);
         }
     }
-    Ok(Some(below))
+    let mut ties = random(seed, STREAM - 2, index);
+    let rank = |(place, truth): (usize, &f64)| {
+        let of_draws: Vec<f64> = drawn.iter().map(|drawn| drawn[place]).collect();
+        rank(&of_draws, *truth, uniform(&mut ties))
+    };
+    Ok(Some(truth.iter().enumerate().map(rank).collect()))
+}
+
+/// How many draws lie below the truth; among those that equal it, it lies anywhere, at a share of them. None where all are the same.
+fn rank(draws: &[f64], truth: f64, share: f64) -> Option<usize> {
+    let below = draws.iter().filter(|it| **it < truth).count();
+    let equal = draws.iter().filter(|it| **it == truth).count();
+    let is_told = draws.iter().any(|it| *it != draws[0]);
+    is_told.then(|| below + (share * (equal + 1) as f64) as usize)
+}
+
+/// Axle passages from the first date until the first band reaches its limit; infinitely many where none does.
+fn passages_to_limit(rail: &RailDraw, limits: &[Option<f64>]) -> f64 {
+    let bands = growing_bands(&rail.rates, &rail.missed).zip(&rail.levels);
+    let passages = bands.zip(limits).filter_map(|((band, level), limit)| {
+        band.passages_to(10f64.powf(0.1 * ((*limit)? - level)))
+    });
+    passages.fold(f64::INFINITY, f64::min)
 }
 
 /// Values of the priors that the case takes, and the posterior of data that were made of them.
@@ -211,12 +274,14 @@ fn simulate(posterior: &Posterior, seed: u64, index: u64) -> Option<(Vec<f64>, P
 mod tests {
     use super::*;
     use crate::conjugate::U1;
+    use riffel::roughness::Spectrum;
+    use std::path::Path;
 
     /// Ranks that fill all bins alike, one end, or the middle.
     #[test]
     fn uneven_ranks_are_seen() {
         let check = |rank: &dyn Fn(usize) -> usize| {
-            let value = Ranked::new(None, (0..200).map(rank).collect());
+            let value = Ranked::new(Checked::LogLikelihood, (0..200).map(rank).collect());
             let checked = Simulated {
                 runs: 200,
                 values: Vec::from([value]),
@@ -236,7 +301,7 @@ mod tests {
         assert!(!check(&|run| (run % 100) / 2).0);
         // χ² in closed form: two bins with 14 and 6 of 20, 3.2 with one degree of freedom.
         let few = Ranked::new(
-            None,
+            Checked::LogLikelihood,
             (0..20).map(|run| if run < 14 { 10 } else { 80 }).collect(),
         );
         assert!(
@@ -281,9 +346,67 @@ mod tests {
         }
     }
 
+    /// A truth among equal draws lies anywhere among them, and draws that are all the same tell nothing.
+    #[test]
+    fn equal_draws_hold_the_truth_anywhere() {
+        let draws = [1.0, 2.0, 2.0, f64::INFINITY];
+        let ranks = |truth: f64| [0.0, 0.34, 0.99].map(|share| rank(&draws, truth, share));
+        assert_eq!(ranks(1.5), [Some(1); 3]);
+        assert_eq!(ranks(2.0), [1, 2, 3].map(Some));
+        assert_eq!(ranks(f64::INFINITY), [3, 3, 4].map(Some));
+        assert_eq!(rank(&[f64::INFINITY; 3], 7.0, 0.5), None);
+    }
+
+    /// Levels of two bands at two dates, whose growth hangs on the wear coefficient and on what is missed: of 60 intervals of 80 %,
+    /// 38 to 57 hold the truth but for one in a thousand of right samplers (binomial).
+    #[test]
+    fn the_truth_lies_anywhere_among_forecasts() {
+        let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+        let set = root.join("../../validation/calibration/b-three-dates");
+        let folder = tempfile::TempDir::new().unwrap();
+        let path = folder.path().join("plan.toml");
+        let head = "passages,wavelength_mm,level_db,standard_error_db\n";
+        let rows =
+            "0,158.48932,0,0.2\n0,125.89254,0,0.2\n2e6,158.48932,2,0.2\n2e6,125.89254,3,0.2\n";
+        std::fs::write(folder.path().join("levels.csv"), format!("{head}{rows}")).unwrap();
+        let text = format!(
+            "case = {:?}\ntraffic = {:?}\n\
+             [sampler]\nwarmup = 150\ndraws = 297\nseed = 5\n\
+             [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = {{ median = 2.5e-9, factor = 2.0 }}\n\
+             [[data]]\nkind = \"dated-levels\"\nfile = \"levels.csv\"\n\
+             discrepancy = {{ kind = \"band\", standard_deviation = 0.3 }}\n",
+            set.join("case.toml"),
+            set.join("traffic.toml")
+        );
+        std::fs::write(&path, text).unwrap();
+        let plan = Plan::read(&path).unwrap();
+        // Six decibels above the levels of the first date, which are zero.
+        let bands = plan.levels().unwrap().1.bands().iter();
+        let six = bands.map(|band| (*band, 6.0));
+        let limit = LevelLimit::new(Spectrum::new(six.collect::<Vec<_>>()).unwrap());
+        let checked = Simulated::of(&plan, 60, &limit, &|_| (), &Stop::default());
+        let checked = checked.unwrap().unwrap();
+        let of = |of: Checked| checked.values.iter().find(|it| it.of == of).unwrap();
+        for value in [
+            of(Checked::Parameter("wear.coefficient".to_owned())),
+            of(Checked::PassagesToLimit),
+        ] {
+            assert!(value.ranks.len() >= 55, "{value:?}");
+            let inside = value.inside[1] * value.ranks.len() as f64;
+            assert!((36.5..57.5).contains(&inside), "{value:?}");
+            assert!(checked.is_even(value), "{value:?}");
+        }
+    }
+
     fn u1(runs: u64, wider: f64) -> Simulated {
         let posterior = U1::read().posterior_of_errors(wider);
-        let run = |index: u64| ranks(&posterior, 17, index, [150, 297], &Stop::default());
+        let sampler = SamplerFile {
+            warmup: 150,
+            draws: 297,
+            seed: 17,
+            ..SamplerFile::default()
+        };
+        let run = |index: u64| ranks(&posterior, &sampler, index, &None, &Stop::default());
         let ranks = (0..runs)
             .into_par_iter()
             .map(|index| run(index).unwrap().unwrap());

@@ -5,6 +5,7 @@ use std::fmt::Write as _;
 use riffel_study::sensitivity::quantile;
 
 use crate::diagnostics::{ess_bulk, ess_tail, rhat, sorted};
+use crate::file::SamplerKind;
 use crate::plan::Plan;
 use crate::run::Chains;
 
@@ -49,8 +50,10 @@ pub struct Summary {
     pub marginals: Vec<Marginal>,
     /// Trajectories whose energy ran away.
     pub divergences: usize,
-    /// Least over the chains of E-BFMI.
-    pub bfmi: f64,
+    /// Least over the chains of E-BFMI, where they follow trajectories.
+    pub bfmi: Option<f64>,
+    /// What drew them.
+    pub sampler: SamplerKind,
 }
 
 /// The shares of the quantiles.
@@ -97,6 +100,7 @@ impl Chains {
             }
         });
         let of_all = self.draws.iter().flatten();
+        let sampler = plan.file.sampler.kind;
         let bfmi = self.draws.iter().map(|draws| {
             let energies: Vec<f64> = draws.iter().map(|draw| draw.statistics.energy).collect();
             let changes = energies.windows(2).map(|pair| (pair[1] - pair[0]).powi(2));
@@ -106,7 +110,8 @@ impl Chains {
         Summary {
             marginals: marginals.collect(),
             divergences: of_all.filter(|draw| draw.statistics.diverging).count(),
-            bfmi: bfmi.fold(f64::INFINITY, f64::min),
+            bfmi: (sampler == SamplerKind::Nuts).then(|| bfmi.fold(f64::INFINITY, f64::min)),
+            sampler,
         }
     }
 }
@@ -125,8 +130,14 @@ impl Summary {
         for marginal in &self.marginals {
             let name = &marginal.name;
             if marginal.rhat.is_nan() || marginal.rhat > MOST_RHAT {
+                let other = match self.sampler {
+                    SamplerKind::Smc => "look for a second way to fit the data",
+                    _ => {
+                        "where the data can be fitted in two ways sampler.kind = \"smc\" finds both"
+                    }
+                };
                 doubts.push(format!(
-                    "the chains disagree on {name}: R̂ is {:.3}, but must be {MOST_RHAT} at most; take more draws, or look for a second way to fit the data",
+                    "the chains disagree on {name}: R̂ is {:.3}, but must be {MOST_RHAT} at most; take more draws, or {other}",
                     marginal.rhat
                 ));
             }
@@ -143,10 +154,9 @@ impl Summary {
                 self.divergences
             ));
         }
-        if self.bfmi.is_nan() || self.bfmi <= LEAST_BFMI {
+        if let Some(bfmi) = self.bfmi.filter(|it| it.is_nan() || *it <= LEAST_BFMI) {
             doubts.push(format!(
-                "the energy of the chains moves by {:.2} of its spread, but must by {LEAST_BFMI}: the tails are not reached",
-                self.bfmi
+                "the energy of the chains moves by {bfmi:.2} of its spread, but must by {LEAST_BFMI}: the tails are not reached"
             ));
         }
         doubts

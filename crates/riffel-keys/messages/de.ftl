@@ -550,7 +550,7 @@ model-not-told-apart = { $model } und { $best } sind nicht zu unterscheiden: die
 all-models-see = Modelle: { $models }
 left-out-to-compare = weggelassen, jedes für sich, um sie zu vergleichen: { $held }
 one-group-left-out = nur { $held } wurde weggelassen: ein anderes Datum, ein anderer Ort oder andere Daten können anders urteilen, und ± ist allein der Fehler der Ziehungen
-weights-not-trusted = { $model }: dem Ergebnis für { $held } ist nicht zu trauen (k̂ = { $shape }, zulässig ist höchstens 0,7); unter [hold_out] genannt, bleibt es aus eigenen Ketten weg
+log-evidence = ln Evidenz { $value }, { $low } bis { $high } in { $runs } Läufen; sie ändert sich mit der Breite des Vorwissens und vergleicht daher nur Modelle mit gleichem
 models-on-doubtful-chains = { $model }: seine Ketten lassen { $doubts } Zweifel, mit mehr Ziehungen kann sich das Ergebnis ändern
 
 ## Ketten zu simulierten Daten
@@ -562,5 +562,7 @@ verdict-on-ranks = Ränge
 ranks-even = gleichmäßig
 ranks-uneven = ungleichmäßig
 log-likelihood-of-all-data = ln Likelihood
+passages-to-the-limit = Überrollungen bis zur Grenze
+simulations = Simulationen
 all-ranks-even = in { $runs } Simulationen liegt die Wahrheit beliebig unter den Ziehungen
 ranks-are-uneven = { $value }: in { $runs } Simulationen liegt die Wahrheit nicht beliebig unter den Ziehungen (Wahrscheinlichkeit { $probability }): die Bereiche sind falsch; mit mehr Vorlauf und Ziehungen oder einem anderen Verfahren können sie richtig werden

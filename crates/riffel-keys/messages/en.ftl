@@ -558,7 +558,7 @@ model-not-told-apart = { $model } and { $best } are not told apart: ln density d
 all-models-see = models: { $models }
 left-out-to-compare = left out, each by itself, to compare them: { $held }
 one-group-left-out = only { $held } was left out: another date, place or kind may judge otherwise, and ± is the error of the draws alone
-weights-not-trusted = { $model }: the score of { $held } is not to be trusted (k̂ = { $shape }, but must be 0.7 at most); named under [hold_out], it is left out of chains of their own
+log-evidence = ln evidence { $value }, { $low } to { $high } by { $runs } runs; it moves with the width of the priors, so that it compares only models with the same
 models-on-doubtful-chains = { $model }: its chains leave { $doubts } doubts, and its score may change with more draws
 
 ## Chains on simulated data
@@ -570,5 +570,7 @@ verdict-on-ranks = ranks
 ranks-even = even
 ranks-uneven = uneven
 log-likelihood-of-all-data = ln likelihood
+passages-to-the-limit = passages to the limit
+simulations = simulations
 all-ranks-even = in { $runs } simulations the truth lies anywhere among the draws
 ranks-are-uneven = { $value }: in { $runs } simulations the truth does not lie anywhere among the draws (probability { $probability }): its intervals are wrong, by more warm-up and draws or by another sampler they may be right

@@ -1,8 +1,10 @@
 """Calibrations and decisions from Python."""
 
 import csv
+import json
 import shutil
 from collections.abc import Callable
+from datetime import datetime, timezone
 from pathlib import Path
 from typing import Any
 
@@ -84,13 +86,23 @@ def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_pat
     plan.write_text(HEAD.replace("chains = 2", "chains = 4"))
     riffel.calibrate(plan, tmp_path / "out")
     tree = xr.open_datatree(tmp_path / "out" / "posterior.zarr", engine="zarr")
-    groups = {"posterior", "sample_stats", "prior", "log_likelihood", "posterior_predictive", "observed_data"}
+    groups = {"posterior", "sample_stats", "prior", "log_likelihood", "posterior_predictive", "observed_data", "constant_data"}
     assert set(tree.children) == groups
-    for group in groups - {"observed_data"}:
+    for group in groups - {"observed_data", "constant_data"}:
         assert list(tree[group].sizes)[:2] == ["chain", "draw"]
         assert tree[group]["draw"].dtype == np.int64
     assert tree["sample_stats/diverging"].dtype == bool
     assert tree["sample_stats/n_steps"].dtype == np.int64
+    # What the model was given, row by row of the tables, and where each group comes from.
+    given = tree["constant_data"]
+    table = np.genfromtxt(plan.parent / "roughness.csv", delimiter=",", names=True)
+    for name in table.dtype.names:
+        assert np.array_equal(given[f"dated-levels.{name}"], table[name])
+    for group in [tree, *tree.children.values()]:
+        assert group.attrs["inference_library"] == "riffel"
+        assert group.attrs["inference_library_version"] == riffel.__version__
+        made = datetime.fromisoformat(group.attrs["created_at"])
+        assert abs((datetime.now(timezone.utc) - made).total_seconds()) < 3600
     data = arviz.InferenceData.from_datatree(tree)  # type: ignore[no-untyped-call]
     found = arviz.summary(data, round_to="none")
     with (tmp_path / "out" / "summary.csv").open() as file:
@@ -108,6 +120,26 @@ def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_pat
     # What indexes by divergences, and what weights draws by the likelihood of each datum.
     arviz.plot_trace(data)
     assert arviz.loo(data).n_data_points == tree["observed_data"].sizes["datum"]  # type: ignore[no-untyped-call]
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_the_same_seed_gives_the_same_bits_of_all_but_the_time(plan: Path, tmp_path: Path) -> None:
+    def strip(value: Any) -> Any:
+        if isinstance(value, dict):
+            return {key: strip(inner) for key, inner in value.items() if key != "created_at"}
+        return value
+
+    def files(name: str) -> dict[str, Any]:
+        riffel.calibrate(plan, tmp_path / name)
+        root = tmp_path / name / "posterior.zarr"
+        paths = [path for path in root.rglob("*") if path.is_file()]
+        assert any("created_at" in path.read_text() for path in paths if path.name == "zarr.json")
+        read = {
+            path: strip(json.loads(path.read_text())) if path.name == "zarr.json" else path.read_bytes() for path in paths
+        }
+        return {str(path.relative_to(root)): content for path, content in read.items()}
+
+    assert files("one") == files("other")
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")

@@ -4,6 +4,7 @@ mod comparison;
 mod data;
 pub(crate) mod decision;
 mod discrepancy;
+mod moved;
 mod parameter;
 mod pass_by;
 mod uncertain;
@@ -236,10 +237,6 @@ fn passages_per_day(line: &Line, vehicles: &[Vehicle], case: &Case) -> Option<f6
 
 fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
     let sampler = &file.sampler;
-    if sampler.kind != "nuts" {
-        let rule = format!("is \"{}\", but must be \"nuts\"", sampler.kind);
-        return Err(source.invalid("sampler.kind", &rule, ""));
-    }
     for (key, value, least, most) in [
         ("sampler.chains", sampler.chains, 1, 1000),
         ("sampler.warmup", sampler.warmup, 100, 1_000_000),
@@ -266,7 +263,7 @@ fn beside(folder: &Path, name: &str) -> PathBuf {
 }
 
 /// The name of data in the results.
-fn name_of(data: &DataFile) -> &str {
+pub(crate) fn name_of(data: &DataFile) -> &str {
     data.name.as_deref().unwrap_or(data.kind.name())
 }
 

@@ -242,7 +242,7 @@ impl Table {
 }
 
 /// The path of a file as seen from a folder.
-fn from(folder: &Path, file: &Path) -> String {
+pub(super) fn from(folder: &Path, file: &Path) -> String {
     let real = |path: &Path| {
         let there = path
             .ancestors()

@@ -6,6 +6,7 @@ mod likelihood;
 mod posterior;
 mod profiles;
 mod refusals;
+mod results;
 mod usual;
 
 use std::path::PathBuf;

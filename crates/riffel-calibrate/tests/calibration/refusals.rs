@@ -286,8 +286,8 @@ fn what_cannot_be_used_is_said() {
             b,
             "plan.toml",
             "[sampler]",
-            "[sampler]\nkind = \"smc\"",
-            &["sampler.kind", "nuts"],
+            "[sampler]\nkind = \"gibbs\"",
+            &["sampler.kind", "gibbs"],
         ),
         (
             b,

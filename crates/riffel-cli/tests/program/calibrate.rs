@@ -125,6 +125,7 @@ fn simulated_data_hold_the_truth_as_often_as_is_said() {
     for words in [
         "wear.coefficient",
         "ln likelihood",
+        "passages to the limit",
         "in 20 simulations the truth lies anywhere",
     ] {
         assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
@@ -132,6 +133,16 @@ fn simulated_data_hold_the_truth_as_often_as_is_said() {
     let document = fs::read(sandbox.path("ranks/ranks.json")).unwrap();
     let document: serde_json::Value = serde_json::from_slice(&document).unwrap();
     assert_eq!(document["values"][0]["ranks"].as_array().unwrap().len(), 20);
+    let of = [0, 1, 2].map(|place| document["values"][place]["of"].clone());
+    let parameter = serde_json::json!({ "parameter": "wear.coefficient" });
+    assert_eq!(
+        of,
+        [
+            parameter,
+            "log-likelihood".into(),
+            "passages-to-limit".into()
+        ]
+    );
     assert!(sandbox.path("ranks/ranks.png").exists());
     for (draws, runs, words) in [
         ("198", 19, "--runs is 19"),
@@ -316,6 +327,32 @@ fn chains_lead_to_a_forecast_and_a_decision() {
         "{}",
         outcome.text
     );
+}
+
+/// A population tells the evidence; the copy of its plan beside the results, read from there, has the same results elsewhere.
+#[test]
+fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
+    let sandbox = Sandbox::new();
+    let set = "validation/calibration/b-three-dates";
+    sandbox.copy(set);
+    let plan = "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 200\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = { median = 2.5e-9, factor = 2.0 }\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
+        discrepancy = { kind = \"band\", standard_deviation = 1.0 }\n";
+    fs::write(sandbox.path(&format!("{set}/smc.toml")), plan).unwrap();
+    let outcome = sandbox.riffel(&format!("calibrate {set}/smc.toml -o out"));
+    assert!(outcome.status < Some(2), "{}", outcome.text);
+    for words in [
+        "ln evidence -",
+        "by 2 runs; it moves with the width of the priors",
+    ] {
+        assert!(outcome.text.contains(words), "{words}: {}", outcome.text);
+    }
+    let outcome = sandbox.riffel("calibrate out/plan.toml -o elsewhere/again");
+    assert!(outcome.status < Some(2), "{}", outcome.text);
+    let csv = |folder: &str| fs::read(sandbox.path(&format!("{folder}/summary.csv"))).unwrap();
+    assert_eq!(csv("out"), csv("elsewhere/again"));
 }
 
 /// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.

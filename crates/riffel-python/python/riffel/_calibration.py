@@ -50,8 +50,9 @@ def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.Data
     -------
     xarray.DataTree
         ``posterior.zarr``, with the groups of ArviZ: ``posterior``, ``sample_stats``, ``prior``, ``observed_data``,
-        ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``. Where the plan compares models, the attribute
-        ``models`` says how well each predicts what was left out: the list of ``models.json``.
+        ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``, and ``constant_data``, the columns of the tables
+        that the model was given. The sampler ``smc`` tells the attribute ``log_evidence``, one for each chain. Where the plan
+        compares models, the attribute ``models`` says how well each predicts what was left out: the list of ``models.json``.
 
     Warns
     -----

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::Instant;
 
-use riffel_answers::calibrate::{close_pairs, correlations, directions, figure};
+use riffel_answers::calibrate::{close_pairs, correlations, directions, figure, log_evidence};
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
@@ -11,6 +11,7 @@ use riffel_calibrate::{
     CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Summary,
 };
 
+use super::LIMIT;
 use crate::arguments::{CalibrateChains, stem};
 use crate::command::study::progress::{SampleProgress, duration};
 use crate::messages::{complain, language, print_remarks, say};
@@ -19,8 +20,7 @@ use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
 use crate::threads::on_threads;
 
-/// The limit and the months of the forecast that is made with every calibration.
-const LIMIT: &str = "iso-3095-2013";
+/// The months of the forecast that is made with every calibration.
 const MONTHS: f64 = 24.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
@@ -55,7 +55,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     say(format_args!(
         "{} chains of {} + {} draws of {} parameters",
         sampler.chains,
-        sampler.warmup,
+        sampler.left_out(),
         sampler.draws,
         plan.posterior.parameters().len()
     ));
@@ -133,7 +133,7 @@ fn conclusions(
     let mut staging = Staging::new("calibrate", folder)?;
     let directions = directions(told);
     let mut text = format!("{}\n", table_of(&directions));
-    for sentence in close_pairs(told) {
+    for sentence in close_pairs(told).into_iter().chain(log_evidence(chains)) {
         text += &format!("{}\n", sentence.text(language()));
     }
     let mut tables = vec![directions, correlations(told)];
@@ -181,7 +181,7 @@ fn dry_run(plan: &Plan) -> miette::Result<String> {
                 .map(Vec::len)
                 .sum::<usize>(),
             plan.file.sampler.chains,
-            plan.file.sampler.warmup,
+            plan.file.sampler.left_out(),
             plan.file.sampler.draws
         ))
 }

@@ -1,9 +1,10 @@
 //! `riffel calibrate check`
 
-use riffel_answers::Answer;
 use riffel_answers::calibration_check::CalibrationCheck;
+use riffel_answers::{Answer, level_limit};
 use riffel_calibrate::{Plan, Simulated};
 
+use super::LIMIT;
 use crate::arguments::CheckCalibration;
 use crate::command::study::progress::SampleProgress;
 use crate::messages::{complain, language, print_remarks};
@@ -17,12 +18,14 @@ const UNEVEN: u8 = 1;
 
 pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     let plan = Plan::read(&arguments.plan)?;
+    let (_, limit) = level_limit(LIMIT)?;
     let stop = stop_on_interrupt();
     let progress = SampleProgress::new("simulations", arguments.runs);
     let work = || {
         Simulated::of(
             &plan,
             arguments.runs,
+            &limit,
             &|done| progress.advance_by(done),
             &stop,
         )

@@ -5,6 +5,9 @@ mod check;
 
 use crate::arguments::{Calibrate, CalibrateCommand};
 
+/// The limit of forecasts.
+const LIMIT: &str = "iso-3095-2013";
+
 pub(crate) fn run(arguments: &Calibrate) -> miette::Result<u8> {
     match &arguments.command {
         None => chains::run(&arguments.chains),
