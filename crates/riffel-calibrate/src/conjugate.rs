@@ -310,6 +310,10 @@ impl Block for Modes {
         })
     }
 
+    fn places(&self) -> Vec<Place> {
+        Vec::new()
+    }
+
     fn views(&self) -> Vec<usize> {
         Vec::new()
     }

@@ -119,6 +119,7 @@ mod tests {
         };
         let chains = Chains {
             draws: vec![(0..40).map(draw).collect()],
+            log_evidences: Vec::new(),
         };
         let groups = chains.predicted(&plan);
         let of = |measured: Observable| {

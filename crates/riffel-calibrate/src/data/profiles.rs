@@ -1,7 +1,7 @@
 //! Profiles of the same rail at several dates.
 
 use std::f64::consts::{LN_10, TAU};
-use std::path::{Path, PathBuf};
+use std::path::{Component, Path, PathBuf};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
@@ -90,7 +90,7 @@ impl DatedProfiles {
         let (mut lines, mut remarks, mut seen) = (Vec::new(), Vec::new(), None);
         for date in later {
             let found = WaveGrowths::between(&first.profile, &date.profile, window);
-            let found = found.map_err(|error| CaseError::data(&date.path, &error.to_string()))?;
+            let found = found.map_err(|error| CaseError::data(&date.path, error.to_string()))?;
             if found.lost > 0 {
                 remarks.push(format!(
                     "{}: {} of {} lines have too little in common with the first date and are left out",
@@ -208,6 +208,15 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
     let mut dated: Vec<Dated> = Vec::new();
     for (passages, name) in rows {
         let passages = passages - begins;
+        // Whoever sends a table to a server must not read other files of it.
+        let is_below =
+            |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
+        if !Path::new(&name).components().all(is_below) {
+            let message = format!(
+                "names the profile \"{name}\", but profiles must lie beside the table or in a folder there"
+            );
+            return Err(CaseError::data(path, &message));
+        }
         let path = folder.join(name);
         if dated.iter().any(|other| other.passages == passages) {
             let message = "is of a date that another profile is of; give each date one";

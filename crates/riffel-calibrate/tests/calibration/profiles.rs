@@ -122,7 +122,7 @@ fn profiles_that_grew_by_the_case_are_those_it_expects() {
         }
     }
     // Noise of a tenth in some 50 segments: 0.1·√2/√100 = 0.014 Np before growth makes it less.
-    let off = (squares / f64::from(count)).sqrt();
+    let off = (squares / count).sqrt();
     assert!(off > 2e-3 && off < 0.03, "{off} of {count}");
 }
 
@@ -190,4 +190,18 @@ fn profiles_that_cannot_be_used_are_said() {
     let another = [rails[0].clone(), rail(&truth(), 6, 0.1).swap_remove(1)];
     let another = refusal(&another, "");
     assert!(another.contains("no wave in common"), "{another}");
+    // A table that names files elsewhere, as one that was sent to a server might.
+    for elsewhere in ["/etc/hostname", "../profile-1.csv"] {
+        let to = TempDir::new().unwrap();
+        plan(to.path(), &rails, "").unwrap();
+        let table = format!("passages,profile\n0,profile-0.csv\n2e6,{elsewhere}\n");
+        fs::write(to.path().join("profiles.csv"), table).unwrap();
+        let refusal = Plan::read(&to.path().join("plan.toml"))
+            .map(|_| ())
+            .unwrap_err();
+        assert!(
+            refusal.to_string().contains("beside the table"),
+            "{refusal}"
+        );
+    }
 }
