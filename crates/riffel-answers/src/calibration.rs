@@ -1,11 +1,14 @@
 //! What a calibration says, as one document.
 
 use riffel_calibrate::file::SamplerFile;
-use riffel_calibrate::{Chains, Identifiability, Marginal, Plan, Predicted, Summary, TOLD};
+use riffel_calibrate::{
+    Chains, Identifiability, Marginal, Outlying, Plan, Predicted, Summary, TOLD,
+};
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
 use crate::calibrate::{Densities, close_pairs};
+use crate::outlying::in_words;
 
 /// What the chains of a plan say of each value, and of the data.
 #[derive(Serialize)]
@@ -23,6 +26,10 @@ pub struct Calibration {
     pub together: Vec<Message>,
     /// A sentence on each value that the data do not tell.
     pub untold: Vec<Message>,
+    /// Data that lie far from what all others say.
+    outlying: Vec<Outlying>,
+    /// A sentence on each of these.
+    pub far_from_others: Vec<Message>,
     /// Why the chains allow no conclusion.
     pub doubts: Vec<String>,
     remarks: Vec<String>,
@@ -105,6 +112,7 @@ impl Calibration {
             }
         });
         let parameters: Vec<Value> = parameters.collect();
+        let outlying = chains.outlying(plan);
         let untold = summary.marginals.iter().filter(|found| !is_told(found));
         Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
@@ -119,6 +127,8 @@ impl Calibration {
             data: chains.predicted(plan),
             together: close_pairs(told),
             untold: untold.map(untold_value).collect(),
+            far_from_others: outlying.iter().map(in_words).collect(),
+            outlying,
             doubts,
             remarks: plan.remarks.clone(),
         }

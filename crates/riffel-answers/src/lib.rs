@@ -45,6 +45,7 @@ pub mod map;
 pub mod models;
 mod netcdf;
 pub mod noise;
+mod outlying;
 mod over_posterior;
 mod pads;
 pub mod paper;

@@ -67,13 +67,13 @@ export class CalibrationAnswer {
     this.answer = answer;
     for (const one of this.panels) one.hidden = !answer;
     if (!answer) return;
-    const { conclusion, doubts, together, untold, remarks, is_conclusive: isConclusive, sampler } = answer;
+    const { conclusion, doubts, together, untold, far_from_others: far, remarks, is_conclusive: isConclusive, sampler } = answer;
     Object.assign(this.verdict, this.spoken(conclusion));
     this.verdict.textContent = sentence(this.verdict.textContent);
     const item = (english, className) => element('li', { ...this.spoken(english), className });
     const drawn = element('li', { textContent: t('drawn', { ...sampler, rhat: number(Math.max(...answer.parameters.map(({ rhat }) => rhat)), 4) }) });
     // Where chains disagree nothing is concluded.
-    const more = isConclusive ? [...together, ...untold, ...remarks] : [...doubts, ...remarks];
+    const more = isConclusive ? [...together, ...untold, ...far, ...remarks] : [...doubts, ...far, ...remarks];
     this.words.replaceChildren(drawn, ...more.map((one) => item(one, isConclusive ? '' : 'bad')));
     this.multiples.replaceChildren(...answer.parameters.map((one) => this.#multiple(one)));
     this.panels.forEach((one) => translate(one));

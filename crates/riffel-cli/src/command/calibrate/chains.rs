@@ -113,6 +113,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     print_remarks(&plan.remarks);
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
+    print_remarks(&answer.far_from_others);
     answer.doubts.iter().map(String::as_str).for_each(complain);
     Ok(if answer.is_conclusive {
         0
