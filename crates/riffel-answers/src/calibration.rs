@@ -24,7 +24,7 @@ pub struct Calibration {
     /// A sentence on each value that the data do not tell.
     pub untold: Vec<Message>,
     /// Why the chains allow no conclusion.
-    pub doubts: Vec<String>,
+    pub doubts: Vec<Message>,
     remarks: Vec<String>,
 }
 
@@ -41,7 +41,7 @@ impl From<&SamplerFile> for Sampler {
     fn from(file: &SamplerFile) -> Self {
         Self {
             chains: file.chains,
-            warmup: file.warmup,
+            warmup: file.left_out(),
             draws: file.draws,
             seed: file.seed,
         }

@@ -54,7 +54,8 @@ pub(crate) fn calibrate(
         let mut remarks = plan.remarks;
         let of_models = models.as_ref().map_or(&[][..], Answer::remarks);
         remarks.extend(of_models.iter().map(ToString::to_string));
-        Ok((remarks, summary.doubts(), models))
+        let doubts = summary.doubts().iter().map(ToString::to_string).collect();
+        Ok((remarks, doubts, models))
     };
     // Finished parts of chains stay for a restart.
     let done = interruptible(py, work).inspect_err(|_| stop.ask())?;

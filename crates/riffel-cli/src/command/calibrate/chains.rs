@@ -113,7 +113,8 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     print_remarks(&plan.remarks);
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
-    answer.doubts.iter().map(String::as_str).for_each(complain);
+    let doubts = answer.doubts.iter();
+    doubts.for_each(|doubt| complain(doubt.text(language())));
     Ok(if answer.is_conclusive {
         0
     } else {
