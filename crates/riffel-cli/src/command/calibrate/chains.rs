@@ -29,17 +29,12 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let named = arguments.plan.as_deref().unwrap_or(Path::new(""));
     let path = arguments.output.clone();
     let path = path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(named))));
-    let plan = match &arguments.tables[..] {
-        [] => Plan::read(named)?,
-        tables => {
-            let measured = Measured {
-                case: named,
-                traffic: arguments.traffic.as_deref(),
-                tables,
-            };
-            Plan::usual(&path.join("plan.toml"), &measured)?
-        }
+    let measured = Measured {
+        case: named,
+        traffic: arguments.traffic.as_deref(),
+        tables: &arguments.tables,
     };
+    let plan = measured.plan_for(&path)?;
     if arguments.dry_run {
         match arguments.json {
             true => print(&json(&PlanDocument::from(&plan)))?,
