@@ -208,9 +208,9 @@ mod tests {
         assert!((deviation / expected - 1.0).abs() < 0.07, "{deviation}");
     }
 
-    /// κ with the three first levels, whose priors are fifty times as wide as what the data leave, and which hang together
-    /// (r = −0.9 at most). To five standard errors, if one in four of 12000 draws counts: 0.09 of the deviation, 7 % of it, and as
-    /// much of each correlation.
+    /// κ with the three first levels, whose priors are 10 to 29 times as wide as what the data leave, and which hang together (r to
+    /// −0.66). To five standard errors, if one in four of 12000 draws counts: means to 0.09 of the deviation, covariances to 0.14 of
+    /// its product. A stretch with a power too many or too few is off by 0.16.
     #[test]
     fn walkers_have_values_that_hang_together() {
         let u1 = U1::read();
