@@ -31,7 +31,7 @@ pub struct Calibration {
     /// A sentence on each of these.
     pub far_from_others: Vec<Message>,
     /// Why the chains allow no conclusion.
-    pub doubts: Vec<String>,
+    pub doubts: Vec<Message>,
     remarks: Vec<String>,
 }
 
@@ -48,7 +48,7 @@ impl From<&SamplerFile> for Sampler {
     fn from(file: &SamplerFile) -> Self {
         Self {
             chains: file.chains,
-            warmup: file.warmup,
+            warmup: file.left_out(),
             draws: file.draws,
             seed: file.seed,
         }

@@ -106,10 +106,11 @@ impl U1 {
     }
 }
 
-/// The levels of some dates, over all first levels: κ is their one value.
+/// The levels of some dates: over all first levels κ is their one value; else these are values, too.
 struct Levels {
     gaussian: Gaussian,
-    by_growth: Vec<f64>,
+    /// The data of one of each value.
+    columns: Vec<Vec<f64>>,
     data: Vec<f64>,
     /// Factor of the errors of replicas.
     times: f64,
@@ -127,7 +128,7 @@ impl U1 {
         });
         Levels {
             gaussian: Gaussian::new(covariance, Vec::new()).unwrap(),
-            by_growth: columns[0].clone(),
+            columns: columns[..1].to_vec(),
             data,
             times: 1.0,
         }
@@ -144,24 +145,36 @@ impl U1 {
         self.posterior_of(Levels { times, ..levels })
     }
 
+    /// What the sampler draws κ and the first levels from.
+    pub(crate) fn posterior_of_all(&self) -> Posterior {
+        let (columns, errors, data) = self.equations(&[0, 1, 2]);
+        self.posterior_of(Levels {
+            gaussian: Gaussian::new(errors, Vec::new()).unwrap(),
+            columns,
+            data,
+            times: 1.0,
+        })
+    }
+
     fn posterior_of(&self, levels: Levels) -> Posterior {
-        let growth = Distribution::Normal {
-            mean: 1.0,
-            standard_deviation: 1.0,
-            min: f64::NEG_INFINITY,
-            max: f64::INFINITY,
-        };
-        let parameter = Parameter {
-            name: "growth".to_owned(),
+        let values = levels.columns.len();
+        let known = self.proper().into_iter().take(values);
+        let parameters = known.enumerate().map(|(place, known)| Parameter {
+            name: format!("value {place}"),
             unit: String::new(),
-            prior: Prior::Of(growth),
+            prior: Prior::Of(Distribution::Normal {
+                mean: known.mean,
+                standard_deviation: known.precision.powf(-0.5),
+                min: f64::NEG_INFINITY,
+                max: f64::INFINITY,
+            }),
             ends: [f64::NEG_INFINITY, f64::INFINITY],
             role: Role::Size,
             in_data: None,
-        };
+        });
         Posterior {
             model: Model {
-                parameters: vec![parameter],
+                parameters: parameters.collect(),
                 views: Vec::new(),
                 vehicles: Vec::new(),
                 speed: None,
@@ -170,7 +183,7 @@ impl U1 {
                 names: vec!["levels".to_owned()],
                 block: Box::new(levels),
                 sizes: Vec::new(),
-                touched_by: vec![0],
+                touched_by: (0..values).collect(),
             }],
         }
     }
@@ -180,20 +193,24 @@ impl U1 {
         let levels = self.levels(&[0, 1, 2]);
         let group = [0, 1, 2].map(|band| 3 * date + band);
         let group = Group::single(levels.data.len(), &group);
-        let predicted = levels.predicted(growth);
+        let predicted = levels.predicted(&[growth]);
         levels.given_rest(&group, &predicted, &[]).unwrap()
     }
 }
 
 impl Levels {
-    fn predicted(&self, growth: f64) -> Vec<f64> {
-        self.by_growth.iter().map(|it| growth * it).collect()
+    fn predicted(&self, values: &[f64]) -> Vec<f64> {
+        let at = |place: usize| {
+            let pairs = self.columns.iter().zip(values);
+            pairs.map(|(column, value)| column[place] * value).sum()
+        };
+        (0..self.data.len()).map(at).collect()
     }
 }
 
 impl Block for Levels {
     fn predict(&self, trial: &Trial<'_>) -> Result<Vec<f64>, String> {
-        Ok(self.predicted(trial.values[0]))
+        Ok(self.predicted(trial.values))
     }
 
     fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
@@ -231,7 +248,7 @@ impl Block for Levels {
     fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {
         Some(Box::new(Self {
             gaussian: self.gaussian.clone(),
-            by_growth: self.by_growth.clone(),
+            columns: self.columns.clone(),
             data: data.to_vec(),
             times: self.times,
         }))

@@ -180,7 +180,7 @@ pub struct SamplerFile {
     pub kind: SamplerKind,
     /// Chains that know nothing of each other.
     pub chains: u64,
-    /// Draws of each chain that are left out: it finds its steps meanwhile. `smc` needs none.
+    /// Draws of each chain that are left out: it finds its steps meanwhile. `smc` has none, and refuses it.
     pub warmup: u64,
     /// Draws of each chain that are kept.
     pub draws: u64,

@@ -2,6 +2,7 @@
 
 use std::fmt::Write as _;
 
+use riffel_keys::{Message, fixed, say};
 use riffel_study::sensitivity::quantile;
 
 use crate::diagnostics::{ess_bulk, ess_tail, rhat, sorted};
@@ -125,38 +126,41 @@ fn moments(chains: &[Vec<f64>]) -> (f64, f64) {
 
 impl Summary {
     /// Why the chains allow no conclusion, a sentence for each reason; none where they do.
-    pub fn doubts(&self) -> Vec<String> {
+    pub fn doubts(&self) -> Vec<Message> {
         let mut doubts = Vec::new();
         for marginal in &self.marginals {
             let name = &marginal.name;
             if marginal.rhat.is_nan() || marginal.rhat > MOST_RHAT {
                 let other = match self.sampler {
-                    SamplerKind::Smc => "look for a second way to fit the data",
-                    _ => {
-                        "where the data can be fitted in two ways sampler.kind = \"smc\" finds both"
-                    }
+                    SamplerKind::Smc => say!(look_for_a_second_way),
+                    _ => say!(populations_find_both_ways),
                 };
-                doubts.push(format!(
-                    "the chains disagree on {name}: R̂ is {:.3}, but must be {MOST_RHAT} at most; take more draws, or {other}",
-                    marginal.rhat
+                doubts.push(say!(
+                    chains_disagree,
+                    value = name,
+                    rhat = fixed(marginal.rhat, 3),
+                    most = MOST_RHAT,
+                    other = other
                 ));
             }
             let least = marginal.ess_bulk.min(marginal.ess_tail);
             if least.is_nan() || least < LEAST_ESS {
-                doubts.push(format!(
-                    "{name} has {least:.0} effective draws, but must have {LEAST_ESS:.0}; take more draws"
+                doubts.push(say!(
+                    too_few_effective_draws,
+                    value = name,
+                    draws = fixed(least, 0),
+                    least = LEAST_ESS
                 ));
             }
         }
         if self.divergences > 0 {
-            doubts.push(format!(
-                "{} trajectories ran away: the draws leave out a narrow part of the posterior; take a longer warm-up, or priors that keep away from it",
-                self.divergences
-            ));
+            doubts.push(say!(trajectories_ran_away, trajectories = self.divergences));
         }
         if let Some(bfmi) = self.bfmi.filter(|it| it.is_nan() || *it <= LEAST_BFMI) {
-            doubts.push(format!(
-                "the energy of the chains moves by {bfmi:.2} of its spread, but must by {LEAST_BFMI}: the tails are not reached"
+            doubts.push(say!(
+                tails_are_not_reached,
+                moves = fixed(bfmi, 2),
+                least = LEAST_BFMI
             ));
         }
         doubts
@@ -182,5 +186,71 @@ impl Summary {
             let _ = writeln!(text, "{}", cells.join(","));
         }
         text
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use riffel_keys::Language;
+
+    use super::*;
+
+    fn marginal(name: &str, rhat: f64, ess: f64) -> Marginal {
+        Marginal {
+            name: name.to_owned(),
+            unit: "N/m".to_owned(),
+            mean: 1.0,
+            standard_deviation: 1.0,
+            quantiles: [0.0; 5],
+            prior_quantiles: [0.0; 5],
+            rhat,
+            ess_bulk: 2.0 * ess,
+            ess_tail: ess,
+            contraction: 0.5,
+        }
+    }
+
+    /// What lies beyond a bound is said once, in both languages, and what lies on it is not.
+    #[test]
+    fn doubts_are_said_in_every_language() {
+        let mut summary = Summary {
+            marginals: vec![
+                marginal("wheel.mass", 1.0125, 2000.0),
+                marginal("rail.loss_factor", 1.01, 399.4),
+                marginal("wear.coefficient", 1.01, 400.0),
+            ],
+            divergences: 3,
+            bfmi: Some(0.27),
+            sampler: SamplerKind::Nuts,
+        };
+        let said = |summary: &Summary, language| {
+            let doubts = summary.doubts().into_iter();
+            doubts.map(|it| it.text(language)).collect::<Vec<String>>()
+        };
+        let english = said(&summary, Language::English);
+        assert_eq!(
+            english,
+            [
+                "the chains disagree on wheel.mass: R̂ is 1.012, but must be 1.01 at most; take more draws, or where the data can be fitted in two ways sampler.kind = \"smc\" finds both",
+                "rail.loss_factor has 399 effective draws, but must have 400; take more draws",
+                "3 trajectories ran away: the draws leave out a narrow part of the posterior; take a longer warm-up, or priors that keep away from it",
+                "the energy of the chains moves by 0.27 of its spread, but must by 0.3: the tails are not reached",
+            ]
+        );
+        let german = said(&summary, Language::German);
+        for (sentence, words) in german.iter().zip([
+            "uneins: R̂ ist 1,012, darf aber höchstens 1,01 sein; mehr Ziehungen nehmen, oder wo sich die Daten auf zwei Wegen",
+            "rail.loss_factor hat 399 wirksame Ziehungen, braucht aber 400",
+            "3 Bahnen sind entwichen",
+            "um 0,27 ihrer Streuung, muss sich aber um 0,3 bewegen",
+        ]) {
+            assert!(sentence.contains(words), "{sentence}");
+        }
+        summary.sampler = SamplerKind::Smc;
+        let of_population = said(&summary, Language::German);
+        assert!(
+            of_population[0]
+                .ends_with("oder einen zweiten Weg suchen, auf dem das Modell zu den Daten passt")
+        );
     }
 }

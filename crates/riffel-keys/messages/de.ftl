@@ -513,6 +513,12 @@ second-of-pair = anderer Wert
 told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 calibration-allows-no-conclusion = die Ketten erlauben keinen Schluss, wegen { $doubts } Zweifeln, die bei ihnen stehen: mehr Ziehungen können sie ausräumen
+chains-disagree = die Ketten sind über { $value } uneins: R̂ ist { $rhat }, darf aber höchstens { $most } sein; mehr Ziehungen nehmen, oder { $other }
+look-for-a-second-way = einen zweiten Weg suchen, auf dem das Modell zu den Daten passt
+populations-find-both-ways = wo sich die Daten auf zwei Wegen treffen lassen, sampler.kind = "smc" nehmen, das beide findet
+too-few-effective-draws = { $value } hat { $draws } wirksame Ziehungen, braucht aber { $least }; mehr Ziehungen nehmen
+trajectories-ran-away = { $trajectories } Bahnen sind entwichen: die Ziehungen lassen einen engen Teil der Nachverteilung aus; länger einlaufen lassen oder Vorverteilungen wählen, die ihn meiden
+tails-are-not-reached = die Energie der Ketten bewegt sich um { $moves } ihrer Streuung, muss sich aber um { $least } bewegen: die Ausläufer sind nicht erreicht
 calibration-tells-nothing = aus den Daten geht keiner der { $count } Werte hervor: jeder ist so unsicher wie zuvor
 calibration-tells-all = aus den Daten gehen alle { $count } Werte hervor, am besten { $best }
 calibration-tells-some = aus den Daten gehen { $told } von { $count } Werten hervor, am besten { $best }; nicht hervor geht { $untold }

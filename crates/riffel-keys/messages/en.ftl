@@ -521,6 +521,12 @@ second-of-pair = other value
 told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
 told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone
 calibration-allows-no-conclusion = the chains allow no conclusion, by { $doubts } doubts that are told with them: more draws may settle these
+chains-disagree = the chains disagree on { $value }: R̂ is { $rhat }, but must be { $most } at most; take more draws, or { $other }
+look-for-a-second-way = look for a second way to fit the data
+populations-find-both-ways = where the data can be fitted in two ways sampler.kind = "smc" finds both
+too-few-effective-draws = { $value } has { $draws } effective draws, but must have { $least }; take more draws
+trajectories-ran-away = { $trajectories } trajectories ran away: the draws leave out a narrow part of the posterior; take a longer warm-up, or priors that keep away from it
+tails-are-not-reached = the energy of the chains moves by { $moves } of its spread, but must by { $least }: the tails are not reached
 calibration-tells-nothing = the data tell none of the { $count } values: each is as uncertain as before
 calibration-tells-all = the data tell all { $count } values, most of all { $best }
 calibration-tells-some = the data tell { $told } of { $count } values, most of all { $best }; they do not tell { $untold }

@@ -8,7 +8,7 @@ use pyo3::prelude::*;
 use riffel_answers::Answer;
 use riffel_answers::competing_models::CompetingModels;
 use riffel_answers::decide::DecideAnswer;
-use riffel_calibrate::{CalibrationError, Folder, Plan};
+use riffel_calibrate::{CalibrationError, Folder, Measured, Plan};
 use riffel_study::Stop;
 
 use crate::case::Case;
@@ -27,18 +27,26 @@ fn of_calibration(error: CalibrationError) -> PyErr {
     }
 }
 
-/// Draw the chains of a plan and write their folder; remarks on the plan, doubts of the chains, and how its models compare.
+/// Draw the chains of a plan, or of a case and tables of measurements, and write their folder; remarks on the plan, doubts of the
+/// chains, and how its models compare.
 #[pyfunction]
 pub(crate) fn calibrate(
     py: Python<'_>,
     plan: PathBuf,
     folder: PathBuf,
+    tables: Vec<PathBuf>,
+    traffic: Option<PathBuf>,
     restart: bool,
 ) -> PyResult<(Vec<String>, Vec<String>, Option<Bound<'_, PyAny>>)> {
     let stop = Arc::new(Stop::default());
     let asked = Arc::clone(&stop);
     let work = move || -> Result<_, CalibrationError> {
-        let plan = Plan::read(&plan)?;
+        let measured = Measured {
+            case: &plan,
+            traffic: traffic.as_deref(),
+            tables: &tables,
+        };
+        let plan = measured.plan_for(&folder)?;
         let own = Folder::begin(&plan, &folder, restart)?;
         own.write_plan(&plan)?;
         let sample = |folder: &Folder<'_>, _: &str| folder.run(&|_| (), &asked);
@@ -54,7 +62,8 @@ pub(crate) fn calibrate(
         let mut remarks = plan.remarks;
         let of_models = models.as_ref().map_or(&[][..], Answer::remarks);
         remarks.extend(of_models.iter().map(ToString::to_string));
-        Ok((remarks, summary.doubts(), models))
+        let doubts = summary.doubts().iter().map(ToString::to_string).collect();
+        Ok((remarks, doubts, models))
     };
     // Finished parts of chains stay for a restart.
     let done = interruptible(py, work).inspect_err(|_| stop.ask())?;

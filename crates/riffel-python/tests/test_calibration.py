@@ -3,6 +3,7 @@
 import csv
 import json
 import shutil
+import subprocess
 from collections.abc import Callable
 from datetime import datetime, timezone
 from pathlib import Path
@@ -12,8 +13,11 @@ import numpy as np
 import pytest
 import riffel
 import xarray as xr
+from conftest import PROGRAM, ROOT
+from distributed import Client, LocalCluster
 
-SET = Path(__file__).parents[3] / "validation" / "calibration" / "b-three-dates"
+SETS = ROOT / "validation" / "calibration"
+SET = SETS / "b-three-dates"
 HEAD = """case = "case.toml"
 traffic = "traffic.toml"
 [sampler]
@@ -96,12 +100,13 @@ def test_arviz_reads_the_tree_and_finds_the_same_diagnostics(plan: Path, tmp_pat
     # What the model was given, row by row of the tables, and where each group comes from.
     given = tree["constant_data"]
     table = np.genfromtxt(plan.parent / "roughness.csv", delimiter=",", names=True)
+    assert table.dtype.names is not None
     for name in table.dtype.names:
         assert np.array_equal(given[f"dated-levels.{name}"], table[name])
-    for group in [tree, *tree.children.values()]:
-        assert group.attrs["inference_library"] == "riffel"
-        assert group.attrs["inference_library_version"] == riffel.__version__
-        made = datetime.fromisoformat(group.attrs["created_at"])
+    for part in [tree, *tree.children.values()]:
+        assert part.attrs["inference_library"] == "riffel"
+        assert part.attrs["inference_library_version"] == riffel.__version__
+        made = datetime.fromisoformat(part.attrs["created_at"])
         assert abs((datetime.now(timezone.utc) - made).total_seconds()) < 3600
     data = arviz.InferenceData.from_datatree(tree)  # type: ignore[no-untyped-call]
     found = arviz.summary(data, round_to="none")
@@ -140,6 +145,70 @@ def test_the_same_seed_gives_the_same_bits_of_all_but_the_time(plan: Path, tmp_p
         return {str(path.relative_to(root)): content for path, content in read.items()}
 
     assert files("one") == files("other")
+
+
+def refused(**question: Any) -> str:
+    """The sentence by which the program refuses a calibration."""
+    asked = json.dumps(question)
+    found = subprocess.run([PROGRAM, "ask", "calibrate"], input=asked, capture_output=True, text=True)
+    assert found.returncode == 2
+    sentence: str = json.loads(found.stderr)["error"]["message"]
+    return sentence
+
+
+@pytest.mark.filterwarnings("ignore::UserWarning")
+def test_a_case_and_its_tables_need_no_plan(tmp_path: Path, program: Callable[..., Any]) -> None:
+    site = tmp_path / "site"
+    site.mkdir()
+    shutil.copy(SETS / "a-hammer-and-decay" / "case.toml", site)
+    shutil.copy(SET / "traffic.toml", site)
+    shutil.copy(SET / "roughness.csv", site)
+    head, *lines = (SETS / "a-hammer-and-decay" / "hammer.csv").read_text().splitlines()
+    # Every sixth line: the chains are as long as ever, but a model takes a sixth of the time.
+    (site / "hammer.csv").write_text("\n".join([head, *lines[::6]]))
+    case, table, traffic = site / "case.toml", site / "hammer.csv", site / "traffic.toml"
+    tree = riffel.calibrate(case, tmp_path / "own", with_=table, traffic=traffic)
+    assert tree.attrs["doubts"] == []
+    program("calibrate", str(case), "--with", str(table), "--traffic", str(traffic), "-o", str(tmp_path / "other"), "--json", "-q")
+    for name in ("plan.toml", "summary.csv"):
+        assert (tmp_path / "own" / name).read_bytes() == (tmp_path / "other" / name).read_bytes(), name
+    assert 'traffic = "../site/traffic.toml"' in (tmp_path / "own" / "plan.toml").read_text()
+    # The plan that was written runs by itself.
+    again = riffel.calibrate(tmp_path / "own" / "plan.toml", tmp_path / "again")
+    assert again.children["posterior"].equals(tree.children["posterior"])
+    with pytest.raises(ValueError, match="traffic is given without with_"):
+        riffel.calibrate(tmp_path / "own" / "plan.toml", tmp_path / "own", traffic=traffic)
+    for wrong in (site / "roughness.csv", case):
+        with pytest.raises(ValueError) as error:
+            riffel.calibrate(case, tmp_path / "none", with_=[table, wrong])
+        asked = {"plan": str(case), "with": [str(table), str(wrong)], "output": str(tmp_path / "none")}
+        assert refused(**asked) in str(error.value)
+    assert not (tmp_path / "none").exists()
+
+
+@pytest.mark.filterwarnings("ignore")
+def test_sites_are_calibrated_on_a_cluster(plan: Path, tmp_path: Path) -> None:
+    def calibrate(site: Path) -> list[str]:
+        doubts: list[str] = riffel.calibrate(site / "plan.toml", site / "posterior", restart=True).attrs["doubts"]
+        return doubts
+
+    sites = [tmp_path / name for name in ("here", "there")]
+    for seed, site in enumerate(sites):
+        shutil.copytree(plan.parent, site, ignore=lambda *_: ["here", "there"])
+        few = "draws = 50" if seed else "draws = 1000"
+        (site / "plan.toml").write_text(HEAD.replace("draws = 400", f"{few}\nseed = {seed}"))
+    with (
+        LocalCluster(n_workers=2, threads_per_worker=1, dashboard_address=":0", silence_logs="CRITICAL") as cluster,
+        Client(cluster) as client,
+    ):
+        told = client.gather(client.map(calibrate, sites, pure=False))
+    # Of 2 × 50 draws fewer than 400 count.
+    assert told[0] == []
+    assert "effective draws, but must have 400" in told[1][-1]
+    for site in sites:
+        riffel.calibrate(site / "plan.toml", site / "alone")
+        summaries = [(site / folder / "summary.csv").read_bytes() for folder in ("posterior", "alone")]
+        assert summaries[0] == summaries[1]
 
 
 @pytest.mark.filterwarnings("ignore::UserWarning")

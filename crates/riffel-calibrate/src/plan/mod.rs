@@ -18,7 +18,7 @@ use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, KeyFile, text_file};
 use riffel_study::Distribution;
 
-use crate::file::{DataFile, PlanFile};
+use crate::file::{DataFile, PlanFile, SamplerKind};
 use crate::model::{Model, Parameter, Vehicle, VehicleKey, View};
 use crate::posterior::{Named, Posterior};
 use crate::prior::Prior;
@@ -246,6 +246,13 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
             let rule = format!("is {value}, but must be between {least} and {most}");
             return Err(source.invalid(key, &rule, ""));
         }
+    }
+    if sampler.kind == SamplerKind::Smc && source.has("sampler.warmup") {
+        let message = format!(
+            "`sampler.warmup` is {}, but must be left out with sampler.kind = \"smc\", which has no warm-up",
+            sampler.warmup
+        );
+        return Err(source.refuse("sampler.warmup", &message));
     }
     Ok(())
 }

@@ -23,12 +23,26 @@ const OF_SPEED: (f64, f64) = (8.0 / 3.6, 0.1);
 
 /// What a calibration is made of where there is no plan.
 pub struct Measured<'a> {
-    /// The case file.
+    /// The case file; the plan where there are no tables.
     pub case: &'a Path,
     /// The traffic file.
     pub traffic: Option<&'a Path>,
     /// Tables of measurements.
     pub tables: &'a [PathBuf],
+}
+
+impl Measured<'_> {
+    /// The plan for results in a folder: the usual one, as it is to stand there; without tables the one that is given in place of
+    /// the case.
+    ///
+    /// # Errors
+    /// Those of [`Plan::read`] and [`Plan::usual`].
+    pub fn plan_for(&self, folder: &Path) -> Result<Plan, CaseError> {
+        match self.tables {
+            [] => Plan::read(self.case),
+            _ => Plan::usual(&folder.join("plan.toml"), self),
+        }
+    }
 }
 
 /// A lognormal prior of a key.

@@ -65,8 +65,9 @@ fn posterior_of_all_together() {
 }
 
 /// Walkers that share nothing with the trajectories, from their own draws of the priors: means within 0.15 standard deviations, four
-/// errors of 800 draws that count.
+/// errors of 800 draws that count. Linear levels, which have an exact answer, hold walkers in every run of the tests.
 #[test]
+#[ignore = "a minute"]
 fn posterior_of_three_dates_by_walkers() {
     check("b-three-dates", SamplerKind::Ensemble, (1000, 1500), 0.15);
 }

@@ -292,6 +292,13 @@ fn what_cannot_be_used_is_said() {
         (
             b,
             "plan.toml",
+            "[sampler]",
+            "[sampler]\nkind = \"smc\"",
+            &["`sampler.warmup` is 1000", "left out", "smc"],
+        ),
+        (
+            b,
+            "plan.toml",
             "unit = \"dB per 1e6 passages\"",
             "unit = \"dB\"",
             &["unit", "dB per 1e6 passages"],

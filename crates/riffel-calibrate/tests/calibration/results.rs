@@ -14,9 +14,10 @@ fn small(folder: &Path, kind: &str) -> Plan {
     for name in ["case.toml", "traffic.toml", "roughness.csv"] {
         fs::copy(crate::folder("b-three-dates").join(name), set.join(name)).unwrap();
     }
+    let warmup = if kind == "smc" { "" } else { "warmup = 100\n" };
     let text = format!(
         "# What we know\ncase = \"case.toml\" # as built\ntraffic = 'traffic.toml'\n\
-         [sampler]\nkind = \"{kind}\"\nchains = 2\nwarmup = 100\ndraws = 300\n\
+         [sampler]\nkind = \"{kind}\"\nchains = 2\n{warmup}draws = 300\n\
          [[parameter]]\nkey = \"wear.coefficient\"\nlognormal = {{ median = 2.5e-9, factor = 2.0 }}\n\
          [[data]]\nkind = \"dated-levels\"\nfile = \"roughness.csv\"\n\
          discrepancy = {{ kind = \"band\", standard_deviation = 1.0 }}\n"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from collections.abc import Sequence
 from pathlib import Path
 from typing import Any
 
@@ -34,15 +35,27 @@ ASKED = {
 SHARES = [0.05, 0.25, 0.5, 0.75, 0.95]
 
 
-def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.DataTree:
+def calibrate(
+    plan: Folder,
+    folder: Folder,
+    *,
+    with_: Folder | Sequence[Folder] = (),
+    traffic: Folder | None = None,
+    restart: bool = False,
+) -> xr.DataTree:
     """Draw from the posterior of the uncertain values of a case, as ``riffel calibrate`` does.
 
     Parameters
     ----------
     plan : path
-        The plan: priors, data, sampler.
+        The plan: priors, data, sampler; beside ``with_`` the case file.
     folder : path
         Where the chains and ``posterior.zarr`` go; made if need be.
+    with_ : path or sequence of path
+        Tables of measurements, whose columns say of what kind they are: all that they tell of the case is uncertain, with the
+        usual priors, and ``plan.toml`` in the folder is the plan.
+    traffic : path, optional
+        Traffic file that made dated levels grow, beside ``with_``; a plan names its own.
     restart : bool
         Keep finished parts of chains that were stopped, and go on from there.
 
@@ -51,8 +64,9 @@ def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.Data
     xarray.DataTree
         ``posterior.zarr``, with the groups of ArviZ: ``posterior``, ``sample_stats``, ``prior``, ``observed_data``,
         ``log_likelihood`` and ``posterior_predictive``, over ``chain`` and ``draw``, and ``constant_data``, the columns of the tables
-        that the model was given. The sampler ``smc`` tells the attribute ``log_evidence``, one for each chain. Where the plan
-        compares models, the attribute ``models`` says how well each predicts what was left out: the list of ``models.json``.
+        that the model was given. The sampler ``smc`` tells the attribute ``log_evidence``, one for each chain. The attribute
+        ``doubts`` lists why the chains allow no conclusion, and is empty where they do. Where the plan compares models, the attribute
+        ``models`` says how well each predicts what was left out: the list of ``models.json``.
 
     Warns
     -----
@@ -64,10 +78,20 @@ def calibrate(plan: Folder, folder: Folder, *, restart: bool = False) -> xr.Data
     ValueError
         For a key, a value or data that cannot be used.
     """
-    remarks, doubts, models = _riffel.calibrate(os.fspath(plan), os.fspath(folder), restart)
+    tables = [with_] if isinstance(with_, str | os.PathLike) else with_
+    if traffic is not None and not tables:
+        raise ValueError("traffic is given without with_: a plan names its own traffic")
+    remarks, doubts, models = _riffel.calibrate(
+        os.fspath(plan),
+        os.fspath(folder),
+        [os.fspath(table) for table in tables],
+        None if traffic is None else os.fspath(traffic),
+        restart,
+    )
     for sentence in [*remarks, *doubts]:
         warnings.warn(sentence, stacklevel=2)
     tree = xr.open_datatree(Path(folder) / "posterior.zarr", engine="zarr")
+    tree.attrs["doubts"] = doubts
     if models is not None:
         tree.attrs["models"] = models["models"]
     return tree

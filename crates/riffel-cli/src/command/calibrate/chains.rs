@@ -29,17 +29,12 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let named = arguments.plan.as_deref().unwrap_or(Path::new(""));
     let path = arguments.output.clone();
     let path = path.unwrap_or_else(|| PathBuf::from(format!("{}-posterior", stem(named))));
-    let plan = match &arguments.tables[..] {
-        [] => Plan::read(named)?,
-        tables => {
-            let measured = Measured {
-                case: named,
-                traffic: arguments.traffic.as_deref(),
-                tables,
-            };
-            Plan::usual(&path.join("plan.toml"), &measured)?
-        }
+    let measured = Measured {
+        case: named,
+        traffic: arguments.traffic.as_deref(),
+        tables: &arguments.tables,
     };
+    let plan = measured.plan_for(&path)?;
     if arguments.dry_run {
         match arguments.json {
             true => print(&json(&PlanDocument::from(&plan)))?,
@@ -114,7 +109,8 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     print_remarks(models.as_ref().map_or(&[], Answer::remarks));
     print_remarks(&answer.untold);
     print_remarks(&answer.far_from_others);
-    answer.doubts.iter().map(String::as_str).for_each(complain);
+    let doubts = answer.doubts.iter();
+    doubts.for_each(|doubt| complain(doubt.text(language())));
     Ok(if answer.is_conclusive {
         0
     } else {
