@@ -8,6 +8,7 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
+import { remember, remembered } from './remembered.js';
 import { Fault, Line, json } from './server.js';
 import { currentLanguage, t, told, translate } from './words.js';
 
@@ -37,14 +38,10 @@ const KEPT = 'riffel-curve';
 
 /** Fields and profiles as they were before a reload, as far as they are such. */
 function kept() {
-  try {
-    const { values = {}, chosen = {} } = JSON.parse(sessionStorage.getItem(KEPT)) ?? {};
-    const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
-    const isProfile = ([kind, { name, text, orientation = 'found' }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string' && ORIENTATIONS.includes(orientation));
-    return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
-  } catch {
-    return { values: {}, chosen: [] };
-  }
+  const { values = {}, chosen = {} } = remembered(KEPT) ?? {};
+  const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
+  const isProfile = ([kind, { name, text, orientation = 'found' }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string' && ORIENTATIONS.includes(orientation));
+  return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
 }
 
 export function startBogie({ state, listen, complain, banner, labels, unitOf, replace, save }) {
@@ -129,13 +126,7 @@ export function startBogie({ state, listen, complain, banner, labels, unitOf, re
     ask();
   }
 
-  function keep() {
-    try {
-      sessionStorage.setItem(KEPT, JSON.stringify({ values, chosen }));
-    } catch {
-      // Then a reload begins anew.
-    }
-  }
+  const keep = () => remember(KEPT, { values, chosen });
 
   function ask() {
     if (state.view !== 'curve') return;
