@@ -38,6 +38,7 @@ mod measurement;
 mod mechanisms;
 pub mod model;
 mod numbers;
+mod on_curve;
 mod own_values;
 mod passage;
 mod point;

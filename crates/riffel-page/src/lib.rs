@@ -26,6 +26,7 @@ mod passage;
 mod point;
 mod remedies;
 mod reply;
+mod stability;
 mod table;
 mod traffic;
 mod vocabulary;
@@ -65,7 +66,7 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 12] = [
+pub const QUESTIONS: [(&str, Reader); 13] = [
     ("/api/case", reader::<case::Question>),
     ("/api/own-values", reader::<own_values::Question>),
     ("/api/map", reader::<map::Question>),
@@ -76,6 +77,7 @@ pub const QUESTIONS: [(&str, Reader); 12] = [
     ("/api/growth", reader::<compare::CurvesQuestion>),
     ("/api/figure", reader::<figure::Question>),
     ("/api/passage", reader::<passage::Question>),
+    ("/api/stability", reader::<stability::Question>),
     ("/api/wheelset", reader::<wheelset::Question>),
     ("/api/export/csv", reader::<table::Question>),
 ];

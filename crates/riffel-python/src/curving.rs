@@ -87,7 +87,7 @@ pub(crate) fn profile<'py>(
     orientation: Option<&str>,
 ) -> PyResult<(Bound<'py, PyAny>, Vec<String>)> {
     let reading = reading(scatter, orientation)?;
-    let answer = interruptible(py, move || OutlineAnswer::new(&[file], reading))?;
+    let answer = interruptible(py, move || OutlineAnswer::new([(file, reading)]))?;
     let answer = answer.map_err(of_case)?;
     let remarks = answer.remarks.iter().map(ToString::to_string).collect();
     Ok((document(py, &answer.document())?, remarks))

@@ -1,16 +1,20 @@
 // Curve: profiles of a wheel and a rail, nominal or from files, and how a bogie stands on them.
 
 import { drawBogie } from './bogie-drawing.js';
+import { BogieWheels } from './bogie-wheels.js';
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
+import { remember, remembered } from './remembered.js';
 import { Fault, Line, json } from './server.js';
 import { currentLanguage, t, told, translate } from './words.js';
 
 const NOMINAL = { wheel: ['S1002', 'cone-1:40'], rail: ['60E1', '60E2', '54E1', 'BS113A'] };
+/** How the coordinates of a file may stand. */
+const ORIENTATIONS = ['found', 'as-written', 'mirrored', 'upside-down', 'turned'];
 /** Largest file [bytes]: some thousand points. */
 const LARGEST = 80_000;
 
@@ -34,20 +38,17 @@ const KEPT = 'riffel-curve';
 
 /** Fields and profiles as they were before a reload, as far as they are such. */
 function kept() {
-  try {
-    const { values = {}, chosen = {} } = JSON.parse(sessionStorage.getItem(KEPT)) ?? {};
-    const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
-    const isProfile = ([kind, { name, text }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string');
-    return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
-  } catch {
-    return { values: {}, chosen: [] };
-  }
+  const { values = {}, chosen = {} } = remembered(KEPT) ?? {};
+  const isGood = ([, , key, , , low, high]) => values[key] >= low && values[key] <= high && (key !== 'radius_m' || Math.abs(values[key]) >= NARROWEST);
+  const isProfile = ([kind, { name, text, orientation = 'found' }]) => (text === undefined ? NOMINAL[kind]?.includes(name) : kind in NOMINAL && typeof name === 'string' && typeof text === 'string' && ORIENTATIONS.includes(orientation));
+  return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
 }
 
-export function startBogie({ state, listen, complain, banner, labels, save }) {
+export function startBogie({ state, listen, complain, banner, labels, unitOf, replace, save }) {
   const place = document.getElementById('view-curve');
   const line = new Line('/api/curve', json);
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
+  const growth = new BogieWheels({ state, unitOf, labels, replace, save });
   let shown = null;
   /** Whether the last question had no answer: it is asked again as soon as a map has one. */
   let failed = false;
@@ -59,6 +60,9 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
       // The option of a file stays as long as it is chosen.
       if (select.value !== chosen[kind].name) choose(kind, { name: select.value });
     });
+    const orientation = element('select', { id: `orientation-${kind}`, hidden: true }, ...ORIENTATIONS.map((value) => worded('option', `stands_${value}`, { value })));
+    orientation.dataset.tLabel = `${kind}_orientation`;
+    orientation.addEventListener('change', () => choose(kind, { ...chosen[kind], orientation: orientation.value === 'found' ? undefined : orientation.value }));
     file.addEventListener('change', async () => {
       const [one] = file.files;
       file.value = '';
@@ -70,8 +74,8 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
       choose(kind, { name: one.name, text: await one.text() });
     });
     return {
-      kind, select,
-      part: element('span', { className: 'choice' }, worded('label', `${kind}_profile`, { htmlFor: select.id }), select, worded('label', 'choose', { htmlFor: file.id, className: 'button plain' }), file),
+      kind, select, orientation,
+      part: element('span', { className: 'choice' }, worded('label', `${kind}_profile`, { htmlFor: select.id }), select, worded('label', 'choose', { htmlFor: file.id, className: 'button plain' }), file, orientation),
     };
   });
   const before = kept();
@@ -103,11 +107,12 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
     element('div', { className: 'panel wide strip' }, ...choices.map(({ part }) => part), ...fields.map(({ row }) => row), worded('p', 'bogie_intro', { className: 'why' })),
     element('article', { className: 'panel half' }, heads.outlines, outlines, heads.curvatures, curvatures),
     element('article', { className: 'panel half' }, heads.wheels, trouble, above, element('div', { className: 'sideways' }, table), remarks),
+    growth.panel,
   );
 
   function choose(kind, profile) {
     chosen[kind] = profile;
-    const { select } = choices.find((one) => one.kind === kind);
+    const { select, orientation } = choices.find((one) => one.kind === kind);
     select.querySelectorAll('[data-file]').forEach((option) => option.remove());
     if (profile.text !== undefined) {
       const option = element('option', { value: profile.name, textContent: profile.name });
@@ -115,17 +120,13 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
       select.append(option);
     }
     select.value = profile.name;
+    orientation.hidden = profile.text === undefined;
+    orientation.value = profile.orientation ?? 'found';
     keep();
     ask();
   }
 
-  function keep() {
-    try {
-      sessionStorage.setItem(KEPT, JSON.stringify({ values, chosen }));
-    } catch {
-      // Then a reload begins anew.
-    }
-  }
+  const keep = () => remember(KEPT, { values, chosen });
 
   function ask() {
     if (state.view !== 'curve') return;
@@ -139,6 +140,7 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
       banner.clear();
       settle();
       show();
+      growth.ask(answer.curve.fault ? null : { ...chosen, ...asked });
     }, (fault) => {
       failed = true;
       complain(fault, { until: 'success' });
@@ -149,6 +151,7 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
   function settle(asked = false) {
     const is = asked || line.pending || fields.some(({ isWrong }) => isWrong);
     for (const panel of place.querySelectorAll('.panel.half')) panel.classList.toggle('stale', is);
+    growth.settle(is);
   }
 
   function show() {
@@ -193,6 +196,8 @@ export function startBogie({ state, listen, complain, banner, labels, save }) {
       translate(place);
       showFields();
       show();
+      growth.reword();
     } else if ((what === 'view' && !shown) || (what === 'map' && failed)) ask();
+    else if ((what === 'view' || what === 'map') && shown && state.view === 'curve') growth.caseChanged();
   });
 }

@@ -5,7 +5,7 @@ import { CalibrationData } from './calibration-data.js';
 import { Decision } from './decision.js';
 import { element, worded } from './elements.js';
 import { said } from './german.js';
-import { set, short } from './keys.js';
+import { inUnit, set } from './keys.js';
 import { Priors, nameOfValue, withNames } from './priors.js';
 import { Fault, Line, askOnce, json, peek } from './server.js';
 import { currentLanguage, sentence, t, translate } from './words.js';
@@ -136,11 +136,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   /** Medians of what the data tell, in the place of the values of the case. */
   take.addEventListener('click', () => {
     const keys = structuredClone(state.keys);
-    for (const one of written()) {
-      const [unit, size] = answer.unit(one);
-      const given = short(Number((one.quantiles[2] / size).toPrecision(4)));
-      set(keys, one.key, unit ? `${given} ${unit}` : Number(given));
-    }
+    for (const { key, unit, quantiles } of written()) set(keys, key, inUnit(key, Number(quantiles[2].toPrecision(4)), unitOf(key) ?? unit));
     replace({ case: keys, point: state.point, tab: 'calibrate' }, sentence(t('medians_taken', written().map(({ name }) => nameOfValue(name)).join('; '))));
   });
 

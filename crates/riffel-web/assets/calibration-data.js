@@ -2,8 +2,10 @@
 
 import { element, worded } from './elements.js';
 import { said } from './german.js';
+import { remember, remembered } from './remembered.js';
+import { addRow, held, tell, underWay } from './sent-files.js';
 import { Fault, askOnce, send } from './server.js';
-import { currentLanguage, fileSize, number, t, translate } from './words.js';
+import { currentLanguage, fileSize, t, translate } from './words.js';
 
 /** Where a reload finds the names of the files that the program keeps for this page. */
 const KEPT = 'riffel-calibration-data';
@@ -21,7 +23,7 @@ export class CalibrationData {
     });
     this.choose = worded('label', 'choose_data', { htmlFor: 'calibration-file', className: 'plain' });
     this.list = element('ul', { className: 'calibration-files', id: 'calibration-files' });
-    this.#restore();
+    this.files = (remembered(KEPT) ?? []).map((file) => this.#record(file));
   }
 
   /** Those that the program can take. */
@@ -41,7 +43,7 @@ export class CalibrationData {
     const record = this.#record({ name: file.name, size: file.size });
     this.files.push(record);
     this.show();
-    const coming = send('/api/calibration/data', file, (share) => (record.state.textContent = `${t('uploading')} ${number(100 * share, 3)} %`));
+    const coming = send('/api/calibration/data', file, (share) => (record.state.textContent = underWay(share)));
     try {
       record.number = (await coming.done).number;
     } catch (fault) {
@@ -92,25 +94,12 @@ export class CalibrationData {
   }
 
   #record({ name, size, number: own }) {
-    const record = { name, size, number: own, kind: null, refused: null };
-    record.state = element('span', { className: 'aside' });
-    record.trouble = element('p', { className: 'fault', hidden: true });
-    const drop = element('button', { type: 'button', className: 'plain small', textContent: '✕' });
-    drop.addEventListener('click', () => this.#remove(record));
-    record.reword = () => drop.setAttribute('aria-label', `${t('drop')}: ${name}`);
-    record.place = element('li', {}, element('span', { className: 'name', textContent: name, title: name }), drop, record.state, record.trouble);
-    return record;
+    return addRow({ name, size, number: own, kind: null, refused: null }, (record) => this.#remove(record));
   }
 
   show() {
     for (const record of this.files) {
-      record.reword();
-      if (record.kind || record.refused) record.state.textContent = record.refused ? t('left_out') : t('taken_as', { kind: t(record.kind), size: fileSize(record.size) });
-      record.trouble.hidden = !record.refused;
-      if (!record.refused) continue;
-      const { text, language } = said(record.refused.message);
-      const help = record.refused.help ? ` (${said(record.refused.help).text})` : '';
-      Object.assign(record.trouble, { textContent: this.labels(text + help), lang: language });
+      tell(record, record.kind && t('taken_as', { kind: t(record.kind), size: fileSize(record.size) }), (text, { help }) => this.labels(help ? `${text} (${said(help).text})` : text));
     }
     this.list.replaceChildren(...this.files.map(({ place }) => place));
     this.list.lang = currentLanguage();
@@ -118,20 +107,7 @@ export class CalibrationData {
   }
 
   #keep() {
-    try {
-      const files = this.files.filter(({ number: own }) => own !== undefined).map(({ name, size, number: own }) => ({ name, size, number: own }));
-      if (files.length) sessionStorage.setItem(KEPT, JSON.stringify(files));
-      else sessionStorage.removeItem(KEPT);
-    } catch {
-      // Then a reload asks for the files again.
-    }
-  }
-
-  #restore() {
-    try {
-      this.files = (JSON.parse(sessionStorage.getItem(KEPT)) ?? []).map((file) => this.#record(file));
-    } catch {
-      // There were none.
-    }
+    const files = held(this.files);
+    remember(KEPT, files.length ? files : null);
   }
 }

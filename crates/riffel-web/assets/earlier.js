@@ -1,9 +1,10 @@
 // Earlier records of the measured rail, with their dates: what has grown since.
 
 import { element, worded } from './elements.js';
-import { said } from './german.js';
+import { remember, remembered } from './remembered.js';
+import { addRow, held, tell, underWay } from './sent-files.js';
 import { Fault, askOnce, cancelled, json, send } from './server.js';
-import { currentLanguage, fileSize, number, t, translate } from './words.js';
+import { currentLanguage, fileSize, t, translate } from './words.js';
 
 /** Where a reload finds names and dates of the records that the program keeps for this page. */
 const EARLIER = 'riffel-earlier';
@@ -108,7 +109,7 @@ export class Earlier {
     const record = this.#record({ file, name: file.name, size: file.size, date });
     this.records.push(record);
     this.#show();
-    this.coming = send('/api/earlier', file, (share) => (record.state.textContent = `${t('uploading')} ${number(100 * share, 3)} %`));
+    this.coming = send('/api/earlier', file, (share) => (record.state.textContent = underWay(share)));
     try {
       const { number: own } = await this.coming.done;
       Object.assign(record, { number: own, isAsked: true });
@@ -214,19 +215,10 @@ export class Earlier {
 
   /** A record and its row; one that a reload found has no `file`. */
   #record({ file, name, size, date, number: own }) {
-    const record = { file, name, size, date, number: own, spectra: null, refused: null };
-    record.field = this.#dateField(`earlier-date-${++dateFields}`);
-    record.field.input.value = date;
-    record.state = element('span', { className: 'aside' });
-    record.trouble = element('p', { className: 'fault', hidden: true });
-    const drop = element('button', { type: 'button', className: 'plain small', textContent: '✕' });
-    drop.addEventListener('click', () => this.#remove(record));
-    record.reword = () => {
-      drop.setAttribute('aria-label', `${t('drop')}: ${name}`);
-      record.field.input.setAttribute('aria-label', `${name}, ${t('measured_on')}`);
-    };
-    record.place = element('li', { className: 'earlier-record' }, element('span', { className: 'name', textContent: name, title: name }), record.field.input, drop, record.state, record.field.fault, record.trouble);
-    return record;
+    const field = this.#dateField(`earlier-date-${++dateFields}`);
+    field.input.value = date;
+    const record = { file, name, size, date, number: own, spectra: null, refused: null, field };
+    return addRow(record, () => this.#remove(record), { fields: [field.input], faults: [field.fault], className: 'earlier-record' });
   }
 
   #show() {
@@ -234,13 +226,9 @@ export class Earlier {
     this.choose.classList.toggle('off', this.records.length >= MOST);
     this.input.disabled = this.records.length >= MOST;
     for (const record of this.records) {
-      record.reword();
-      if (record.spectra || record.refused) record.state.textContent = record.refused ? t('left_out') : fileSize(record.size);
-      record.trouble.hidden = !record.refused;
-      if (!record.refused) continue;
-      const { text, language } = said(record.refused.message);
-      const sentence = this.labels(text);
-      Object.assign(record.trouble, { textContent: this.layout().format ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence, lang: language });
+      record.field.input.setAttribute('aria-label', `${record.name}, ${t('measured_on')}`);
+      const byColumns = (sentence) => (this.layout().format ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence);
+      tell(record, record.spectra && fileSize(record.size), (text) => byColumns(this.labels(text)));
     }
     // Rows that are there stay in place: one may be typed into.
     const places = this.records.map(({ place }) => place);
@@ -254,22 +242,13 @@ export class Earlier {
   }
 
   #keep() {
-    try {
-      const records = this.records.filter(({ number: own }) => own !== undefined).map(({ name, size, date, number: own }) => ({ name, size, date, number: own }));
-      if (records.length) sessionStorage.setItem(EARLIER, JSON.stringify({ date: this.date, records }));
-      else sessionStorage.removeItem(EARLIER);
-    } catch {
-      // Then a reload asks for the files again.
-    }
+    const records = held(this.records);
+    remember(EARLIER, records.length ? { date: this.date, records } : null);
   }
 
   #restore() {
-    try {
-      const { date, records } = JSON.parse(sessionStorage.getItem(EARLIER)) ?? { date: '', records: [] };
-      this.date = this.own.input.value = date;
-      this.records = records.map((record) => this.#record(record));
-    } catch {
-      // There were none.
-    }
+    const { date, records } = remembered(EARLIER) ?? { date: '', records: [] };
+    this.date = this.own.input.value = date;
+    this.records = records.map((record) => this.#record(record));
   }
 }

@@ -45,6 +45,13 @@ export function split(value, unit) {
 /** A number with at most five digits, without the noise of binary fractions. */
 export const short = (number) => String(Number(number.toPrecision(5)));
 
+/** A value in SI as the form writes it: with the unit in which its key is shown. */
+export function inUnit(key, value, ofKey) {
+  const [unit, size] = shownUnit(key, ofKey);
+  const given = short(value / size);
+  return unit ? `${given} ${unit}` : Number(given);
+}
+
 /** The SI value of a key of the complete case, in which every unit is that of the schema. */
 export function si(complete, key) {
   const value = get(complete, key);

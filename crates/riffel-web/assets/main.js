@@ -21,6 +21,7 @@ import { Fault, Line, cancelled, framed, json, traffic as requests, work } from 
 import { Sidebar } from './sidebar.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
+import { startStability } from './stability.js';
 import { Start } from './start.js';
 import { save, startTakeAway } from './take-away.js';
 import { Tour } from './tour.js';
@@ -580,6 +581,7 @@ const measure = startMeasure(shared);
 const calibrate = startCalibrate(shared);
 startBogie(shared);
 startMotion(shared);
+startStability(shared);
 startPaper(shared);
 startTakeAway({ ...shared, measure, calibrate });
 startPrinting({ applyTheme, redraw });

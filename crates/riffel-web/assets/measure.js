@@ -12,6 +12,8 @@ import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
 import { inWords, said } from './german.js';
+import { remember, remembered } from './remembered.js';
+import { underWay } from './sent-files.js';
 import { Fault, Line, askOnce, json, send } from './server.js';
 import { caseTitle, currentLanguage, fileSize, number, power, t, translate } from './words.js';
 
@@ -24,7 +26,7 @@ const RECORD = 'riffel-record';
 export function startMeasure({ state, traffic, labels, listen, complain, banner, announce, save, showView, leadTo, replace }) {
   const place = document.getElementById('view-measure');
   const line = new Line('/api/measure', json);
-  let file = keptRecord();
+  let file = remembered(RECORD);
   let coming = null;
   let answer = null;
   /** The question that was answered, and the keys of its case. */
@@ -105,7 +107,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     status.textContent = chosen.name;
     coming = send('/api/roughness', chosen, (share) => {
       bar.value = sent = share;
-      status.textContent = `${chosen.name}, ${t('uploading')} ${number(100 * share, 3)} %`;
+      status.textContent = `${chosen.name}, ${underWay(share)}`;
     });
     coming.done.then(() => {
       if (file !== chosen) return;
@@ -166,22 +168,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     status.textContent = file ? `${file.name}, ${more || fileSize(file.size)}` : '';
   }
 
-  function keptRecord() {
-    try {
-      return JSON.parse(sessionStorage.getItem(RECORD));
-    } catch {
-      return null;
-    }
-  }
-
-  function keepRecord(record) {
-    try {
-      if (record) sessionStorage.setItem(RECORD, JSON.stringify({ name: record.name, size: record.size, isSample: record.isSample, format }));
-      else sessionStorage.removeItem(RECORD);
-    } catch {
-      // Then a reload asks for the file again.
-    }
-  }
+  const keepRecord = (record) => remember(RECORD, record && { name: record.name, size: record.size, isSample: record.isSample, format });
 
   stop.addEventListener('click', () => coming?.abort());
   input.addEventListener('change', () => {

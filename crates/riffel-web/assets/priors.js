@@ -2,6 +2,7 @@
 
 import { element, worded } from './elements.js';
 import { readNumber } from './numbers.js';
+import { remember, remembered } from './remembered.js';
 import { labelOf, t, translate, written } from './words.js';
 
 /** The two numbers of each distribution. */
@@ -26,18 +27,10 @@ export const withNames = (text, names) => [...names].sort((a, b) => b.length - a
 /** Where a reload finds what was changed. */
 const KEPT = 'riffel-priors';
 
-function kept() {
-  try {
-    return JSON.parse(sessionStorage.getItem(KEPT)) ?? {};
-  } catch {
-    return {};
-  }
-}
-
 export class Priors {
   /** `onChange` is told that priors are others, or that a value is left out. */
   constructor({ onChange }) {
-    Object.assign(this, { onChange, changes: kept(), usual: [] });
+    Object.assign(this, { onChange, changes: remembered(KEPT) ?? {}, usual: [] });
     this.table = element('table', { className: 'comparison', id: 'priors' });
     this.place = element('div', { className: 'sideways', tabIndex: 0, role: 'group' }, this.table);
     this.place.dataset.tLabel = 'uncertain';
@@ -55,11 +48,7 @@ export class Priors {
   /** Take changes in the place of those before. */
   take(changes) {
     this.changes = changes;
-    try {
-      sessionStorage.setItem(KEPT, JSON.stringify(changes));
-    } catch {
-      // Then a reload has the usual priors.
-    }
+    remember(KEPT, changes);
   }
 
   #change(name, more) {

@@ -2,7 +2,7 @@
 
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { set, short, shownUnit } from './keys.js';
+import { inUnit, set, shownUnit } from './keys.js';
 import { labelOf, number, sentence, t, told, translate } from './words.js';
 
 export class Remedies {
@@ -49,9 +49,8 @@ export class Remedies {
 
   /** A key with its value [SI] as the form has it. */
   #inUnit(key, value) {
-    const [unit, size] = key.startsWith('speed.') ? ['', 1] : shownUnit(key, this.unitOf(key));
-    const given = short(Number((value / size).toPrecision(6)));
+    const [unit, size] = shownUnit(key, this.unitOf(key));
     const shown = key === 'speed.standard_deviation' ? `± ${number(3.6 * value)} km/h` : `${key === 'speed.factor' ? '×' : labelOf(key)} ${number(value / size)} ${unit}`.trim();
-    return { key, text: shown, given: unit ? `${given} ${unit}` : Number(given) };
+    return { key, text: shown, given: inUnit(key, value, this.unitOf(key)) };
   }
 }

@@ -1,5 +1,7 @@
 // Undo and redo: the cases that were seen, kept for the tab so that a reload loses none.
 
+import { remember, remembered } from './remembered.js';
+
 const STORE = 'riffel-steps';
 /** Steps back that are kept. */
 const MOST = 100;
@@ -13,12 +15,8 @@ export class Steps {
   /** Begin with a case; what was before a reload comes back if it led here. */
   begin(present) {
     const text = JSON.stringify(present);
-    try {
-      const kept = JSON.parse(sessionStorage.getItem(STORE));
-      if (kept && JSON.stringify(kept.present) === text) Object.assign(this, { past: kept.past, future: kept.future });
-    } catch {
-      // Without storage, undo reaches back to the reload.
-    }
+    const kept = remembered(STORE);
+    if (kept && JSON.stringify(kept.present) === text) Object.assign(this, { past: kept.past, future: kept.future });
     this.present = JSON.parse(text);
     this.#tell();
   }
@@ -59,11 +57,8 @@ export class Steps {
 
   #tell() {
     const { past, present, future } = this;
-    try {
-      sessionStorage.setItem(STORE, JSON.stringify({ past, present, future }));
-    } catch {
-      // Full or forbidden: undo works until the page is left.
-    }
+    // Full or forbidden: undo works until the page is left.
+    remember(STORE, { past, present, future });
     this.onChange({ undo: past.length > 0, redo: future.length > 0 });
   }
 }

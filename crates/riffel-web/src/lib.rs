@@ -68,6 +68,7 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/assets/{version}/{name}", get(assets::file))
         .route("/api/vocabulary", get(api::questions::vocabulary))
         .route("/api/curve", post(api::curve::post))
+        .route("/api/curve/wheels", post(api::wheels::post))
         .route("/api/export/{kind}", post(api::export::post))
         .route("/api/roughness", post(api::roughness::post))
         .route("/api/earlier", post(api::earlier::post))

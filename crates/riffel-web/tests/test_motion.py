@@ -124,9 +124,35 @@ def test_what_is_of_another_case_is_pale_and_named(page):
     page.page.click("#tab-motion")
     page.until(lambda: kept)
     # What is drawn is that of the case before, and says so.
-    assert pale() == 1 and "BR main line" in wave.inner_text()
+    page.until(lambda: pale() == 1)
+    assert "BR main line" in wave.inner_text()
     for route in kept:
         route.continue_()
     page.page.unroute("**/api/passage")
     page.until(lambda: "another case" in wave.inner_text() and pale() == 0)
     assert wheelset.inner_text() == "“another case”"
+
+
+def test_where_the_loop_oscillates_without_a_profile(page):
+    page.page.click("#tab-motion")
+    # A lone wheel on one axis does not: the panel says what it would take.
+    page.until(lambda: "contact.from" in page.text("article:has(#stability)"))
+    assert not page.page.locator("#stability").is_visible()
+    page.open_case((ROOT / "cases/curve.toml").read_text(), "curve.toml")
+    page.until(lambda: page.page.locator("#stability .main-svg").count() > 0)
+    page.settle()
+    command = [PROGRAM, "stability", str(ROOT / "cases/curve.toml"), "--json", "--quiet"]
+    document = json.loads(subprocess.run(command, capture_output=True, check=True, text=True).stdout)
+    expected = [[3.6 * point["speed_m_per_s"], point["friction"]] for point in document["points"] if point["frequency_hz"] is not None]
+    drawn = page.page.evaluate("() => document.getElementById('stability').data.flatMap(({ x, y }) => x.map((speed, k) => [speed, y[k]]))")
+    assert 0 < len(expected) < len(document["points"])
+    assert sorted(drawn) == [pytest.approx(point) for point in sorted(expected)]
+    [branch] = document["branches"]
+    assert f"{branch['friction_min']:.3f}" in page.text("#stability-words")
+    rows = given(page, "stability", "csv").decode().splitlines()
+    assert len(rows) == len(document["points"]) + 1 and rows[0].startswith("speed_m_per_s,friction")
+    page.keep("stability", whole=True)
+    page.page.select_option("#language", "de")
+    assert "Reibung" in page.text("#stability-words")
+    # Where the loop is unstable no wave settles in time, and the panel beside says so.
+    page.complaints.clear()

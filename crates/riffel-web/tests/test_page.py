@@ -407,7 +407,7 @@ def test_profiles_and_the_wheels_of_a_curve(page):
     page.page.keyboard.press("Tab")
     page.until(page.page.locator("#curve-gauge-fault").is_visible)
     assert page.text("#curve-gauge-fault") == "gauge: 14350, but must be 900 to 1800 mm."
-    assert page.page.locator("#view-curve .panel.stale").count() == 2
+    assert page.page.locator("#view-curve .panel.stale").count() == 3
     assert page.page.locator("#curve-gauge").get_attribute("aria-invalid") == "true"
     page.page.fill("#curve-gauge", "1435")
     page.page.keyboard.press("Tab")
@@ -487,7 +487,7 @@ def test_a_curve_survives_a_reload_and_a_program_that_does_not_answer(page):
     page.page.fill("#curve-radius", "180")
     page.page.press("#curve-radius", "Tab")
     page.until(page.page.locator("#trouble .said").is_visible)
-    assert page.page.locator("#view-curve .panel.stale").count() == 2
+    assert page.page.locator("#view-curve .panel.stale").count() == 3
     page.page.click("#tab-motion")
     page.until(lambda: "does not answer" in page.text("#wave-words"))
     page.page.click("#tab-curve")

@@ -49,7 +49,15 @@ def test_a_project_holds_all_that_is_open_and_opens_again(open_page, tmp_path):
         other.until(lambda: words in other.text("#trouble"))
         assert other.page.evaluate("() => window.riffel.state.keys.title") == title and not other.page.locator("#notice").is_visible()
     other.page.click("#tab-measure")
-    other.open_case(text, name="all.riffel")
+    # Dropped on the page it is opened as well as chosen, and is not taken for a record.
+    other.page.evaluate(
+        """(text) => {
+          const files = new DataTransfer();
+          files.items.add(new File([text], 'all.riffel'));
+          document.getElementById('drop').dispatchEvent(new DragEvent('drop', { dataTransfer: files, bubbles: true, cancelable: true }));
+        }""",
+        text,
+    )
     other.until(lambda: other.page.locator("#earlier-records li").count() == 1 and other.page.locator("#line-table-drop").is_visible())
     other.settle()
     assert other.page.evaluate("() => window.riffel.state.keys") == project["case"] and not other.page.locator("#trouble").is_visible()

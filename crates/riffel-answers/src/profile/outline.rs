@@ -37,13 +37,15 @@ struct Outline {
 }
 
 impl OutlineAnswer {
-    /// The profiles of nominal names and files.
+    /// The profiles of nominal names and files, each as it is to be read.
     ///
     /// # Errors
     /// [`CaseError`] with file and line.
-    pub fn new(files: &[PathBuf], reading: ProfileReading) -> Result<Self, CaseError> {
+    pub fn new(
+        files: impl IntoIterator<Item = (PathBuf, ProfileReading)>,
+    ) -> Result<Self, CaseError> {
         let (mut profiles, mut remarks) = (Vec::new(), Vec::new());
-        for file in files {
+        for (file, reading) in files {
             let name = file.display().to_string();
             let read = profile_of(&name, Path::new(""), reading)?;
             profiles.push((name, read.profile));

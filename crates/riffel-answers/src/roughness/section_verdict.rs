@@ -326,4 +326,25 @@ mod tests {
                 .ends_with("no limit says what to grind")
         );
     }
+
+    /// A metre of 20 µm at 50 mm just beyond the end of a section is ground over the shortest length, which reaches back into it:
+    /// nothing is over a limit there, and its sentence says why it is ground.
+    #[test]
+    fn a_section_is_ground_along_with_what_lies_beside() {
+        let sections = sections(&[(20e-6, 0.05, [101.0, 102.0])], &["grassie-1999"]);
+        let [beside, ..] = &sections
+            .iter()
+            .filter(|one| one.from_m == 0.0)
+            .collect::<Vec<_>>()[..]
+        else {
+            panic!("{sections:?}");
+        };
+        assert!(
+            beside.within && beside.share_over_limit == Some(0.0),
+            "{beside:?}"
+        );
+        assert!(beside.grind_m > SHORTEST_GROUND, "{beside:?}");
+        let expected = say!(section_ground_along, length = fixed(beside.grind_m, 1)).to_string();
+        assert_eq!(beside.sentence, expected);
+    }
 }

@@ -158,6 +158,11 @@ impl CurvingCase {
         Self::of_text(text, &self.folder)
     }
 
+    /// The case as a file, with its overrides and presets.
+    pub fn toml(&self) -> String {
+        self.text.keys.table().to_string()
+    }
+
     /// The vehicle of the case in its curve, or its bogie or wheelset.
     ///
     /// # Errors

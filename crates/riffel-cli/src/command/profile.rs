@@ -47,7 +47,7 @@ pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     if let Some(nominal) = &arguments.against {
         return against(arguments, nominal, reading, &results);
     }
-    let answer = OutlineAnswer::new(&arguments.files, reading)?;
+    let answer = OutlineAnswer::new(arguments.files.iter().map(|file| (file.clone(), reading)))?;
     results.hand_out(
         || json(&answer.document()),
         |staging| {

@@ -1,8 +1,11 @@
 //! `POST /api/curve`: profiles of a wheel and a rail, and how a bogie stands on them in a curve.
 
+use std::path::Path;
+
 use axum::extract::State;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
+use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
 use riffel_keys::{CaseError, Message};
 use serde::Deserialize;
@@ -46,11 +49,13 @@ struct ProfileText {
     name: String,
     /// The file.
     text: Option<String>,
+    /// How its coordinates stand; none for what the format says.
+    orientation: Option<ProfileOrientation>,
 }
 
 impl Question {
     /// `Ok` if the numbers are those of a curve.
-    fn check(&self) -> Result<(), Fault> {
+    pub(super) fn check(&self) -> Result<(), Fault> {
         for (what, value, unit, most) in [
             ("the radius", self.radius_m.abs(), "m", 1e6),
             ("the speed", self.speed_m_per_s, "m/s", 150.0),
@@ -81,25 +86,55 @@ pub(crate) async fn post(
 
 impl Question {
     fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Told<Value>, Fault> {
-        // A folder of its own for each question: gone with it, or with the program.
-        let folder = uploads
-            .folder()
-            .map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))?;
-        let mut paths = Vec::new();
-        for (kind, profile) in [("wheel", &self.wheel), ("rail", &self.rail)] {
-            paths.push(profile.put(folder.path(), kind)?);
-        }
+        let folder = place(uploads)?;
+        let paths = self.put(folder.path())?;
         let named =
             |error: CaseError| Fault::from(error).in_words(|words| self.named(words, &paths));
-        let outlines = OutlineAnswer::new(
-            &paths
-                .iter()
-                .map(|path| path.clone().into())
-                .collect::<Vec<_>>(),
-            ProfileReading::default(),
-        )
+        let profiles = [&self.wheel, &self.rail].into_iter().zip(&paths);
+        let outlines = OutlineAnswer::new(profiles.map(|(profile, path)| {
+            let reading = ProfileReading {
+                orientation: profile.orientation,
+                ..ProfileReading::default()
+            };
+            (path.into(), reading)
+        }))
         .map_err(named)?;
-        let overrides = [
+        // Short of an equilibrium the profiles are still worth seeing.
+        let vehicle = self
+            .curving(&paths)
+            .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
+        if !wanted.still() {
+            return Err(Fault::superseded());
+        }
+        let curve = vehicle
+            .and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle))
+            .map_err(named);
+        let curve = match curve {
+            Ok(answer) => {
+                let mut document = json!(answer.document(None));
+                document["remarks"] = json!(self.told(&answer.remarks, &paths));
+                document
+            }
+            Err(fault) => json!({ "fault": fault }),
+        };
+        let remarks = self.told(&outlines.remarks, &paths);
+        let mut document =
+            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks });
+        self.name(&mut document, &paths);
+        Ok(Told(document))
+    }
+
+    /// Put the profiles into a folder: what the reader is given for each.
+    pub(super) fn put(&self, folder: &Path) -> Result<[String; 2], Fault> {
+        Ok([
+            self.wheel.put(folder, "wheel")?,
+            self.rail.put(folder, "rail")?,
+        ])
+    }
+
+    /// The case of `riffel curve`.
+    pub(super) fn curving(&self, paths: &[String; 2]) -> Result<CurvingCase, CaseError> {
+        let mut overrides = vec![
             format!("profiles.wheel={}", paths[0]),
             format!("profiles.rail={}", paths[1]),
             format!("curve.radius={}", self.radius_m),
@@ -128,32 +163,16 @@ impl Question {
                 ),
             },
         ];
-        // Short of an equilibrium the profiles are still worth seeing.
-        let vehicle = CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
-            .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
-        if !wanted.still() {
-            return Err(Fault::superseded());
-        }
-        let curve = vehicle
-            .and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle))
-            .map_err(named);
-        let curve = match curve {
-            Ok(answer) => {
-                let mut document = json!(answer.document(None));
-                document["remarks"] = json!(self.told(&answer.remarks, &paths));
-                document
-            }
-            Err(fault) => json!({ "fault": fault }),
-        };
-        let remarks = self.told(&outlines.remarks, &paths);
-        let mut document =
-            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks });
-        self.name(&mut document, &paths);
-        Ok(Told(document))
+        let oriented = [("wheel", &self.wheel), ("rail", &self.rail)].into_iter();
+        overrides.extend(oriented.filter_map(|(kind, profile)| {
+            let name = profile.orientation?.name();
+            Some(format!("profiles.{kind}_orientation={name}"))
+        }));
+        CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
     }
 
     /// Put the names that the user knows in place of paths in all texts of a document.
-    fn name(&self, document: &mut Value, paths: &[String]) {
+    pub(super) fn name(&self, document: &mut Value, paths: &[String]) {
         match document {
             Value::String(words) => *words = self.named(words, paths),
             Value::Array(items) => items.iter_mut().for_each(|item| self.name(item, paths)),
@@ -173,7 +192,7 @@ impl Question {
     }
 
     /// Words with the names that the user knows in place of paths.
-    fn named(&self, words: &str, paths: &[String]) -> String {
+    pub(super) fn named(&self, words: &str, paths: &[String]) -> String {
         let both = [&self.wheel, &self.rail].into_iter().zip(paths);
         both.fold(words.to_owned(), |words, (profile, path)| {
             let name: String = profile.name.chars().take(LONGEST_NAME).collect();
@@ -182,10 +201,16 @@ impl Question {
     }
 }
 
+/// A folder of its own for each question: gone with it, or with the program.
+pub(super) fn place(uploads: &Uploads) -> Result<tempfile::TempDir, Fault> {
+    let folder = uploads.folder();
+    folder.map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))
+}
+
 impl ProfileText {
     /// What the reader is given: the nominal name, or the path of the text in a folder. Nothing of a name becomes part of a path but an ending that
     /// is known.
-    fn put(&self, folder: &std::path::Path, kind: &str) -> Result<String, Fault> {
+    fn put(&self, folder: &Path, kind: &str) -> Result<String, Fault> {
         let Some(text) = &self.text else {
             return match riffel::profile::NominalProfile::named(&self.name) {
                 Some(nominal) => Ok(nominal.name.to_owned()),

@@ -12,3 +12,4 @@ pub(crate) mod questions;
 mod reading;
 pub(crate) mod report;
 pub(crate) mod roughness;
+pub(crate) mod wheels;

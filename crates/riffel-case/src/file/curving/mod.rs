@@ -277,6 +277,12 @@ impl ProfileOrientation {
         ("turned", Self::Turned),
     ];
 
+    /// Its name.
+    pub fn name(self) -> &'static str {
+        let known = Self::ALL.into_iter().find(|(_, known)| *known == self);
+        known.map_or("", |(name, _)| name)
+    }
+
     /// The orientation of a name.
     pub fn named(name: &str) -> Option<Self> {
         let found = Self::ALL.into_iter().find(|(known, _)| *known == name);

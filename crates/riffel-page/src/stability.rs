@@ -1,0 +1,36 @@
+//! `POST /api/stability`: where over speed and friction the loop oscillates without any profile.
+
+use riffel_answers::Answer as _;
+use riffel_answers::stability_map::StabilityMap;
+use serde::{Deserialize, Serialize};
+
+use crate::{CaseText, Fault, Note, Reply, Wanted};
+
+#[derive(Deserialize)]
+pub(crate) struct Question {
+    case: CaseText,
+}
+
+#[derive(Serialize)]
+struct Answer<'a> {
+    #[serde(flatten)]
+    map: &'a StabilityMap,
+    sentences: Vec<Note>,
+    notes: Vec<Note>,
+}
+
+impl crate::Question for Question {
+    fn subject(&self) -> Option<String> {
+        Some("stability".to_owned())
+    }
+
+    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+        let case = self.case.read()?;
+        let map = StabilityMap::new(&case, &StabilityMap::frictions(), &|_| ())?;
+        Reply::json(&Answer {
+            sentences: Note::all(&map.sentences()),
+            notes: Note::all(&map.remarks),
+            map: &map,
+        })
+    }
+}
