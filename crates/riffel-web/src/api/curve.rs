@@ -207,6 +207,12 @@ pub(super) fn place(uploads: &Uploads) -> Result<tempfile::TempDir, Fault> {
     folder.map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))
 }
 
+/// Put a file of a question, a profile or the curve on them, into its folder.
+pub(super) fn store(path: &Path, text: &str) -> Result<(), Fault> {
+    std::fs::write(path, text)
+        .map_err(|error| Fault::defect(&format!("the profile cannot be stored: {error}")))
+}
+
 impl ProfileText {
     /// What the reader is given: the nominal name, or the path of the text in a folder. Nothing of a name becomes part of a path but an ending that
     /// is known.
@@ -228,8 +234,7 @@ impl ProfileText {
             .find(|known| **known == ending)
             .unwrap_or(&"csv");
         let path = folder.join(format!("{kind}.{ending}"));
-        std::fs::write(&path, text)
-            .map_err(|error| Fault::defect(&format!("the profile cannot be stored: {error}")))?;
+        store(&path, text)?;
         Ok(path.display().to_string())
     }
 }

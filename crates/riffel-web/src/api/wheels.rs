@@ -50,8 +50,7 @@ impl Question {
         let named = |fault: Fault| fault.in_words(|words| self.curve.named(words, &paths));
         let of_case = |error: CaseError| named(error.into());
         let curving = self.curve.curving(&paths).map_err(of_case)?;
-        std::fs::write(folder.path().join(FILE), curving.toml())
-            .map_err(|error| Fault::defect(&format!("the curve cannot be stored: {error}")))?;
+        curve::store(&folder.path().join(FILE), &curving.toml())?;
         let case = case.on_curve(folder.path(), FILE).map_err(of_case)?;
         if !wanted.still() {
             return Err(Fault::superseded());
