@@ -208,6 +208,12 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
     let mut dated: Vec<Dated> = Vec::new();
     for (passages, name) in rows {
         let passages = passages - begins;
+        if name.is_empty() {
+            let message = format!(
+                "has no name in `profile` for the passages {passages}, counted from the first date"
+            );
+            return Err(CaseError::data(path, &message));
+        }
         // Whoever sends a table to a server must not read other files of it.
         let is_below =
             |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);

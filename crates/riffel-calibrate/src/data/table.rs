@@ -125,6 +125,15 @@ pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>,
 }
 
 fn without_head(path: &Path, columns: &[&str], text: &str) -> CaseError {
+    let is_head = |line: &&str| columns.iter().all(|column| line.contains(column));
+    if text.lines().any(|line| is_head(&line)) {
+        let rule = format!(
+            "has a head with the columns {}, but below it no row with a number in `{}`",
+            columns.join(", "),
+            columns[0]
+        );
+        return refuse(path, None, rule);
+    }
     let first = text.lines().next().unwrap_or_default();
     let rule = format!(
         "must have a head with the columns {}, units included, but begins with \"{first}\"",

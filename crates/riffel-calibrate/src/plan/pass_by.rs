@@ -53,6 +53,13 @@ impl Reading<'_> {
             );
             self.remarks.push(remark);
         }
+        if data.wheel_roughness.is_none() {
+            let remark = format!(
+                "{}: without `wheel_roughness` the wheels are taken as smooth",
+                data.file
+            );
+            self.remarks.push(remark);
+        }
         Ok(PassBys {
             view,
             rows,

@@ -436,6 +436,16 @@ fn pass_bys_that_cannot_be_used_are_said() {
         ),
         (
             speed.to_owned(),
+            "passages,level_dba\n0,-84\n",
+            &["level_dba", "-84", "between 30 and 140 dB(A)"],
+        ),
+        (
+            speed.to_owned(),
+            "passages,level_dba\n2024-03-01,84\n",
+            &["pass-by.csv", "below it no row", "`passages`"],
+        ),
+        (
+            speed.to_owned(),
             "passages,level_dba\n0,loud\n",
             &["line 2", "level_dba", "loud"],
         ),

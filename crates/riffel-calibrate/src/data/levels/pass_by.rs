@@ -1,6 +1,7 @@
 //! Levels beside the track while trains pass.
 
 use std::collections::BTreeMap;
+use std::ops::RangeInclusive;
 use std::path::Path;
 
 use riffel::contact::ContactFilter;
@@ -17,6 +18,8 @@ use crate::file::Kind;
 
 /// Standard deviation of the level of one train, whose wheels are its own \[dB\].
 const OF_A_TRAIN: f64 = 1.5;
+/// Levels that a train beside a microphone may have \[dB(A)\]: from a whisper to the threshold of pain.
+const AUDIBLE: RangeInclusive<f64> = 30.0..=140.0;
 /// Change of the level of a band by which its share in what is heard is found \[dB\].
 const STEP: f64 = 0.01;
 
@@ -167,6 +170,12 @@ impl PassBys {
         let rule =
             format!("must not be before the first date of the levels of roughness, {begins}");
         numbers.check(path, "passages", passages, &rule, |it| it >= begins)?;
+        let rule = format!(
+            "must lie between {} and {} dB(A)",
+            AUDIBLE.start(),
+            AUDIBLE.end()
+        );
+        numbers.check(path, "level_dba", levels, &rule, |it| AUDIBLE.contains(&it))?;
         for (name, values) in others.iter().zip(&numbers.others) {
             if let Some(values) = values {
                 let rule = "must be greater than zero";
