@@ -59,6 +59,8 @@ export class Decision {
     this.told.hidden = true;
     this.asked.hidden = !isConclusive || !data.some(({ measured }) => measured === 'level_rise_db');
     if (this.asked.hidden) return;
+    // Nothing is ranked before there are remedies with their costs.
+    this.rank.disabled = true;
     try {
       const { remedies } = await json(await askOnce('/api/remedies', { case: { keys: this.state.accepted }, traffic: this.traffic.given && this.traffic.question }));
       this.remedies = remedies.map(({ name, changes }) => ({ name, changes }));
@@ -72,6 +74,7 @@ export class Decision {
     this.given = Object.fromEntries((example?.upkeep ?? []).map(([key, upkeep]) => [key, upkeep]));
     this.price = example?.price ?? '';
     this.#rows();
+    this.rank.disabled = false;
   }
 
   /** A row for each remedy and for each kind of data that may be measured once more. */

@@ -192,3 +192,23 @@ def test_an_answer_in_german_follows_the_rules_of_accessibility(open_page, schem
     assert page.page.evaluate("() => document.documentElement.scrollWidth") <= 390
     page.keep(f"calibrate-phone-{scheme}", whole=True)
     page.close(complaints=len(page.complaints))
+
+
+@pytest.mark.without_curves
+def test_nothing_is_ranked_before_the_remedies_are_there(open_page):
+    page = open_page()
+    with_example(page)
+    held = []
+    page.context.route("**/api/remedies", lambda route: held.append(route))
+    page.page.click("#calibrate")
+    page.page.locator("#marginals figure").first.wait_for()
+    page.until(page.page.locator("#rank").is_visible)
+    assert page.page.locator("#rank").is_disabled()
+    page.context.unroute("**/api/remedies")
+    page.until(lambda: bool(held))
+    for route in held:
+        route.continue_()
+    # A click waits until the button can be pressed.
+    page.page.click("#rank")
+    page.page.locator("#ranking tbody tr").first.wait_for()
+    page.close()
