@@ -20,6 +20,9 @@ use crate::gaussian::{Density, given_others};
 use crate::matrix::Matrix;
 use crate::model::Trial;
 
+/// Passages of the unit of what the model misses of growth.
+const UNIT: f64 = 1e6;
+
 /// Data that share errors: they are likely or not together.
 pub(crate) trait Block: Send + Sync {
     /// What the model says of each datum, in the order of the data.

@@ -10,7 +10,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile};
 
-use super::{Block, Observable, Place, differences, sums, table};
+use super::{Block, Observable, Place, UNIT, differences, sums, table};
 use crate::file::Kind;
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
@@ -20,8 +20,6 @@ use crate::nuts::normal;
 
 /// Np of one dB.
 const OF_DECIBEL: f64 = LN_10 / 20.0;
-/// Passages of the unit of what the model misses of growth.
-const UNIT: f64 = 1e6;
 /// Share of its variance that the error of a date has from the first date, whose noise is in all of them.
 const OF_FIRST: f64 = 0.5;
 
@@ -214,7 +212,7 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
             );
             return Err(CaseError::data(path, &message));
         }
-        // Whoever sends a table to a server must not read other files of it.
+        // A table that is sent to a server must not make it read other files.
         let is_below =
             |part: Component<'_>| matches!(part, Component::Normal(_) | Component::CurDir);
         if !Path::new(&name).components().all(is_below) {

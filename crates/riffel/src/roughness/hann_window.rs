@@ -15,12 +15,7 @@ const BATCH: usize = 8;
 /// a weight each. Mean and trend are removed, and the window leaves the mean square of a stationary part as it is.
 pub(super) fn line_powers(parts: &[(&[f64], f64)], samples: usize) -> Vec<f64> {
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
-    let window: Vec<f64> = (0..samples)
-        .map(|index| {
-            let phase = std::f64::consts::TAU * index as f64 / samples as f64;
-            0.5 - 0.5 * phase.cos()
-        })
-        .collect();
+    let window = window(samples);
     let energy: f64 = window.iter().map(|weight| weight * weight).sum();
     let batches: Vec<Vec<f64>> = parts
         .par_chunks(BATCH)
@@ -59,6 +54,15 @@ pub(super) fn line_powers(parts: &[(&[f64], f64)], samples: usize) -> Vec<f64> {
         *line *= if both { 2.0 * scale } else { scale };
     }
     lines
+}
+
+/// The weights of a window of so many samples.
+pub(super) fn window(samples: usize) -> Vec<f64> {
+    let weight = |index: usize| {
+        let phase = std::f64::consts::TAU * index as f64 / samples as f64;
+        0.5 - 0.5 * phase.cos()
+    };
+    (0..samples).map(weight).collect()
 }
 
 /// What lies in a band of lines a distance \[1/m\] apart. A line stands for half a step to either side; where it

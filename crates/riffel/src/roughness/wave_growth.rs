@@ -4,7 +4,7 @@ use num_complex::Complex64;
 use realfft::RealFftPlanner;
 
 use super::Profile;
-use super::hann_window::remove_trend;
+use super::hann_window::{remove_trend, window};
 use crate::Error;
 
 /// Length of a segment in longest waves.
@@ -185,6 +185,7 @@ struct Spectra {
 
 fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
     let transform = RealFftPlanner::<f64>::new().plan_fft_forward(samples);
+    let window = window(samples);
     let lines = samples / 2 + 1;
     let mut sums = Spectra {
         one: vec![0.0; lines],
@@ -194,9 +195,8 @@ fn spectra(one: &[f64], other: &[f64], samples: usize) -> Spectra {
     let transformed = |heights: &[f64]| {
         let mut input = heights.to_vec();
         remove_trend(&mut input);
-        for (index, height) in input.iter_mut().enumerate() {
-            let phase = std::f64::consts::TAU * index as f64 / samples as f64;
-            *height *= 0.5 - 0.5 * phase.cos();
+        for (height, weight) in input.iter_mut().zip(&window) {
+            *height *= weight;
         }
         let mut output = transform.make_output_vec();
         let done = transform.process(&mut input, &mut output);

@@ -19,15 +19,13 @@ use riffel_case::LoopOnTrack;
 
 use self::measured::{Row, RowPlace};
 use self::pass_by::Passing;
-use super::{Block, Group, Held, Observable, Place, differences, sum_of, sums, table};
+use super::{Block, Group, Held, Observable, Place, UNIT, differences, sum_of, sums, table};
 use crate::gaussian::{Density, Gaussian};
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
 use crate::model::Trial;
 use crate::nuts::normal;
 
-/// Passages of the unit of what the model misses of growth.
-const UNIT: f64 = 1e6;
 /// Fewest dates of which one can be left out: two of the rest tell of growth.
 const LEAST_DATES: usize = 3;
 /// dB from 1 µm to 1 m.
