@@ -1,7 +1,7 @@
 //! What a variant holds of the mean state of a wheel.
 
 use riffel::contact::MeanRolling;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_keys::quantity::Quantity;
 use toml::Value;
 
@@ -88,7 +88,7 @@ impl KeptState {
     }
 
     /// Why it cannot be held, where its setting is refused for a reason.
-    pub(crate) fn refusal(&self, reason: &str) -> String {
+    pub(crate) fn refusal(&self, reason: &Message) -> String {
         let state = match self.hold {
             Hold::Force => format!(
                 "the traction force of {:.3} kN on a wheel is {:.2} times what friction can carry, μP₀ = {:.3} kN",

@@ -41,7 +41,7 @@ impl GivenReceptance {
         let measured = measurement::of_universal(function).map_err(|error| CaseError::Data {
             path: function.title.clone().into(),
             line: None,
-            message: error.message,
+            message: error.message.into(),
             help: None,
         })?;
         Ok(Self::of_table(measured.receptance, measured.remarks))

@@ -1,6 +1,6 @@
 //! What is said on standard error beside the results: messages and notes, as much as was asked for.
 
-use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
@@ -8,9 +8,9 @@ use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
+use riffel_answers::AnswerError;
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{Language, Message};
-use riffel_words::in_german;
+use riffel_keys::{CaseError, Language, Message};
 use serde_json::{Value, json};
 
 /// How much is said.
@@ -77,38 +77,28 @@ pub(crate) fn language() -> Language {
     }
 }
 
-/// Words in the language of this run; in English what the catalogue does not have.
-pub(crate) fn in_language(words: &str) -> Cow<'_, str> {
-    match language() {
-        Language::English => Cow::Borrowed(words),
-        Language::German => in_german(words).map_or(Cow::Borrowed(words), Cow::Owned),
-    }
-}
-
 /// True if nothing but errors is to be said.
 pub(crate) fn is_quiet() -> bool {
     VERBOSITY.load(Ordering::Relaxed) == Verbosity::Quiet as u8
 }
 
-/// A line on standard error in the language of the run, said also with `--quiet`. Where that is closed or full there is
-/// nobody left to tell. Control characters of a file or a command line are written out.
-pub(crate) fn complain(message: impl Display) {
-    complain_as_written(&in_language(&message.to_string()));
-}
-
-fn complain_as_written(message: &str) {
+/// A line on standard error, said also with `--quiet`. Where that is closed or full there is nobody left to tell. Control
+/// characters of a file or a command line are written out.
+pub(crate) fn complain(message: impl Into<Message>) {
+    let message = message.into();
     if is_for_a_program() {
-        return write_line(&json!({ "remark": Message::verbatim(message).document(language()) }));
+        return write_line(&json!({ "remark": message.document(language()) }));
     }
-    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(message));
+    let words = message.text(language());
+    let _ = writeln!(io::stderr().lock(), "{}", in_a_message(&words));
 }
 
 /// What ends the run, with the place in the file; in colours on a terminal, so that only its words are written out. As
 /// JSON where another program asks for it.
 pub(crate) fn complain_of(report: Report) {
     if is_for_a_program() {
-        let help = report.help().map(|help| help.to_string());
-        return write_document(&report.to_string(), help.as_deref());
+        let (message, help) = words_of(&report);
+        return write_document(&message, help.as_ref());
     }
     let shown = format!("{:?}", Report::new(Shown(report)));
     let shown = match language() {
@@ -133,11 +123,34 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     is_for_a_program
 }
 
-/// An error as one line of JSON.
-fn write_document(message: &str, help: Option<&str>) {
-    let help = help.map(in_a_message);
-    let error = json!({ "message": in_a_message(message), "help": help });
+/// An error as one line of JSON; in a German run with the German of its sentences, by their English.
+fn write_document(message: &Message, help: Option<&Message>) {
+    let words = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
+    let english = |message| words(message, Language::English);
+    let mut error = json!({ "message": english(message), "help": help.map(english) });
+    if language() == Language::German {
+        let both = std::iter::once(message).chain(help);
+        let both = both.map(|message| (english(message), words(message, Language::German)));
+        let both = both.filter(|(english, german)| english != german);
+        error["german"] = json!(both.collect::<BTreeMap<_, _>>());
+    }
     write_line(&json!({ "error": error }));
+}
+
+/// What ends a run and what would be right: errors of a case have every language, others are English.
+fn words_of(report: &Report) -> (Message, Option<Message>) {
+    let case = report.downcast_ref::<CaseError>();
+    let case = case.or_else(|| match report.downcast_ref()? {
+        AnswerError::Case(error) => Some(error),
+        _ => None,
+    });
+    match case {
+        Some(error) => (error.message(), error.advice()),
+        None => {
+            let help = report.help().map(|help| help.to_string().into());
+            (report.to_string().into(), help)
+        }
+    }
 }
 
 /// A document on a line of standard error.
@@ -160,31 +173,13 @@ pub(crate) fn complain_of_usage<'a>(
             Some((message, help)) => (message, Some(help.trim_start())),
             None => (words, None),
         };
-        return write_document(message, help);
+        return write_document(&message.into(), help.map(Message::from).as_ref());
     }
-    let shown = arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy()));
-    if language() == Language::German {
-        complain_as_written(&usage_in_german(&usage.render().to_string()));
-    } else if shown {
+    if arguments.all(|argument| is_shown_as_it_is(&argument.to_string_lossy())) {
         let _ = usage.print();
     } else {
-        complain_as_written(usage.render().to_string().trim_end());
+        complain(usage.render().to_string().trim_end());
     }
-}
-
-/// What the reader of the command line says, line by line.
-fn usage_in_german(usage: &str) -> String {
-    const HEADS: [(&str, &str); 3] = [
-        ("error: ", "Fehler: "),
-        ("  tip: ", "  Tipp: "),
-        ("Usage: ", "Aufruf: "),
-    ];
-    let lines = usage.trim_end().lines().map(|line| {
-        let head = HEADS.iter().find(|(english, _)| line.starts_with(english));
-        let (english, german) = head.unwrap_or(&("", ""));
-        format!("{german}{}", in_language(&line[english.len()..]))
-    });
-    lines.collect::<Vec<_>>().join("\n")
 }
 
 fn is_shown_as_it_is(text: &str) -> bool {
@@ -197,8 +192,8 @@ struct Shown(Report);
 
 impl Display for Shown {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        let words = self.0.to_string();
-        formatter.write_str(&in_a_message(&in_language(&words)))
+        let (message, _) = words_of(&self.0);
+        formatter.write_str(&in_a_message(&message.text(language())))
     }
 }
 
@@ -210,22 +205,13 @@ impl std::error::Error for Shown {
 
 impl Diagnostic for Shown {
     fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
-        let help = self.0.help()?.to_string();
-        let help = in_language(&help);
+        let (_, help) = words_of(&self.0);
+        let help = help?.text(language());
         Some(Box::new(in_a_message(&help).into_owned()))
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
-        // All others are keys.
-        const HERE: &str = "here";
-        let labels = self.0.labels()?;
-        Some(Box::new(labels.map(|label| {
-            let words = label.label().map(|words| match words {
-                HERE => in_language(HERE).into_owned(),
-                key => key.to_owned(),
-            });
-            LabeledSpan::new_with_span(words, *label.inner())
-        })))
+        self.0.labels()
     }
 
     fn source_code(&self) -> Option<&dyn SourceCode> {
@@ -234,75 +220,36 @@ impl Diagnostic for Shown {
 }
 
 /// A line on standard error, unless `--quiet` was given.
-pub(crate) fn say(message: impl Display) {
+pub(crate) fn say(message: impl Into<Message>) {
     if !is_quiet() {
         complain(message);
     }
 }
 
-/// What the reader of the results should know, in a line and in full.
-pub(crate) trait Note {
-    fn in_a_line(&self) -> Cow<'_, str>;
-    fn in_full(&self) -> Cow<'_, str>;
-    /// For a program.
-    fn document(&self) -> Value;
-}
-
-impl Note for Message {
-    fn in_a_line(&self) -> Cow<'_, str> {
-        match self.id() {
-            "verbatim" => self.in_full(),
-            _ => self.short(language()).into(),
-        }
-    }
-
-    fn in_full(&self) -> Cow<'_, str> {
-        let words = self.text(language());
-        match self.id() {
-            "verbatim" => in_language(&words).into_owned().into(),
-            _ => words.into(),
-        }
-    }
-
-    fn document(&self) -> Value {
-        self.document(language())
-    }
-}
-
-impl Note for String {
-    fn in_a_line(&self) -> Cow<'_, str> {
-        in_language(self)
-    }
-
-    fn in_full(&self) -> Cow<'_, str> {
-        in_language(self)
-    }
-
-    fn document(&self) -> Value {
-        Message::verbatim(self).document(language())
-    }
-}
-
 /// Notes on the validity of the models and on what was read: each once in a run, in full with `--verbose`.
-pub(crate) fn print_remarks(remarks: &[impl Note]) {
+pub(crate) fn print_remarks<M>(remarks: &[M])
+where
+    for<'a> &'a M: Into<Message>,
+{
     let is_verbose = VERBOSITY.load(Ordering::Relaxed) == Verbosity::Verbose as u8;
+    let word = match language() {
+        Language::English => "note",
+        Language::German => "Hinweis",
+    };
     let mut printed = printed();
     for remark in remarks {
+        let remark: Message = remark.into();
         let note = match is_verbose {
-            true => remark.in_full(),
-            false => remark.in_a_line(),
+            true => remark.text(language()),
+            false => remark.short(language()),
         };
-        if !printed.iter().any(|earlier| *earlier == note) {
-            let word = match language() {
-                Language::English => "note",
-                Language::German => "Hinweis",
-            };
+        if !printed.contains(&note) {
             match (is_quiet(), is_for_a_program()) {
                 (true, _) => {}
-                (false, true) => write_line(&json!({ "remark": remark.document() })),
-                (false, false) => complain_as_written(&format!("{word}: {note}")),
+                (false, true) => write_line(&json!({ "remark": remark.document(language()) })),
+                (false, false) => complain(format!("{word}: {note}")),
             }
-            printed.push(note.into_owned());
+            printed.push(note);
         }
     }
 }

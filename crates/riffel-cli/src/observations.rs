@@ -25,7 +25,7 @@ pub(crate) fn read(path: &Path) -> miette::Result<Vec<Observation>> {
     let text = decode(bytes).map_err(|byte| CaseError::Data {
         path: path.to_owned(),
         line: Some(byte.line),
-        message: byte.to_string(),
+        message: byte.to_string().into(),
         help: None,
     })?;
     Ok(parse(path, &text)?)
@@ -105,7 +105,7 @@ fn word(header: &str) -> (String, String) {
 fn in_range<D: Dimension>(name: &str, text: &str) -> Result<f64, String> {
     let read = PhysicalRange::read::<D>(&format!("--{name}"), text);
     read.map(|(si, _)| si)
-        .map_err(|rule| match rule.starts_with("is ") {
+        .map_err(|rule| match rule.to_string().starts_with("is ") {
             true => format!("{name} {rule}"),
             false => format!("{name}: {rule}"),
         })

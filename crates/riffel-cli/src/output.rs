@@ -1,33 +1,27 @@
 //! What is printed as the result, and how far the work is.
 
 use std::borrow::Cow;
-use std::fmt::{self, Display};
 use std::io::{self, Write};
 use std::time::Duration;
 
-use comfy_table::{CellAlignment, ContentArrangement, Row, TableStyle, presets};
+pub(crate) use comfy_table::Table;
+use comfy_table::{CellAlignment, ContentArrangement, TableStyle, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::messages::{in_language, is_quiet, language};
+use crate::messages::{is_for_a_program, is_quiet, language};
 use riffel_keys::Language;
+use riffel_keys::message::with_translations;
 use riffel_keys::text_file::printable;
-use riffel_words::with_comma;
 
-/// Print to standard output, line by line in the language of the run.
+/// Print to standard output.
 pub(crate) fn print(text: &str) -> Result<(), CliError> {
     // Data stays as it is.
-    let words = match text.starts_with(['{', '[']) {
-        true => text.to_owned(),
-        false => without_minus_zero(text),
-    };
-    let text = &words;
-    if language() == Language::English {
-        return write(text);
+    match text.starts_with(['{', '[']) {
+        true => write(text),
+        false => write(&without_minus_zero(text)),
     }
-    let lines = text.split_inclusive('\n').map(in_language);
-    write(&lines.collect::<String>())
 }
 
 /// A text in which no number that rounds to zero has a minus: "-0.0" is "0.0", and as wide in its column.
@@ -81,9 +75,18 @@ pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError
     }
 }
 
-/// Print one JSON document.
+/// Print one JSON document. Another program that asks in German has the German of its messages in a table `german`, by
+/// their English.
 pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
-    write(&json(document))
+    if !is_for_a_program() || language() == Language::English {
+        return write(&json(document));
+    }
+    let (document, german) = with_translations(|| serde_json::to_value(document));
+    let mut document = document.unwrap_or_default();
+    if let serde_json::Value::Object(document) = &mut document {
+        document.insert("german".to_owned(), serde_json::json!(german));
+    }
+    write(&json(&document))
 }
 
 /// A JSON document, indented, with a final line feed.
@@ -106,45 +109,10 @@ pub(crate) fn json(document: &impl Serialize) -> String {
 const STYLE: TableStyle =
     presets::NOTHING.header_separator(comfy_table::LineStyle::new('─', '─', '─', '─'));
 
-/// A table with its words and numbers in the language of the run.
-pub(crate) struct Table {
-    table: comfy_table::Table,
-    /// Texts have numbers as a file has them.
-    of_numbers: bool,
-}
-
-impl Table {
-    pub(crate) fn add_row(&mut self, row: impl Into<Row>) {
-        let row = row.into();
-        let cells = row.cell_iter().map(comfy_table::Cell::content);
-        self.table
-            .add_row(cells.map(|cell| match in_language(&cell) {
-                Cow::Borrowed(same)
-                    if self.of_numbers && language() == Language::German && is_number(same) =>
-                {
-                    with_comma(same)
-                }
-                words => words.into_owned(),
-            }));
-    }
-}
-
-/// Whether a cell begins with a number; others are names, whose points stay.
-fn is_number(cell: &str) -> bool {
-    cell.trim_start_matches(['+', '-', '−', '±'])
-        .starts_with(|c: char| c.is_ascii_digit())
-}
-
-impl Display for Table {
-    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        self.table.fmt(formatter)
-    }
-}
-
 /// A table of an answer as a reader sees it: words to the left, numbers to the right.
-pub(crate) fn table_of(table: &riffel_answers::Table) -> comfy_table::Table {
+pub(crate) fn table_of(table: &riffel_answers::Table) -> Table {
     let (heads, rows) = table.shown(language());
-    let mut shown = comfy_table::Table::new();
+    let mut shown = Table::new();
     shown.load_style(STYLE).set_header(heads).add_rows(rows);
     for column in shown.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
@@ -154,21 +122,17 @@ pub(crate) fn table_of(table: &riffel_answers::Table) -> comfy_table::Table {
 
 /// A table with right-aligned columns but the first.
 pub(crate) fn table(header: &[&str]) -> Table {
-    let mut table = comfy_table::Table::new();
-    let header: Vec<_> = header.iter().map(|words| in_language(words)).collect();
+    let mut table = Table::new();
     table.load_style(STYLE).set_header(header);
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);
     }
-    Table {
-        table,
-        of_numbers: true,
-    }
+    table
 }
 
 /// A table whose cells are all text, wrapped to the terminal or, where there is none, to 110 columns.
 pub(crate) fn text_table(header: &[&str]) -> Table {
-    let Table { mut table, .. } = table(header);
+    let mut table = table(header);
     for column in table.column_iter_mut() {
         column.set_cell_alignment(CellAlignment::Left);
     }
@@ -176,10 +140,7 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
     if table.width().is_none() {
         table.set_width(110);
     }
-    Table {
-        table,
-        of_numbers: false,
-    }
+    table
 }
 
 /// A progress bar on standard error that appears once the work has taken a second, and only on a terminal, unless
@@ -196,7 +157,7 @@ impl Progress {
         {
             bar.set_style(style);
         }
-        bar.set_message(in_language(what));
+        bar.set_message(what);
         let waiting = bar.clone();
         // Work in one long step never advances.
         std::thread::spawn(move || {

@@ -9,6 +9,7 @@ use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
 use thiserror::Error;
 
 use crate::text_file::in_a_message;
+use crate::{Language, Message, Value, say};
 
 /// A case that cannot be used, and why, in a sentence that names the key.
 ///
@@ -42,9 +43,9 @@ pub enum CaseError {
         /// The key, dotted.
         key: String,
         /// Key, value and rule.
-        message: String,
+        message: Message,
         /// What would be right.
-        help: Option<String>,
+        help: Option<Message>,
         /// The case file.
         source_code: Arc<NamedSource<String>>,
         /// Where, if the file says anything there.
@@ -65,7 +66,7 @@ pub enum CaseError {
     /// A wavelength and a speed at which the case cannot be computed.
     Point {
         /// What is asked for, and the rule.
-        message: String,
+        message: Message,
     },
 
     /// An override is malformed or sets a value that is not allowed.
@@ -73,7 +74,7 @@ pub enum CaseError {
         /// The override as given.
         assignment: String,
         /// Key, value and rule.
-        message: String,
+        message: Message,
     },
 
     /// A value that a program gave a key is not allowed.
@@ -81,7 +82,7 @@ pub enum CaseError {
         /// The key that was given the value, dotted.
         key: String,
         /// Key, value and rule.
-        message: String,
+        message: Message,
     },
 
     /// A file of data that cannot be used.
@@ -91,9 +92,9 @@ pub enum CaseError {
         /// The line, from 1.
         line: Option<usize>,
         /// What is wrong.
-        message: String,
+        message: Message,
         /// What would be right.
-        help: Option<String>,
+        help: Option<Message>,
     },
 
     /// No preset has this name.
@@ -107,19 +108,14 @@ pub enum CaseError {
 
 impl Display for CaseError {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        formatter.write_str(&in_a_message(&self.sentence()))
+        formatter.write_str(&self.sentence(Language::English))
     }
 }
 
 impl Diagnostic for CaseError {
     fn help<'a>(&'a self) -> Option<Box<dyn Display + 'a>> {
-        let help = match self {
-            Self::Invalid { help, .. } | Self::Data { help, .. } => help.as_deref()?,
-            Self::UnknownPreset { .. } => "riffel presets lists them all",
-            Self::NotConverged(error) => return error.help(),
-            _ => return None,
-        };
-        Some(Box::new(in_a_message(help)))
+        let help = self.advice()?.text(Language::English);
+        Some(Box::new(in_a_message(&help).into_owned()))
     }
 
     fn labels(&self) -> Option<Box<dyn Iterator<Item = LabeledSpan> + '_>> {
@@ -146,37 +142,67 @@ impl Diagnostic for CaseError {
 }
 
 impl CaseError {
-    /// What is wrong, as it was written.
-    fn sentence(&self) -> String {
+    /// What is wrong.
+    pub fn message(&self) -> Message {
         match self {
-            Self::Read { what, path, reason } => {
-                format!("cannot read the {what} {}: {reason}", path.display())
-            }
-            Self::Syntax { message, .. } => format!("not valid TOML: {message}"),
+            Self::Read { what, path, reason } => say!(
+                file_cannot_be_read,
+                what = *what,
+                path = path.display(),
+                reason = reason.to_string()
+            ),
+            Self::Syntax { message, .. } => say!(not_valid_toml, message = message),
             Self::Invalid { message, .. }
             | Self::Point { message }
             | Self::Changed { message, .. } => message.clone(),
-            Self::NotConverged(error) => error.sentence(),
-            Self::Physics { input, error } => format!("{input}: {error}"),
+            Self::NotConverged(error) => error.message(),
+            Self::Physics { input, error } => {
+                say!(place_and_fault, place = input, fault = error.to_string())
+            }
             Self::Override {
                 assignment,
                 message,
-            } => format!("--set {assignment}: {message}"),
+            } => say!(
+                place_and_fault,
+                place = format!("--set {assignment}"),
+                fault = message.clone()
+            ),
             Self::Data {
                 path,
-                line,
+                line: None,
                 message,
                 ..
-            } => {
-                let place = line
-                    .map(|line| format!(", line {line}"))
-                    .unwrap_or_default();
-                format!("{}{place}: {message}", path.display())
-            }
+            } => say!(place_and_fault, place = path.display(), fault = message.clone()),
+            Self::Data {
+                path,
+                line: Some(line),
+                message,
+                ..
+            } => say!(
+                line_and_fault,
+                path = path.display(),
+                line = *line,
+                fault = message.clone()
+            ),
             Self::UnknownPreset { name, nearest } => {
-                format!("no preset is called \"{name}\"; the nearest is \"{nearest}\"")
+                say!(no_such_preset, name = name, nearest = nearest)
             }
         }
+    }
+
+    /// What would be right.
+    pub fn advice(&self) -> Option<Message> {
+        match self {
+            Self::Invalid { help, .. } | Self::Data { help, .. } => help.clone(),
+            Self::UnknownPreset { .. } => Some(say!(presets_are_listed)),
+            Self::NotConverged(error) => error.advice(),
+            _ => None,
+        }
+    }
+
+    /// What is wrong, in words that no terminal obeys.
+    pub fn sentence(&self, language: Language) -> String {
+        in_a_message(&self.message().text(language)).into_owned()
     }
 
     /// The sentence, then the line of the file where it stands and what would be right, each on a line of its own:
@@ -184,8 +210,8 @@ impl CaseError {
     pub fn in_words(&self) -> String {
         let mut words = match self {
             Self::NotConverged(error) => return error.in_words(),
-            Self::Override { message, .. } => message.clone(),
-            error => error.sentence(),
+            Self::Override { message, .. } => message.to_string(),
+            error => error.to_string(),
         };
         let (source, span) = match self {
             Self::Syntax {
@@ -217,21 +243,22 @@ impl CaseError {
         in_a_message(&words).into_owned()
     }
 
-    /// The sentence without the key that it begins with: for a value that was not written by the user.
-    pub fn without_key(&self) -> String {
+    /// What is wrong without the key that it begins with: for a value that was not written by the user.
+    pub fn without_key(&self) -> Message {
         let message = match self {
             Self::NotConverged(error) => return error.without_key(),
             Self::Invalid { message, .. } | Self::Override { message, .. } => message,
-            error => return error.to_string(),
+            error => return error.message(),
         };
-        let after = message
-            .strip_prefix('`')
-            .and_then(|rest| rest.split_once("`: "));
-        in_a_message(after.map_or(message.as_str(), |(_, sentence)| sentence)).into_owned()
+        let rule = message.values().iter().find(|(name, _)| *name == "rule");
+        match (message.id(), rule) {
+            ("key-and-rule", Some((_, Value::Message(rule)))) => (**rule).clone(),
+            _ => message.clone(),
+        }
     }
 
     /// A file of data that cannot be used as a whole, and why not.
-    pub fn data(path: impl Into<PathBuf>, message: impl Into<String>) -> Self {
+    pub fn data(path: impl Into<PathBuf>, message: impl Into<Message>) -> Self {
         Self::Data {
             path: path.into(),
             line: None,
@@ -253,8 +280,8 @@ mod tests {
         let span = SourceSpan::from(0..0);
         let invalid = || CaseError::Invalid {
             key: text(),
-            message: text(),
-            help: Some(text()),
+            message: text().into(),
+            help: Some(text().into()),
             source_code: source_code(),
             span: Some(span),
         };
@@ -278,16 +305,18 @@ mod tests {
                     width: 1.0,
                 },
             },
-            CaseError::Point { message: text() },
+            CaseError::Point {
+                message: text().into(),
+            },
             CaseError::Override {
                 assignment: text(),
-                message: text(),
+                message: text().into(),
             },
             CaseError::Data {
                 path: words.into(),
                 line: Some(3),
-                message: text(),
-                help: Some(text()),
+                message: text().into(),
+                help: Some(text().into()),
             },
             CaseError::UnknownPreset {
                 name: text(),
@@ -299,7 +328,7 @@ mod tests {
     fn shown(error: &CaseError) -> Vec<String> {
         let labels = error.labels().into_iter().flatten();
         let labels = labels.filter_map(|label| label.label().map(str::to_owned));
-        [error.to_string(), error.in_words(), error.without_key()]
+        [error.to_string(), error.in_words(), in_a_message(&error.without_key().to_string()).into_owned()]
             .into_iter()
             .chain(error.help().map(|help| help.to_string()))
             .chain(labels)

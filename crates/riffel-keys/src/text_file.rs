@@ -182,17 +182,17 @@ pub fn read_keys(path: &Path, what: &'static str) -> Result<String, CaseError> {
         path: path.to_owned(),
         line,
         message,
-        help: Some("save the file as UTF-8".to_owned()),
+        help: Some("save the file as UTF-8".into()),
     };
     let encoding = Encoding::of(&bytes).map_err(|byte| CaseError::Data {
         path: path.to_owned(),
         line: Some(byte.line),
-        message: byte.to_string(),
+        message: byte.to_string().into(),
         help: None,
     })?;
     if !matches!(encoding, Encoding::Utf8 | Encoding::Windows1252) {
         let message = format!("is text in {}, but a {what} must be UTF-8", encoding.name());
-        return Err(refuse(None, message));
+        return Err(refuse(None, message.into()));
     }
     let text = String::from_utf8(bytes).map_err(|error| {
         let at = error.utf8_error().valid_up_to();
@@ -203,7 +203,7 @@ pub fn read_keys(path: &Path, what: &'static str) -> Result<String, CaseError> {
             bytes[at],
             printable(&windows_1252(bytes[at]).to_string())
         );
-        refuse(Some(line_of(bytes, at)), message)
+        refuse(Some(line_of(bytes, at)), message.into())
     })?;
     Ok(with_line_feeds(text))
 }

@@ -73,16 +73,6 @@ impl fmt::Display for Exponents {
     }
 }
 
-impl Exponents {
-    /// What a value with them is, as in "3 kg is in kg".
-    pub(crate) fn in_words(self) -> String {
-        match self.to_string() {
-            units if units.is_empty() => "a plain number".to_owned(),
-            units => format!("in {units}"),
-        }
-    }
-}
-
 /// A unit: its size in SI base units and their exponents.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Unit {

@@ -360,7 +360,7 @@ fn at(path: &Path, line: usize, message: String) -> CaseError {
     CaseError::Data {
         path: path.to_owned(),
         line: Some(line),
-        message,
+        message: message.into(),
         help: None,
     }
 }

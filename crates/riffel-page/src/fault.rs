@@ -1,7 +1,10 @@
 //! What went wrong, as the page shows it.
 
+use std::collections::BTreeMap;
+
 use miette::Diagnostic;
-use riffel_keys::CaseError;
+use riffel_keys::text_file::in_a_message;
+use riffel_keys::{CaseError, Language, Message, say};
 use serde::Serialize;
 
 /// An error: a status of HTTP for the browser, a sentence for the reader and, where there is one, the key of the
@@ -23,6 +26,9 @@ pub struct Fault {
     /// Line of the text that was sent, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<usize>,
+    /// The German of both, by their English.
+    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
+    german: BTreeMap<String, String>,
     /// What a developer of the page wants to know, and nobody else.
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<Box<str>>,
@@ -57,37 +63,53 @@ impl Fault {
     }
 
     /// A request that is not let in.
-    pub fn refused(status: impl Into<u16>, message: String, help: &str) -> Self {
+    pub fn refused(
+        status: impl Into<u16>,
+        message: impl Into<Message>,
+        help: impl Into<Message>,
+    ) -> Self {
+        let (message, help) = (message.into(), help.into());
+        let words = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
+        let both = [&message, &help].map(|message| {
+            let [english, german] = [Language::English, Language::German];
+            (words(message, english), words(message, german))
+        });
+        let [(message, _), (help, _)] = both.clone();
         Self {
             status: status.into(),
             retry_after_s: None,
             key: None,
             message,
-            help: (!help.is_empty()).then(|| help.to_owned()),
+            help: (!help.is_empty()).then_some(help),
             line: None,
+            german: (both.into_iter())
+                .filter(|(english, german)| english != german)
+                .collect(),
             detail: None,
         }
     }
 
+    /// The same fault with the German of its sentences, by their English.
+    #[must_use]
+    pub fn with_german(self, german: BTreeMap<String, String>) -> Self {
+        Self { german, ..self }
+    }
+
     /// A newer question for the same has come.
     pub fn superseded() -> Self {
-        Self::busy("a newer request has taken the place of this one")
+        Self::busy(say!(newer_request))
     }
 
     /// Too much to do at present.
-    pub fn busy(message: &str) -> Self {
+    pub fn busy(message: impl Into<Message>) -> Self {
         Self {
             retry_after_s: Some(1),
-            ..Self::refused(
-                Self::BUSY,
-                message.to_owned(),
-                "the page asks again by itself",
-            )
+            ..Self::refused(Self::BUSY, message, say!(page_asks_again))
         }
     }
 
     /// A value of the case beyond what the page computes.
-    pub fn of_key(key: &str, message: String, help: &str) -> Self {
+    pub fn of_key(key: &str, message: impl Into<Message>, help: impl Into<Message>) -> Self {
         Self {
             key: Some(key.to_owned()),
             ..Self::refused(Self::UNPROCESSABLE, message, help)
@@ -95,8 +117,8 @@ impl Fault {
     }
 
     /// A request that cannot be read, or cannot be answered as it stands.
-    pub fn bad(message: impl Into<String>) -> Self {
-        Self::refused(Self::UNPROCESSABLE, message.into(), "")
+    pub fn bad(message: impl Into<Message>) -> Self {
+        Self::refused(Self::UNPROCESSABLE, message, "")
     }
 
     /// A request in another form than that of this program's page.
@@ -105,18 +127,25 @@ impl Fault {
             detail: Some(detail.into()),
             ..Self::refused(
                 Self::UNPROCESSABLE,
-                "the page and the program do not understand each other".to_owned(),
-                "reload the page: it may be older than the program",
+                say!(page_misunderstood),
+                say!(reload_page),
             )
         }
     }
 
     /// The same fault of something that the form does not show.
     pub fn without_key(self, what: &str) -> Self {
+        let told = |sentence: &str| format!("{what}{sentence}");
+        let german = self.german.into_iter();
+        let german = german.map(|(english, german)| match english == self.message {
+            true => (told(&english), told(&german)),
+            false => (english, german),
+        });
         Self {
             key: None,
             line: None,
-            message: format!("{what}{}", self.message),
+            message: told(&self.message),
+            german: german.collect(),
             ..self
         }
     }
@@ -125,24 +154,22 @@ impl Fault {
     pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
         Self {
             message: words(&self.message),
-            help: self.help.as_deref().map(words),
+            help: self.help.as_deref().map(&words),
+            german: (self.german.iter())
+                .map(|(english, german)| (words(english), words(german)))
+                .collect(),
             ..self
         }
     }
 
     /// A defect of the program.
     pub fn defect(message: &str) -> Self {
-        Self::refused(
-            Self::DEFECT,
-            message.to_owned(),
-            "this is a defect of Riffel; the case in the address bar reproduces it",
-        )
+        Self::refused(Self::DEFECT, message, say!(defect_of_riffel))
     }
 }
 
 impl From<CaseError> for Fault {
     fn from(error: CaseError) -> Self {
-        let help = error.help().map(|help| help.to_string());
         let line = error.labels().and_then(|mut labels| {
             let offset = labels.next()?.offset();
             let source = error.source_code()?;
@@ -157,14 +184,11 @@ impl From<CaseError> for Fault {
             CaseError::Invalid { key, .. } => Some(key.clone()),
             _ => None,
         };
+        let help = error.advice().unwrap_or_else(|| "".into());
         Self {
-            status: Self::UNPROCESSABLE,
-            retry_after_s: None,
             key,
-            message: error.to_string(),
-            help,
             line,
-            detail: None,
+            ..Self::refused(Self::UNPROCESSABLE, error.message(), help)
         }
     }
 }

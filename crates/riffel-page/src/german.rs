@@ -1,30 +1,52 @@
 //! The German of what an answer says, beside it.
 
-use riffel_words::in_german;
-use serde_json::{Map, Value};
+use std::collections::BTreeMap;
 
-/// An answer with a table `german` beside its other keys: of each of its texts that the catalogue knows, in one line, the German. The
-/// page changes its language without asking anew.
-pub(crate) fn with_german(mut answer: Value) -> Value {
-    let mut german = Map::new();
-    collect(&answer, &mut german);
+use serde_json::Value;
+
+/// Key of the table.
+const GERMAN: &str = "german";
+
+/// An answer with a table `german` beside its other keys: the German of its messages, by their English. The page changes its
+/// language without asking anew. What is an answer itself may have brought such a table, which goes into this one.
+pub(crate) fn beside(mut answer: Value, mut german: BTreeMap<String, String>) -> Value {
+    take(&mut answer, &mut german);
+    log_missing(&answer, &german); // TEMPORARY
     if let (Value::Object(answer), false) = (&mut answer, german.is_empty()) {
-        answer.insert("german".to_owned(), german.into());
+        answer.insert(GERMAN.to_owned(), serde_json::json!(german));
     }
     answer
 }
 
-fn collect(value: &Value, german: &mut Map<String, Value>) {
+fn take(value: &mut Value, german: &mut BTreeMap<String, String>) {
     match value {
-        // Has both languages itself.
+        Value::Object(table) => {
+            if let Some(Value::Object(own)) = table.remove(GERMAN) {
+                let texts = own.into_iter();
+                german.extend(texts.filter_map(|(english, text)| Some((english, text.as_str()?.to_owned()))));
+            }
+            table.values_mut().for_each(|value| take(value, german));
+        }
+        Value::Array(list) => list.iter_mut().for_each(|value| take(value, german)),
+        _ => {}
+    }
+}
+
+// TEMPORARY
+fn log_missing(value: &Value, german: &BTreeMap<String, String>) {
+    use std::io::Write;
+    match value {
         Value::Object(note) if note.contains_key("en") && note.contains_key("de") => {}
-        Value::Object(table) => table.values().for_each(|value| collect(value, german)),
-        Value::Array(list) => list.iter().for_each(|value| collect(value, german)),
-        // The lines of a text are broken anywhere.
+        Value::Object(table) => table.values().for_each(|value| log_missing(value, german)),
+        Value::Array(list) => list.iter().for_each(|value| log_missing(value, german)),
         Value::String(text) => {
             let text = text.trim().replace('\n', " ");
-            if let (false, Some(words)) = (german.contains_key(&text), in_german(&text)) {
-                german.insert(text, words.into());
+            if !german.contains_key(&text)
+                && let Some(words) = riffel_words::in_german(&text)
+                && words != text
+            {
+                let file = std::fs::OpenOptions::new().create(true).append(true).open("/tmp/missing-german.txt");
+                let _ = writeln!(file.unwrap(), "{text}\t{words}");
             }
         }
         _ => {}
@@ -33,20 +55,18 @@ fn collect(value: &Value, german: &mut Map<String, Value>) {
 
 #[cfg(test)]
 mod tests {
+    use riffel_keys::message::with_translations;
+    use riffel_keys::say;
     use serde_json::json;
 
     use super::*;
 
     #[test]
     fn what_is_said_has_its_german_beside_it() {
-        let answer = json!({
-            "verdict": ["over the limit", 3.5],
-            "hint": "within\nthe limit",
-            "note": { "en": "low", "de": "innen" },
-        });
-        let german = with_german(answer)["german"].clone();
-        let expected = json!({ "over the limit": "über der Grenze", "within the limit": "innerhalb der Grenze" });
-        assert_eq!(german, expected);
-        assert_eq!(with_german(json!({ "value": 1 })), json!({ "value": 1 }));
+        let inner = json!({ "value": 1, "german": { "low": "innen" } });
+        let (answer, german) = with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
+        let expected = json!({ "rule": "is missing", "inner": { "value": 1 }, "german": { "is missing": "fehlt", "low": "innen" } });
+        assert_eq!(beside(answer, german), expected);
+        assert_eq!(beside(json!({ "value": 1 }), BTreeMap::new()), json!({ "value": 1 }));
     }
 }

@@ -1,9 +1,10 @@
 //! An answer, as bytes.
 
+use riffel_keys::message::with_translations;
 use serde::Serialize;
 
 use crate::fault::Fault;
-use crate::german::with_german;
+use crate::german::beside;
 
 /// An answer.
 pub struct Reply {
@@ -52,7 +53,8 @@ impl Reply {
 /// # Errors
 /// A [`Fault`] if it has no JSON.
 pub fn written(answer: &impl Serialize) -> Result<Vec<u8>, Fault> {
-    let answer = serde_json::to_value(answer).map(with_german);
+    let (answer, german) = with_translations(|| serde_json::to_value(answer));
+    let answer = answer.map(|answer| beside(answer, german));
     let written = answer.and_then(|answer| serde_json::to_vec(&answer));
     written.map_err(|_| Fault::defect("the answer cannot be written"))
 }

@@ -7,7 +7,7 @@ use riffel_case::{
 };
 use serde_json::{Value, json};
 
-use crate::german::with_german;
+use riffel_words::in_german;
 
 /// Lines to begin with, each on a supported track.
 const LINES: [(&str, &str); 4] = [
@@ -50,4 +50,25 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
         "lines": lines,
     });
     with_german(vocabulary).to_string()
+}
+
+fn with_german(mut answer: Value) -> Value {
+    let mut german = serde_json::Map::new();
+    collect(&answer, &mut german);
+    answer["german"] = german.into();
+    answer
+}
+
+fn collect(value: &Value, german: &mut serde_json::Map<String, Value>) {
+    match value {
+        Value::Object(table) => table.values().for_each(|value| collect(value, german)),
+        Value::Array(list) => list.iter().for_each(|value| collect(value, german)),
+        Value::String(text) => {
+            let text = text.trim().replace('\n', " ");
+            if let Some(words) = in_german(&text) {
+                german.insert(text, words.into());
+            }
+        }
+        _ => {}
+    }
 }

@@ -47,7 +47,7 @@ pub(crate) fn of_case(error: CaseError) -> PyErr {
             path,
             message: sentence,
             ..
-        } if sentence.contains("cannot read") && !path.exists() => {
+        } if sentence.to_string().contains("cannot read") && !path.exists() => {
             PyFileNotFoundError::new_err(message)
         }
         CaseError::NotConverged(_) => ConvergenceError::new_err(message),

@@ -24,8 +24,8 @@ impl Refusal {
         CaseError::Data {
             path: path.to_owned(),
             line: self.line,
-            message: self.message,
-            help: self.help,
+            message: self.message.into(),
+            help: self.help.map(Into::into),
         }
     }
 }

@@ -4,6 +4,7 @@
 //! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
 //! too.
 
+use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io;
@@ -45,6 +46,9 @@ struct ErrorDocument {
     message: String,
     /// What would be right.
     help: Option<String>,
+    /// The German of both, by their English.
+    #[serde(default)]
+    german: BTreeMap<String, String>,
 }
 
 /// How often is looked whether the result is still wanted.
@@ -137,7 +141,7 @@ impl Program {
         wanted: &Wanted,
         tell: &dyn Fn(Progress),
     ) -> Result<Value, Fault> {
-        let printed = self.run_telling(folder, &["ask", name], question, wanted, tell)?;
+        let printed = self.run_telling(folder, &["--language=de", "ask", name], question, wanted, tell)?;
         serde_json::from_str(&printed)
             .map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -188,9 +192,7 @@ impl Program {
                 break status;
             }
             if !wanted.still() {
-                return Err(Fault::busy(
-                    "a newer request has taken the place of this one",
-                ));
+                return Err(Fault::superseded());
             }
             if memory.exceeds(self.most_memory) {
                 return Err(Fault::refused(
@@ -227,11 +229,16 @@ fn fault_of(words: &str) -> Fault {
     let lines = words.lines().rev();
     let mut lines = lines.filter_map(|line| serde_json::from_str::<Line>(line).ok());
     match lines.next().map(|line| line.error) {
-        Some(ErrorDocument { message, help }) => Fault::refused(
+        Some(ErrorDocument {
+            message,
+            help,
+            german,
+        }) => Fault::refused(
             StatusCode::UNPROCESSABLE_ENTITY,
             message,
-            help.as_deref().unwrap_or_default(),
-        ),
+            help.unwrap_or_default(),
+        )
+        .with_german(german),
         None => Fault::defect("the program broke off"),
     }
 }

@@ -168,6 +168,6 @@ fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthD
     }
     let covered = case
         .covering(from, to)
-        .map_err(|error| error.without_key())?;
+        .map_err(|error| error.without_key().to_string())?;
     Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
 }

@@ -152,7 +152,7 @@ impl WearAnswer {
         let at_fault = |path: &Path, message: String| CaseError::Data {
             path: path.to_owned(),
             line: None,
-            message,
+            message: message.into(),
             help: None,
         };
         let here = Path::new("");

@@ -18,7 +18,7 @@ fn refuse(path: &Path, line: Option<usize>, message: String) -> CaseError {
     CaseError::Data {
         path: path.to_owned(),
         line,
-        message,
+        message: message.into(),
         help: None,
     }
 }
@@ -167,7 +167,7 @@ impl Numbers {
         CaseError::Data {
             path: path.to_owned(),
             line: Some(self.lines[row]),
-            message: message.to_owned(),
+            message: message.to_owned().into(),
             help: None,
         }
     }

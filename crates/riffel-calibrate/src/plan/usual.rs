@@ -175,8 +175,8 @@ impl Table {
             let refuse = |message: String, help: &str| CaseError::Data {
                 path: path.clone(),
                 line: None,
-                message,
-                help: Some(help.to_owned()),
+                message: message.into(),
+                help: Some(help.to_owned().into()),
             };
             let names = table::names(path, |names| Kind::of_columns(names).is_some())?;
             let kind = Kind::of_columns(&names).ok_or_else(|| {
@@ -415,8 +415,8 @@ impl Plan {
             Ok(there) if there != plan.text => Err(CaseError::Data {
                 path: path.to_owned(),
                 line: None,
-                message: "is there already and is not the plan with usual priors of these files".to_owned(),
-                help: Some("riffel calibrate with this plan in place of the case runs it; another folder begins anew".to_owned()),
+                message: "is there already and is not the plan with usual priors of these files".to_owned().into(),
+                help: Some("riffel calibrate with this plan in place of the case runs it; another folder begins anew".to_owned().into()),
             }),
             _ => Ok(plan),
         }

@@ -258,7 +258,8 @@ impl Case {
                     "{} at {wavelength} m and {speed} m/s is not a finite number: values of the case are too large or \
                      too small to compute with",
                     quantity.name()
-                ),
+                )
+                .into(),
             }),
         }
     }

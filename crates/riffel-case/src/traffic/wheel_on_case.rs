@@ -63,7 +63,7 @@ impl Traffic {
                 let sets = |(own, _): &Setting| *own == key;
                 if held_setting.iter().any(sets) {
                     let held = held.as_ref();
-                    let why = held.map_or(message.clone(), |held| held.refusal(&message));
+                    let why = held.map_or_else(|| message.to_string(), |held| held.refusal(&message));
                     return variant.refuse(&format!(
                         "variant \"{}\" changes friction or load under \"{}\"; {why}",
                         variant.title, vehicle.name

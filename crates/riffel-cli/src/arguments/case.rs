@@ -65,7 +65,7 @@ impl CaseArguments {
         };
         let case = Case::read(&self.path, &self.overrides)?;
         match case.edit(|keys| keys.track.position = Some(position)) {
-            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message })?,
+            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message: message.to_string() })?,
             Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
                 message: format!(
                     "the track is the same everywhere along the rail with track.model = \"{}\"; choose \
@@ -113,6 +113,6 @@ pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError
     // The window was not written by the user.
     case.covering(from, to)
         .map_err(|error| CliError::Wavelength {
-            message: error.without_key(),
+            message: error.without_key().to_string(),
         })
 }

@@ -11,10 +11,10 @@ use toml::de::DeTable;
 use toml::{Table, Value};
 
 use crate::excerpt::{clipped, excerpt};
-use crate::quantity::WrittenQuantity;
+use crate::quantity::{KINDS, Kind, WrittenQuantity, refused_as};
 use crate::range::Judgement;
 use crate::text_file::{command_in, in_a_message};
-use crate::{CaseError, Message, PhysicalRange};
+use crate::{CaseError, Message, PhysicalRange, say};
 use text::{Text, join, within};
 
 /// Most parts of a dotted key in an override, far more than any key has: tables are walked by recursion.
@@ -62,8 +62,8 @@ impl KeyFile {
         for (name, value) in table {
             let key = join(parent, name);
             if let Some(command) = command_in(name) {
-                let rule = format!("is a key with the control character {command:?}");
-                return Err(self.invalid(&key, &rule, "leave it out"));
+                let rule = say!(is_key_with_command, command = format!("{command:?}"));
+                return Err(self.invalid(&key, rule, say!(leave_it_out)));
             }
             self.refuse_commands_in(&key, value)?;
         }
@@ -73,8 +73,8 @@ impl KeyFile {
     fn refuse_commands_in(&self, key: &str, value: &Value) -> Result<(), CaseError> {
         match value {
             Value::String(text) => command_in(text).map_or(Ok(()), |command| {
-                let rule = format!("is a text with the control character {command:?}");
-                Err(self.invalid(key, &rule, "leave it out"))
+                let rule = say!(is_text_with_command, command = format!("{command:?}"));
+                Err(self.invalid(key, rule, say!(leave_it_out)))
             }),
             Value::Table(table) => self.refuse_commands(key, table),
             Value::Array(items) => (items.iter().enumerate()).try_for_each(|(index, item)| {
@@ -144,12 +144,11 @@ impl KeyFile {
     /// # Errors
     /// [`CaseError::Override`] for what is no `key=value`, or a key within a value.
     pub fn set(&mut self, assignment: &str, takes_a_name: bool) -> Result<String, CaseError> {
-        let wrong = |message: String| CaseError::Override {
+        let wrong = |message: Message| CaseError::Override {
             assignment: clipped(assignment).into_owned(),
-            message: clipped(&message).into_owned(),
+            message: message.clipped(),
         };
-        let malformed =
-            || wrong("write --set key=value, as in --set contact.friction=0.3".to_owned());
+        let malformed = || wrong("write --set key=value, as in --set contact.friction=0.3".into());
         let (path, value) = assignment.split_once('=').ok_or_else(malformed)?;
         let (path, value) = (path.trim(), value.trim());
         let value = format!("value = {value}")
@@ -180,21 +179,19 @@ impl KeyFile {
         self.insert(&parts, value.into())
             .map_err(|message| CaseError::Changed {
                 key: key.to_owned(),
-                message: clipped(&message).into_owned(),
+                message: message.clipped(),
             })?;
         self.overrides.insert(key.to_owned(), None);
         Ok(())
     }
 
-    fn insert(&mut self, parts: &[&str], value: Value) -> Result<(), String> {
+    fn insert(&mut self, parts: &[&str], value: Value) -> Result<(), Message> {
         let Some((last, parents)) = parts.split_last() else {
             return Ok(());
         };
         if parts.len() > DEEPEST {
             let count = parts.len();
-            return Err(format!(
-                "a key has at most {DEEPEST} parts, and this one {count}"
-            ));
+            return Err(say!(key_of_many_parts, most = DEEPEST, count = count));
         }
         let mut table = &mut self.table;
         for parent in parents {
@@ -204,7 +201,7 @@ impl KeyFile {
                 .as_table_mut()
                 .ok_or_else(|| {
                     let path = parts.join(".");
-                    format!("`{parent}` is a value, not a table of keys, in `{path}`")
+                    say!(value_not_table, parent = *parent, path = path)
                 })?;
         }
         table.insert((*last).to_owned(), value);
@@ -269,7 +266,7 @@ impl KeyFile {
         match range.judge(key, &written) {
             Judgement::Usual => Ok(None),
             Judgement::Unusual(remark) => Ok(Some(remark)),
-            Judgement::Impossible { rule, help } => Err(self.invalid(key, &rule, &help)),
+            Judgement::Impossible { rule, help } => Err(self.invalid(key, rule, help)),
         }
     }
 
@@ -350,90 +347,98 @@ impl KeyFile {
                 Some(_) => path.to_owned(),
                 None => join(path, field),
             };
-            let allowed = allowed.to_vec();
-            return self.invalid(
-                &path,
-                "is not a key Riffel knows",
-                &suggestion(field, &allowed),
-            );
+            return self.invalid(&path, say!(is_unknown_key), suggestion(field, allowed));
         }
         if let (true, [variant, allowed @ ..]) =
             (message.starts_with("unknown variant"), &quoted[..])
         {
-            let rule = format!("\"{variant}\" is not one of its choices");
-            return self.invalid(path, &rule, &suggestion(variant, allowed));
+            let rule = say!(is_no_choice, variant = *variant);
+            return self.invalid(path, rule, suggestion(variant, allowed));
         }
         if let Some(error) = own(path) {
             return error;
         }
         if message.contains("expected struct") {
-            return self.invalid(path, "is not a table of keys, as it must be", "");
+            return self.invalid(path, say!(is_no_table), "");
         }
         if message.contains("expected a sequence") {
-            return self.invalid(path, "is not a list, as it must be", "");
+            return self.invalid(path, say!(is_no_list), "");
         }
-        match self.of_another_kind(path, message) {
-            Some(rule) => self.invalid(path, &rule, ""),
-            None => self.invalid(path, message, ""),
-        }
+        let rule = refused_as(message)
+            .map(|error| error.message())
+            .or_else(|| self.of_another_kind(path, message));
+        self.invalid(path, rule.unwrap_or_else(|| message.into()), "")
     }
 
     /// What the reader expected in place of a value, in words of the case file.
-    fn of_another_kind(&self, path: &str, message: &str) -> Option<String> {
+    fn of_another_kind(&self, path: &str, message: &str) -> Option<Message> {
         let (found, expected) = message.split_once(", expected ")?;
         if !found.starts_with("invalid type") && !found.starts_with("invalid value") {
             return None;
         }
         let kind = match expected {
-            "u8" | "u16" | "u32" | "u64" | "usize" => "a whole number, zero or more",
-            "a string" => "a text in quotes",
-            "a boolean" => "true or false",
-            kind => kind,
+            "u8" | "u16" | "u32" | "u64" | "usize" => say!(whole_number),
+            "a string" => say!(quoted_text),
+            "a boolean" => say!(true_or_false),
+            other => {
+                let mut kinds = KINDS.iter().map(Kind::expected);
+                let kind = kinds.find(|kind| kind.to_string() == other);
+                kind.unwrap_or_else(|| other.into())
+            }
         };
         let value = match self.value(path)? {
-            Value::Array(_) => "a list".to_owned(),
-            Value::Table(_) => "a table of keys".to_owned(),
-            value => value.to_string(),
+            Value::Array(_) => say!(some_list),
+            Value::Table(_) => say!(some_table),
+            value => value.to_string().into(),
         };
-        Some(format!("is {value}, but must be {kind}"))
+        Some(say!(is_but_must_be, value = value, rule = kind))
     }
 
-    /// A key that must be there and is not.
-    pub fn missing(&self, key: &str, help: &str) -> CaseError {
-        self.error(key, "is missing", help)
+    /// A key that must be there and is not; `help` says what would be right, or is empty.
+    pub fn missing(&self, key: &str, help: impl Into<Message>) -> CaseError {
+        self.error(key, say!(is_missing), help.into())
     }
 
     /// A sentence about a key, which need not begin with it.
-    pub fn refuse(&self, key: &str, message: &str) -> CaseError {
-        self.invalid_at(key, message, None)
+    pub fn refuse(&self, key: &str, message: impl Into<Message>) -> CaseError {
+        self.invalid_at(key, message.into(), None)
     }
 
-    /// A key whose value is not allowed; `rule` completes the sentence that begins with the key.
-    pub fn invalid(&self, key: &str, rule: &str, help: &str) -> CaseError {
-        self.error(key, rule, help)
+    /// A key whose value is not allowed; `rule` completes the sentence that begins with the key, `help` says what would
+    /// be right, or is empty.
+    pub fn invalid(
+        &self,
+        key: &str,
+        rule: impl Into<Message>,
+        help: impl Into<Message>,
+    ) -> CaseError {
+        self.error(key, rule.into(), help.into())
     }
 
-    fn error(&self, key: &str, rule: &str, help: &str) -> CaseError {
+    fn error(&self, key: &str, rule: Message, help: Message) -> CaseError {
         let shown = in_a_message(key);
-        let message = if key.is_empty() {
-            rule.to_owned()
-        } else if rule.starts_with("is ") || rule.starts_with("and ") {
-            format!("`{shown}` {rule}")
-        } else {
-            format!("`{shown}`: {rule}")
+        // The key is the subject of some rules; others are sentences.
+        let has_subject = {
+            let rule = rule.to_string();
+            !rule.starts_with("is ") && !rule.starts_with("and ")
         };
-        let help = (!help.is_empty()).then(|| help.to_owned());
+        let message = match (key.is_empty(), has_subject) {
+            (true, _) => rule,
+            (false, true) => say!(key_and_rule, key = shown, rule = rule),
+            (false, false) => say!(key_as_subject, key = shown, rule = rule),
+        };
+        let help = (!help.is_empty()).then_some(help);
         // The override may have set a table or a list around the key.
         let ends = key.match_indices(['.', '[']).rev();
         let tables = ends.map(|(end, _)| &key[..end]);
         let mut places = std::iter::once(key).chain(tables);
         let set = places.find_map(|place| self.overrides.get_key_value(place));
         let Some((set, assignment)) = set.or_else(|| self.made_of_overrides(key)) else {
-            return self.invalid_at(key, &message, help);
+            return self.invalid_at(key, message, help);
         };
         let message = match help {
-            Some(help) => format!("{}; {help}", clipped(&message)),
-            None => clipped(&message).into_owned(),
+            Some(help) => say!(one_after_other, one = message.clipped(), other = help),
+            None => message.clipped(),
         };
         match assignment {
             Some(assignment) => CaseError::Override {
@@ -458,12 +463,12 @@ impl KeyFile {
     }
 
     /// The error, with the text where the key stands.
-    fn invalid_at(&self, key: &str, message: &str, help: Option<String>) -> CaseError {
+    fn invalid_at(&self, key: &str, message: Message, help: Option<Message>) -> CaseError {
         let span = self.text.span(key);
         let (excerpt, range) = excerpt(&self.text.text, span.clone().unwrap_or(0..0));
         CaseError::Invalid {
             key: clipped(key).into_owned(),
-            message: clipped(message).into_owned(),
+            message: message.clipped(),
             help,
             source_code: named(&self.text.name, excerpt),
             span: span.map(|_| range.into()),
@@ -482,16 +487,16 @@ fn named(name: &str, excerpt: String) -> Arc<NamedSource<String>> {
 }
 
 /// "did you mean … ?" if a name is near, else the whole list.
-fn suggestion(name: &str, allowed: &[&str]) -> String {
+fn suggestion(name: &str, allowed: &[&str]) -> Message {
     const NEAR: f64 = 0.75;
     let nearest = allowed
         .iter()
         .map(|candidate| (strsim::jaro_winkler(name, candidate), candidate))
         .max_by(|a, b| a.0.total_cmp(&b.0))
         .filter(|(similarity, _)| *similarity > NEAR);
-    let list = format!("allowed: {}", allowed.join(", "));
+    let list = allowed.join(", ");
     match nearest {
-        Some((_, candidate)) => format!("did you mean {candidate}? ({list})"),
-        None => list,
+        Some((_, nearest)) => say!(near_name, nearest = *nearest, allowed = list),
+        None => say!(allowed_names, allowed = list),
     }
 }

@@ -12,6 +12,7 @@
 //! ```
 
 mod piece;
+mod translations;
 mod value;
 pub mod wording;
 
@@ -23,6 +24,7 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use piece::Piece;
+pub use translations::with_translations;
 pub use value::{Value, decimal, fixed, number, significant, significant_digits};
 
 /// A message of the Fluent files with the values that it names.
@@ -78,6 +80,19 @@ impl Message {
         first.into_iter().flatten().chain(letters).collect()
     }
 
+    /// Whether it says nothing.
+    pub fn is_empty(&self) -> bool {
+        self.text(Language::English).is_empty()
+    }
+
+    /// The message with what somebody wrote at length cut short.
+    #[must_use]
+    pub fn clipped(self) -> Self {
+        let values = self.values.into_iter();
+        let values = values.map(|(name, value)| (name, value.clipped())).collect();
+        Self { values, ..self }
+    }
+
     /// As data: `id`, `text` in the language, `values` by their names.
     pub fn document(&self, language: Language) -> serde_json::Value {
         let values = self.values.iter();
@@ -92,6 +107,40 @@ impl Message {
     /// The words with its values between them, for who shows some of them in another way.
     pub fn pieces(&self, language: Language) -> Vec<Piece<'_>> {
         piece::pieces(self, language, None)
+    }
+}
+
+/// Words that are the same in every language.
+impl From<String> for Message {
+    fn from(words: String) -> Self {
+        Self::verbatim(words)
+    }
+}
+
+/// Words that are the same in every language.
+impl From<&str> for Message {
+    fn from(words: &str) -> Self {
+        Self::verbatim(words)
+    }
+}
+
+/// Words that are the same in every language.
+impl From<&String> for Message {
+    fn from(words: &String) -> Self {
+        Self::verbatim(words)
+    }
+}
+
+/// Words that are the same in every language.
+impl From<fmt::Arguments<'_>> for Message {
+    fn from(words: fmt::Arguments<'_>) -> Self {
+        Self::verbatim(words.to_string())
+    }
+}
+
+impl From<&Self> for Message {
+    fn from(message: &Self) -> Self {
+        message.clone()
     }
 }
 
@@ -128,10 +177,12 @@ impl fmt::Display for Message {
     }
 }
 
-/// In English.
+/// In English. Who needs it in other languages as well listens meanwhile ([`with_translations`]).
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
+        let english = self.text(Language::English);
+        translations::note(self, &english);
+        serializer.serialize_str(&english)
     }
 }
 

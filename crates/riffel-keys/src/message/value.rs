@@ -1,9 +1,11 @@
 //! The values of a message.
 
+use std::borrow::Cow;
 use std::fmt::Display;
 
 use super::Message;
 use crate::Language;
+use crate::excerpt::clipped;
 
 /// A value of a [`Message`].
 #[derive(Debug, Clone, PartialEq)]
@@ -23,6 +25,16 @@ pub enum Value {
 }
 
 impl Value {
+    pub(super) fn clipped(self) -> Self {
+        match self {
+            Self::Text(text) => Self::Text(clipped(&text).into_owned()),
+            Self::Key(key) => Self::Key(clipped(&key).into_owned()),
+            Self::Message(message) => Self::Message(Box::new(message.clipped())),
+            Self::List(values) => Self::List(values.into_iter().map(Self::clipped).collect()),
+            number => number,
+        }
+    }
+
     /// As data: numbers as numbers, other messages with their own id and values.
     pub(super) fn document(&self, language: Language) -> serde_json::Value {
         match self {
@@ -81,6 +93,12 @@ pub fn significant_digits(value: f64, digits: usize) -> String {
 impl From<&str> for Value {
     fn from(text: &str) -> Self {
         Self::Text(text.to_owned())
+    }
+}
+
+impl From<Cow<'_, str>> for Value {
+    fn from(text: Cow<'_, str>) -> Self {
+        Self::Text(text.into_owned())
     }
 }
 

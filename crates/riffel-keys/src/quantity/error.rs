@@ -1,12 +1,14 @@
 //! What can be wrong with the text of a quantity.
 
-use thiserror::Error;
+use std::fmt;
+
+use super::dimension::named;
+use crate::{Message, say};
 
 /// A text that is not the quantity it should be.
-#[derive(Debug, Clone, PartialEq, Eq, Error)]
+#[derive(Debug, Clone, PartialEq, Eq)]
 pub enum QuantityError {
     /// No number at the beginning.
-    #[error("\"{text}\" does not begin with a number; write {name} as in \"{example}\"")]
     NoNumber {
         /// What was written.
         text: String,
@@ -16,7 +18,6 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// Infinite or not a number.
-    #[error("{text} is not finite, as {name} must be")]
     NotFinite {
         /// What was written.
         text: String,
@@ -24,10 +25,6 @@ pub enum QuantityError {
         name: &'static str,
     },
     /// A comma or a separator of thousands in the number.
-    #[error(
-        "\"{text}\" has a comma or a gap in its number; write a decimal point and no separators of thousands, as in \
-         \"{example}\" for {name}"
-    )]
     Separator {
         /// What was written.
         text: String,
@@ -37,7 +34,6 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// A range where one value is needed.
-    #[error("\"{text}\" is a range, but one value is needed; write {name} as in \"{example}\"")]
     Range {
         /// What was written.
         text: String,
@@ -47,7 +43,6 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// A unit that is not known.
-    #[error("unknown unit \"{unit}\" in \"{text}\"; write {name} as in \"{example}\"")]
     UnknownUnit {
         /// What was written.
         text: String,
@@ -59,17 +54,80 @@ pub enum QuantityError {
         example: &'static str,
     },
     /// The unit of another kind of quantity.
-    #[error("\"{text}\" is {got}, not {name}{in_unit}; write it as in \"{example}\"")]
     WrongUnit {
         /// What was written.
         text: String,
-        /// What it is: in its unit in SI base units, or a plain number.
+        /// Its unit in SI base units, empty for a plain number.
         got: String,
         /// What is needed, with its article.
         name: &'static str,
-        /// Its unit, as the words " in N/m".
-        in_unit: String,
+        /// Its unit, empty for a ratio.
+        unit: &'static str,
         /// How to write it.
         example: &'static str,
     },
 }
+
+impl QuantityError {
+    /// What is wrong.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::NoNumber {
+                text,
+                name,
+                example,
+            } => say!(not_a_number, text = text, kind = named(name), example = *example),
+            Self::NotFinite { text, name } => say!(not_finite, text = text, kind = named(name)),
+            Self::Separator {
+                text,
+                name,
+                example,
+            } => say!(number_with_separator, text = text, kind = named(name), example = *example),
+            Self::Range {
+                text,
+                name,
+                example,
+            } => say!(range_for_one_value, text = text, kind = named(name), example = *example),
+            Self::UnknownUnit {
+                text,
+                unit,
+                name,
+                example,
+            } => say!(
+                unknown_unit,
+                text = text,
+                unit = unit,
+                kind = named(name),
+                example = *example
+            ),
+            Self::WrongUnit {
+                text,
+                got,
+                name,
+                unit,
+                example,
+            } => say!(
+                wrong_unit,
+                text = text,
+                got = match got.as_str() {
+                    "" => say!(plain_number),
+                    unit => say!(in_unit, unit = unit),
+                },
+                kind = match *unit {
+                    "" => named(name),
+                    unit => say!(kind_in_unit, kind = named(name), unit = unit),
+                },
+                example = *example
+            ),
+        }
+    }
+}
+
+/// In English.
+impl fmt::Display for QuantityError {
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.message().fmt(formatter)
+    }
+}
+
+impl std::error::Error for QuantityError {}

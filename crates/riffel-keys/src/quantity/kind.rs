@@ -1,7 +1,9 @@
 //! Quantities where only the key tells which, read from text.
 
+use super::dimension::named;
 use super::{Dimension, QuantityError, WrittenQuantity};
 use crate::unit::{Exponents, Unit};
+use crate::{Message, say};
 
 /// A dimension where only the key tells which.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -21,6 +23,15 @@ impl Kind {
             name: D::NAME,
             unit: D::UNIT,
             example: D::EXAMPLE,
+        }
+    }
+
+    /// What is expected of a value of this kind: "a force in N or as in "50 kN"".
+    pub(crate) fn expected(&self) -> Message {
+        let (kind, example) = (named(self.name), self.example);
+        match self.unit {
+            "" => say!(ratio_such_as, kind = kind, example = example),
+            unit => say!(kind_as_in, kind = kind, unit = unit, example = example),
         }
     }
 
@@ -142,12 +153,9 @@ impl Kind {
             if !read.exponents.measure(own) {
                 return Err(QuantityError::WrongUnit {
                     text: text.to_owned(),
-                    got: read.exponents.in_words(),
+                    got: read.exponents.to_string(),
                     name,
-                    in_unit: match unit {
-                        "" => String::new(),
-                        unit => format!(" in {unit}"),
-                    },
+                    unit,
                     example,
                 });
             }

@@ -6,6 +6,7 @@ mod kind;
 mod written;
 
 use std::borrow::Cow;
+use std::cell::RefCell;
 use std::fmt;
 use std::marker::PhantomData;
 use std::str::FromStr;
@@ -93,6 +94,23 @@ impl<D: Dimension> Serialize for Quantity<D> {
     }
 }
 
+thread_local! {
+    /// The last quantity that was refused while a file was read: errors of serde are text.
+    static REFUSED: RefCell<Option<QuantityError>> = const { RefCell::new(None) };
+}
+
+fn refused<E: de::Error>(error: QuantityError) -> E {
+    let text = E::custom(&error);
+    REFUSED.replace(Some(error));
+    text
+}
+
+/// What an error of serde is about, if it is about a quantity.
+pub(crate) fn refused_as(text: &str) -> Option<QuantityError> {
+    let last = REFUSED.take();
+    last.filter(|error| error.to_string() == text)
+}
+
 impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
     fn deserialize<T: Deserializer<'de>>(deserializer: T) -> Result<Self, T::Error> {
         struct Visitor<D>(PhantomData<fn() -> D>);
@@ -101,17 +119,14 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
             type Value = Quantity<D>;
 
             fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-                match D::UNIT {
-                    "" => write!(f, "{} such as 0.4 or \"{}\"", D::NAME, D::EXAMPLE),
-                    unit => write!(f, "{} in {unit} or as in \"{}\"", D::NAME, D::EXAMPLE),
-                }
+                write!(f, "{}", Kind::of::<D>().expected())
             }
 
             fn visit_f64<E: de::Error>(self, value: f64) -> Result<Self::Value, E> {
                 Kind::of::<D>()
                     .finite(value, &value.to_string())
                     .map(Quantity::new)
-                    .map_err(E::custom)
+                    .map_err(refused)
             }
 
             fn visit_i64<E: de::Error>(self, value: i64) -> Result<Self::Value, E> {
@@ -123,7 +138,7 @@ impl<'de, D: Dimension> Deserialize<'de> for Quantity<D> {
             }
 
             fn visit_str<E: de::Error>(self, text: &str) -> Result<Self::Value, E> {
-                text.parse().map_err(E::custom)
+                text.parse().map_err(refused)
             }
         }
 

@@ -14,9 +14,9 @@ pub(crate) enum Judgement {
     /// It is refused.
     Impossible {
         /// Value and rule, after the key: "is 460 m, but must be between …".
-        rule: String,
+        rule: Message,
         /// "did you mean …?", or empty.
-        help: String,
+        help: Message,
     },
 }
 
@@ -28,14 +28,13 @@ impl PhysicalRange {
         let value = written.in_words(kind);
         if !(low..=high).contains(&written.si) {
             return Judgement::Impossible {
-                rule: format!(
-                    "is {value}, but must be between {} and {}",
-                    amount(kind, low),
-                    amount(kind, high)
+                rule: say!(
+                    is_outside,
+                    value = number(value),
+                    low = number(amount(kind, low)),
+                    high = number(amount(kind, high))
                 ),
-                help: self
-                    .question(written)
-                    .map_or_else(String::new, |question| question.to_string()),
+                help: self.question(written).unwrap_or_else(|| "".into()),
             };
         }
         let [from, to] = self.usual;
@@ -222,7 +221,7 @@ mod tests {
             ),
         ] {
             let (rule, help) = (rule.to_owned(), help.to_owned());
-            assert_eq!(judged(key, text), Judgement::Impossible { rule, help });
+            assert_eq!(judged(key, text), Judgement::Impossible { rule: rule.into(), help: help.into() });
         }
     }
 

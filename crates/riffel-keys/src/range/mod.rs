@@ -7,7 +7,7 @@ use schemars::Schema;
 use serde_json::json;
 
 use crate::quantity::{Dimension, Kind, WrittenQuantity};
-use crate::{CaseError, Message};
+use crate::{CaseError, Message, say};
 
 pub(crate) use judgement::Judgement;
 pub use table::RANGES;
@@ -57,16 +57,16 @@ impl PhysicalRange {
     pub fn read<D: Dimension>(
         argument: &str,
         text: &str,
-    ) -> Result<(f64, Option<Message>), String> {
+    ) -> Result<(f64, Option<Message>), Message> {
         let written = Kind::of::<D>()
             .read_written(text)
-            .map_err(|error| error.to_string())?;
+            .map_err(|error| error.message())?;
         let si = written.si;
         match Self::of(argument).map(|range| range.judge(argument, &written)) {
             None | Some(Judgement::Usual) => Ok((si, None)),
             Some(Judgement::Unusual(remark)) => Ok((si, Some(remark))),
             Some(Judgement::Impossible { rule, help }) if help.is_empty() => Err(rule),
-            Some(Judgement::Impossible { rule, help }) => Err(format!("{rule}; {help}")),
+            Some(Judgement::Impossible { rule, help }) => Err(say!(one_after_other, one = rule, other = help)),
         }
     }
 
@@ -85,7 +85,7 @@ impl PhysicalRange {
             };
             if let Judgement::Impossible { rule, .. } = range.judge(what, &written) {
                 return Err(CaseError::Point {
-                    message: format!("{what} {rule}"),
+                    message: say!(name_as_subject, name = what, rule = rule),
                 });
             }
         }

@@ -100,7 +100,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
     let at_fault = |line: Option<usize>, message: String| CaseError::Data {
         path: path.to_owned(),
         line,
-        message,
+        message: message.into(),
         help: None,
     };
     let of_fault = |fault: Fault| at_fault(fault.line, fault.message);

@@ -5,7 +5,6 @@ use riffel_answers::capital;
 use riffel_answers::diagnose::{Diagnosis, Finding, candidate_row};
 use riffel_case::Case;
 
-use crate::messages::in_language;
 use crate::output::table;
 
 /// Share from which a candidate's reasons are printed.
@@ -35,7 +34,7 @@ fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
     }
     let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
     for candidate in &finding.candidates {
-        rows.add_row(candidate_row(candidate).map(|cell| in_language(&cell).into_owned()));
+        rows.add_row(candidate_row(candidate));
     }
     text += &format!("{rows}\n{}\n", capital(&finding.summary()));
     let shown = finding.candidates.iter().enumerate();
