@@ -7,10 +7,11 @@ use std::sync::Arc;
 use riffel::Direction;
 use riffel::wheelset::{BendingPlane, ContactReceptances, ModeName, Port, Wheelset};
 use riffel_case::{Case, CaseWheelset, WheelsetMode};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
+use crate::mode_in_words;
 use crate::parameters::parameters;
 
 /// Up to which natural frequencies are listed \[Hz\].
@@ -44,7 +45,7 @@ pub struct WheelsetDocument {
 #[derive(Serialize)]
 struct NaturalFrequency {
     frequency_hz: f64,
-    name: String,
+    name: Message,
 }
 
 impl WheelsetAnswer {
@@ -83,7 +84,7 @@ impl WheelsetAnswer {
             natural_frequencies: modes
                 .map(|mode| NaturalFrequency {
                     frequency_hz: mode.frequency,
-                    name: mode.name.to_string(),
+                    name: mode_in_words(&mode.name),
                 })
                 .collect(),
             frequency_hz: self.frequencies.clone(),

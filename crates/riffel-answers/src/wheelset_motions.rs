@@ -1,9 +1,10 @@
 //! The modes of a wheelset as motions along its axle, to be drawn as they move.
 
 use riffel_case::{Case, CaseWheelset};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use serde::Serialize;
 
+use crate::mode_in_words;
 use crate::wheelset::HIGHEST;
 
 /// Places along the axle.
@@ -45,7 +46,7 @@ pub struct ModeMotion {
     /// Without damping.
     pub frequency_hz: f64,
     /// What moves.
-    pub name: String,
+    pub name: Message,
     /// Displacement along the rail, to the right and downward at the places.
     pub displacement: Vec<[f64; 3]>,
     /// Angle about the axle at the places, times the rolling radius.
@@ -89,7 +90,7 @@ impl WheelsetMotions {
             });
             Some(ModeMotion {
                 frequency_hz: mode.frequency,
-                name: mode.name.to_string(),
+                name: mode_in_words(&mode.name),
                 displacement: motions
                     .iter()
                     .map(|motion| motion.displacement.map(|part| part / largest))

@@ -350,7 +350,7 @@ impl Case {
         Err(self.keys.text.keys.invalid(
             key,
             &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
-            "narrow the window, or measure further",
+            say!(narrow_the_window_or_measure_further),
         ))
     }
 
@@ -396,7 +396,7 @@ impl Case {
     }
 
     /// A sentence about a key of the case.
-    pub fn refuse(&self, key: &str, message: &str) -> CaseError {
+    pub fn refuse(&self, key: &str, message: impl Into<Message>) -> CaseError {
         self.keys.text.keys.refuse(key, message)
     }
 }

@@ -1,9 +1,9 @@
 //! The keys of a case as they were written, overridden and filled in by presets.
 
+use riffel_keys::{CaseError, KeyFile, Message, overridden_key, say};
 use std::collections::BTreeSet;
 
 use riffel_keys::quantity::{Kind, Length, Speed};
-use riffel_keys::{CaseError, KeyFile, Message, overridden_key};
 use toml::{Table, Value};
 
 use crate::CaseKey;
@@ -58,11 +58,7 @@ impl CaseText {
         let keys = case_keys(name, text)?;
         // In a case `vehicle` is the name of a preset.
         if let Some(Value::Array(_)) = keys.table().get("vehicle") {
-            return Err(keys.refuse(
-                "vehicle",
-                "this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case \
-                 file, as `riffel init` writes one, in its place",
-            ));
+            return Err(keys.refuse("vehicle", say!(this_is_a_traffic_file_with)));
         }
         Ok(Self::of(keys))
     }

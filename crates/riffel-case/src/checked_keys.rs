@@ -1,12 +1,12 @@
 //! The keys of a case, checked one by one.
 
+use riffel_keys::{CaseError, Message, Value, number, say};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use riffel::wheelset::RigidInertia;
 use riffel::{Axis, ElasticMaterial};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::case_text::CaseText;
@@ -78,8 +78,8 @@ impl CheckedKeys {
     pub(crate) fn names_a_file(text: &CaseText, key: &str) -> CaseError {
         text.keys.invalid(
             key,
-            "is a file, and this case may not name any",
-            "use it in a case file with the program, `riffel map CASE`",
+            say!(is_a_file_and_this_case),
+            say!(use_it_in_a_case_file),
         )
     }
 
@@ -138,7 +138,7 @@ impl CheckedKeys {
                      largest map",
                     wavelength.points, speed.points
                 ),
-                "lower map.wavelength.points or map.speed.points",
+                say!(lower_map_wavelength_points_or_map),
             ));
         }
         Ok((wavelength_axis, speed_axis))
@@ -155,14 +155,19 @@ impl CheckedKeys {
         if low >= high {
             return Err(self.text.keys.invalid(
                 &format!("{key}.max"),
-                &format!("is {max}, but the window is empty unless it is above the min of {min}"),
+                say!(is_empty_window, max = max, min = min),
                 "",
             ));
         }
         if !(2..=MOST_AXIS_POINTS).contains(&points) {
             return Err(self.text.keys.invalid(
                 &format!("{key}.points"),
-                &format!("is {points}, but must be between 2 and {MOST_AXIS_POINTS}"),
+                say!(
+                    is_outside,
+                    value = points,
+                    low = 2u64,
+                    high = MOST_AXIS_POINTS
+                ),
                 "",
             ));
         }
@@ -170,10 +175,14 @@ impl CheckedKeys {
         self.physics(key, Axis::new(low, high, points as usize))
     }
 
-    pub(crate) fn out_of_range(&self, key: &str, value: impl Display, rule: &str) -> CaseError {
-        self.text
-            .keys
-            .invalid(key, &format!("is {value}, but must be {rule}"), "")
+    pub(crate) fn out_of_range(
+        &self,
+        key: &str,
+        value: impl Display,
+        rule: impl Into<Message>,
+    ) -> CaseError {
+        let rule = say!(is_but_must_be, value = number(value), rule = rule.into());
+        self.text.keys.invalid(key, rule, "")
     }
 
     /// A value that the model of the track cannot do without.
@@ -181,12 +190,12 @@ impl CheckedKeys {
         value.ok_or_else(|| {
             let model = self.file.track.model.name();
             let preset = if key == "track.measurement" {
-                ""
+                Value::from("")
             } else {
-                ", or name a preset by track.preset"
+                say!(or_name_a_preset).into()
             };
-            let help = format!("track.model = \"{model}\" needs it: give it{preset}");
-            self.text.keys.missing(key, &help)
+            let help = say!(track_model_needs_it, model = model, preset = preset);
+            self.text.keys.missing(key, help)
         })
     }
 

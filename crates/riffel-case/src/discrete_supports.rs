@@ -3,7 +3,7 @@
 use riffel::Loop;
 use riffel::growth::{GrowthOnIrregularSupports, GrowthWithNeighbours};
 use riffel::receptance::{Beam, IrregularTrack, MovingLoadOnSupports};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 
 use crate::Case;
 
@@ -91,16 +91,14 @@ impl Case {
     /// The loop of one wheel along one axis on discrete supports, which alone has `what`.
     fn on_supports(&self, what: &str) -> Result<&Loop, CaseError> {
         if !self.feedback.is_along_one_axis() {
-            let message = format!(
-                "{what} takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several \
-                 wheels"
-            );
+            let message = say!(takes_one_wheel_of_wheel_with, what = what);
             return Err(self.refuse("contact.creepage", &message));
         }
         if self.track.support_spacing().is_none() {
-            let message = format!(
-                "`track.model` is \"{}\", but {what} is of discrete supports; choose a periodic model",
-                self.file.track.model.name()
+            let message = say!(
+                track_model_is_but_is_of,
+                model = self.file.track.model.name(),
+                what = what
             );
             return Err(self.refuse("track.model", &message));
         }

@@ -144,7 +144,10 @@ mod tests {
             panic!("friction may be negative");
         };
         assert_eq!(key, "contact.friction");
-        assert!(message.to_string().starts_with("`contact.friction` is -2"), "{message}");
+        assert!(
+            message.to_string().starts_with("`contact.friction` is -2"),
+            "{message}"
+        );
         let settings = [("contact.friction.left".to_owned(), Value::Float(0.1))];
         assert!(matches!(
             case.with_settings(&settings),

@@ -80,7 +80,7 @@ impl CaseText {
         self.keys.invalid(
             kind.key(),
             &format!("is \"{name}\", but no {} preset has that name", kind.name()),
-            &format!("allowed: {}", known.join(", ")),
+            say!(allowed_names, allowed = known.join(", ")),
         )
     }
 }

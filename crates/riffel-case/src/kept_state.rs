@@ -1,8 +1,8 @@
 //! What a variant holds of the mean state of a wheel.
 
 use riffel::contact::MeanRolling;
-use riffel_keys::{CaseError, Message};
 use riffel_keys::quantity::Quantity;
+use riffel_keys::{CaseError, Message, number, say};
 use toml::Value;
 
 use crate::file::Creepage;
@@ -90,20 +90,31 @@ impl KeptState {
     /// Why it cannot be held, where its setting is refused for a reason.
     pub(crate) fn refusal(&self, reason: &Message) -> String {
         let state = match self.hold {
-            Hold::Force => format!(
-                "the traction force of {:.3} kN on a wheel is {:.2} times what friction can carry, μP₀ = {:.3} kN",
-                1e-3 * self.steady.forces.longitudinal,
-                self.steady.forces.longitudinal / self.limit,
-                1e-3 * self.limit
+            Hold::Force => say!(
+                the_traction_force_of_kn_on,
+                force = number(format_args!(
+                    "{:.3}",
+                    1e-3 * self.steady.forces.longitudinal
+                )),
+                ratio = number(format_args!(
+                    "{:.2}",
+                    self.steady.forces.longitudinal / self.limit
+                )),
+                most = number(format_args!("{:.3}", 1e-3 * self.limit))
             ),
-            Hold::Ratio => format!(
-                "at the tractive ratio of {:.3}, {reason}",
-                self.steady.tractive_ratio()
+            Hold::Ratio => say!(
+                at_the_tractive_ratio_of,
+                ratio = number(format_args!("{:.3}", self.steady.tractive_ratio())),
+                reason = reason
             ),
             Hold::Creepage => {
-                format!(
-                    "at the creepage of {:.3} %, {reason}",
-                    1e2 * self.steady.creepages.longitudinal
+                say!(
+                    at_the_creepage_of,
+                    creepage = number(format_args!(
+                        "{:.3}",
+                        1e2 * self.steady.creepages.longitudinal
+                    )),
+                    reason = reason
                 )
             }
         };

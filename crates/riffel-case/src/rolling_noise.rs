@@ -5,6 +5,7 @@ use riffel::noise::{
     RollingSource, Sleepers, WheelModes,
 };
 use riffel::{Error, Loop, STEEL_DENSITY};
+use riffel_keys::{Message, say};
 
 use crate::{Case, Track};
 
@@ -93,16 +94,12 @@ impl TrackRadiator {
 impl Case {
     /// Why the track has no level of its own, if it has none: nothing is known of how far its rail carries vibration, or it carries
     /// it further than a length can be told, at every frequency, so that the level would be that of where the length is cut.
-    pub fn without_decay(&self) -> Option<String> {
+    pub fn without_decay(&self) -> Option<Message> {
         let model = self.file.track.model.name();
         let Some(track) = self.track.structure.as_deref() else {
-            return Some(format!(
-                "track.model = \"{model}\" says what the rail does under the wheel alone, not how far its vibration runs"
-            ));
+            return Some(say!(track_model_says_what_the_rail, model = model));
         };
         let runs_on = FrequencyBand::all().all(|band| RailDecay::runs_on(track, band.centre()));
-        runs_on.then(|| {
-            format!("the rail of track.model = \"{model}\" carries its vibration on without end at every frequency")
-        })
+        runs_on.then(|| say!(the_rail_of_track_model_carries, model = model))
     }
 }

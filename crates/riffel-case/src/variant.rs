@@ -1,11 +1,11 @@
 //! A file of what is different: keys of a case in place of its own, and other speeds.
 
+use riffel_keys::{CaseError, KeyFile, Message, say};
 use std::path::Path;
 
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Quantity, Ratio, Speed};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile, Message};
 use serde::Deserialize;
 use toml::Value;
 
@@ -89,10 +89,7 @@ impl Variant {
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = case_keys(name, text)?;
         if let Some(Value::Array(_)) = source.table().get("vehicle") {
-            return Err(source.refuse(
-                "vehicle",
-                "this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic",
-            ));
+            return Err(source.refuse("vehicle", say!(this_is_a_traffic_file_with_2)));
         }
         let own: Own = source.deserialize()?;
         let change = own.speed;
@@ -100,7 +97,7 @@ impl Variant {
             return Err(source.invalid(
                 "speed.factor",
                 "and `speed.mean` exclude each other",
-                "give one of the two",
+                say!(give_one_of_the_two),
             ));
         }
         let mut remarks = Vec::new();
@@ -114,9 +111,8 @@ impl Variant {
         if settings.is_empty() && change == SpeedChange::default() {
             return Err(source.invalid(
                 "",
-                "the file of changes changes nothing",
-                "write keys of the case, as in [contact] friction = 0.3, or [speed] mean, factor or \
-                 standard_deviation",
+                say!(the_file_of_changes_changes_nothing),
+                say!(write_keys_of_the_case_as),
             ));
         }
         Ok(Self {
@@ -143,7 +139,7 @@ impl Variant {
     }
 
     /// A sentence about the change of friction or load.
-    pub(crate) fn refuse(&self, message: &str) -> CaseError {
+    pub(crate) fn refuse(&self, message: impl Into<Message>) -> CaseError {
         let key = self.keys().find(|key| key.starts_with("contact."));
         let source = self.source.clone();
         source

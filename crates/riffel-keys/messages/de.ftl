@@ -658,3 +658,177 @@ page-asks-again = die Seite fragt von selbst noch einmal
 defect-of-riffel = das ist ein Fehler von Riffel; der Fall in der Adresszeile zeigt ihn wieder
 page-misunderstood = Seite und Programm verstehen einander nicht
 reload-page = die Seite neu laden: vielleicht ist sie älter als das Programm
+
+## Cases that are refused, further
+
+is-flange-but-the-wheel-stands = ist "flange", das Rad steht aber auf einem Punkt, bei einem Kontaktwinkel von { $angle }°
+the-profiles-do-not-part-across = die Profile gehen quer zum Gleis nicht auseinander, wo sie sich berühren (Krümmung { $curvature } 1/m), es gibt also keine Ellipse; { $key } angeben
+the-rail-is-not-convex-where = die Schiene ist nicht konvex, wo das Rad steht (Krümmung { $curvature } 1/m), dort wandert also kein Kontakt über einen Kopf; contact.conformity weglassen, oder { $key } angeben
+is-but-the-ellipse-like-it = ist "{ $name }", die gleichwertige Ellipse ist aber eine von contact.hertz = "exact"
+needs = braucht { $what }
+supports-of-the-rail-or-a = Stützpunkte der Schiene: { $keys } oder ein track.preset
+a-rail-that-moves-across-the = eine Schiene, die sich quer zum Gleis bewegt: { $keys }
+narrow-the-window-or-measure-further = das Fenster enger machen oder weiter messen
+the-traction-force-of-kn-on = die Zugkraft von { $force } kN an einem Rad ist das { $ratio }-fache dessen, was die Reibung trägt, μP₀ = { $most } kN
+at-the-tractive-ratio-of = bei der Kraftschlussausnutzung { $ratio }: { $reason }
+at-the-creepage-of = beim Schlupf von { $creepage } %: { $reason }
+hold-is-but-must-be-force = hold ist "{ $name }", muss aber force, ratio oder creepage sein
+give-with = [{ $key }] mit { $needs } angeben
+is-but-the-profiles-lie-m = ist { $given }, die Profile liegen aber { $placed } m auseinander: profiles.flange_back_distance weniger zweimal profiles.flange_back_position
+profiles-wheel-cone-needs-it = profiles.wheel = "cone" braucht es
+is-set-but-curve-theory-linear = ist gesetzt, curve.theory = "linear" kennt aber keinen Spurkranz
+leave-it-out-or-choose-curve = weglassen oder curve.theory = "nonlinear" wählen
+is-set-but-profiles-contact-plane = ist gesetzt, profiles.contact_plane = "{ $name }" nimmt aber einen Spurkranz aus { $keys }
+is-set-but-belongs-to = ist gesetzt, gehört aber zu { $belongs }
+larger-than-the-to-either-side = größer als { $what }, nach beiden Seiten, und höchstens 10000 km
+is-but-the-wheelset-is-mm = ist { $gauge }, der Radsatz ist aber über seine Spurkränze, 10 mm unter der Lauffläche, { $width } mm breit und passt nicht zwischen solche Schienen
+is-but-the-wheels-mm-wide = ist { $gauge }, die Räder, über ihre Außenseiten { $width } mm breit, stehen aber nicht auf beiden Schienen
+is-but-cannot-be-read = ist "{ $name }", { $path } ist aber nicht zu lesen: { $reason }
+nominal-profiles = Sollprofile: { $known }
+track-model-says-what-the-rail = track.model = "{ $model }" sagt nur, was die Schiene unter dem Rad tut, nicht, wie weit ihre Schwingung läuft
+the-rail-of-track-model-carries = die Schiene von track.model = "{ $model }" trägt ihre Schwingung bei jeder Frequenz ohne Ende weiter
+takes-one-wheel-of-wheel-with = { $what } braucht ein Rad aus [wheel] mit Längsschlupf, und dies ist ein Kreis in allen Richtungen oder mit mehreren Rädern
+track-model-is-but-is-of = `track.model` ist "{ $model }", { $what } gibt es aber nur auf diskreten Stützpunkten; ein periodisches Modell wählen
+this-is-a-traffic-file-with = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Falldatei; sie mit --traffic angeben und an ihrer Stelle eine Falldatei, wie `riffel init` sie schreibt
+below-r-at-the-wavelength-of = kleiner als λ²/4π²R bei der Wellenlänge { $wavelength } m: darüber ist das Profil so gekrümmt wie das Rad, das die Täler überbrückt
+at-m-and-m-s-is = { $quantity } ist bei { $wavelength } m und { $speed } m/s keine endliche Zahl: mit so großen oder kleinen Werten des Falls lässt sich nicht rechnen
+wheelset-model-needs-it = wheelset.model = "{ $model }" braucht es
+give-length-and-diameter-of-an = length und diameter einer Welle von einem Durchmesser angeben, oder segments
+is-an-empty-list-an-axle = ist eine leere Liste, eine Welle von 0 m, die Summe der Längen muss aber über 0 liegen
+at-most-the-length-of-the = höchstens die Länge der Welle, { $length } m
+between-m-and-m-the-ends = zwischen -{ $end } m und { $end } m, den Enden der Welle
+this-is-a-traffic-file-with-2 = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Datei der Änderungen; sie mit --traffic angeben
+give-one-of-the-two = eines von beiden angeben
+the-file-of-changes-changes-nothing = die Datei der Änderungen ändert nichts
+write-keys-of-the-case-as = Schlüssel des Falls schreiben, wie in [contact] friction = 0.3, oder [speed] mean, factor oder standard_deviation
+give-damping-loss-factor-or-both = { $key }.damping, { $key }.loss_factor oder beide angeben
+at-most-the-support-spacing = höchstens der Stützpunktabstand, { $spacing }
+choose-contact-creep-law-half-space = contact.creep_law = "half-space" wählen oder weglassen
+give-contact-tractive-ratio-or-contact = contact.tractive_ratio oder contact.creepage angeben
+at-most-contact-polach-adhesion-reduction = höchstens contact.polach.adhesion_reduction, { $value }
+falling-friction-needs-limit-friction-ratio = fallende Reibung braucht limit_friction_ratio, friction_decay und speed aus [contact.polach]: alle drei angeben oder keines
+is-one-of-t-a-of = ist eine von Tγ/A, nach dem das Verschleißgesetz nicht fragt
+it-belongs-to-wear-law-usfd = es gehört zu wear.law = "usfd" und "usfd-smooth"
+rates-of-the-laws-add-name = Raten der Gesetze addieren sich: jedes einmal nennen
+damage-laws-names-give-its-table = damage.laws nennt „{ $law }“: seine Tabelle angeben
+names-bending-but-track-model-does = nennt bending, aber track.model = "{ $name }" sagt nicht, was die Schiene trägt
+choose-a-model-of-rail-and = ein Modell von Schiene und Stützpunkten wählen, oder bending weglassen
+names-fatigue-by-t-but-the = nennt Ermüdung nach Tγ, aber der Kontakt hat keinen Schlupf
+give-contact-creepage-or-contact-tractive = contact.creepage oder contact.tractive_ratio über null angeben
+is-true-but-wheelset-model-tells = ist true, wheelset.model = "{ $model }" sagt aber, wie sich die Kontakte bewegen, und nicht, wie die Naben
+choose-wheelset-model-rigid-or-flexible = wheelset.model = "rigid" oder "flexible" wählen, oder es weglassen
+give-longitudinal-or-lateral-creepage-with = Längs- oder Querschlupf dazu angeben
+transverse-radius-is-the-relative-one = transverse_radius ist der relative beider Profile, unter einem Kegel der der Schiene
+are-several-but-track-model-does = nennt mehrere, track.model = "{ $model }" sagt aber nicht, wie das Gleis von einem zum nächsten antwortet
+choose-a-model-of-rail-and-2 = ein Modell aus Schiene und Stützpunkten wählen, oder ein einziges Rad
+give-rail-lateral-second-moment-and = rail.lateral_second_moment und track.pad.lateral_stiffness angeben, oder weglassen
+the-waves-that-run-along-this = die Wellen, die auf dieser Schiene über die { $furthest } m vom ersten Rad zum letzten laufen, geben die wenigen in der Zeit angepassten Schwingungen nicht wieder, im Effektivwert { $per_cent } % daneben; weniger oder nähere Räder angeben, oder ein Gleis, das mehr dämpft
+the-case-has-contacts-but-a = der Fall hat { $count } Kontakte, eine Überrollung in der Zeit nimmt aber höchstens { $most_contacts }: der Aufwand eines Schrittes und der Anpassung geht mit ihrem Quadrat; weniger Räder wählen, oder wheelset.opposite_rail = "absent"
+is-a-file-and-this-case = ist eine Datei, und dieser Fall darf keine nennen
+use-it-in-a-case-file = in einer Falldatei mit dem Programm verwenden, `riffel map CASE`
+lower-map-wavelength-points-or-map = map.wavelength.points oder map.speed.points senken
+and-exclude-each-other = und `{ $other }` schließen einander aus
+the-nearest-key-is = der ähnlichste Schlüssel ist `{ $key }`
+is-no-key-of-a-case = ist kein Schlüssel eines Falls
+vehicle-at-km-h = Fahrzeug "{ $vehicle }" bei { $speed } km/h: { $error }
+is-an-empty-list = ist eine leere Liste
+give-both-keys-of-one-of = gib beide Schlüssel von einem der beiden an
+goes-down-to-but-every-value = geht hinunter bis { $value }, jeder Wert muss aber größer als null sein
+is-no-spread-give-mean-and = ist keine Streuung: mean und standard_deviation, min und max oder eine Liste aus value und share angeben, mit { $name } wie in "{ $example }"
+is-below-one-but-axles-that = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von damage.laws: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
+the-shares-of-sum-to-but = die Anteile von `{ $key }` ergeben zusammen { $sum }, müssen aber 1 ergeben
+vehicle = Fahrzeug "{ $vehicle }": { $error }
+variant-changes-friction-or-load-under = Variante "{ $title }" ändert Reibung oder Last unter "{ $vehicle }"; { $why }
+speeds-and-bands-of-vehicle = Geschwindigkeiten und Bänder von Fahrzeug "{ $name }": { $message }
+line-measured-line-needs-profiles-of = `line.measured_line` braucht Profile von Rad und Schiene, die sich unter dem Kontaktwinkel des Gleichgewichts berühren, und das Fahrzeug "{ $name }" hat keine
+and-wear-band-width-of-the = `{ $key }` und wear.band_width des Falls schließen einander aus; gib eines von beiden an
+write-one-vehicle-or-more = ein [[vehicle]] oder mehr schreiben
+is-empty-but-tables-need-a = ist leer, Tabellen brauchen aber einen Namen
+is-a-second-time = ist zum zweiten Mal "{ $text }"
+line-measured-line-needs-for-without = `line.measured_line` braucht `{ $key }`, denn ohne das sagt das Fahrzeug "{ $name }" nicht, wo auf der Schiene seine Räder laufen
+this-is-a-case-file-with = das ist eine Falldatei, mit ihrer Tabelle [{ $table }], und keine Verkehrsdatei; eine Verkehrsdatei führt die Fahrzeuge einer Strecke in [[vehicle]] auf, `riffel init --traffic` schreibt eine
+is-a-force-but-must-be = ist "{ $force }", eine Kraft, muss aber eine Masse sein, wie in "13 t"; die halbe Kraft darf als wheel_load dastehen
+the-speeds-of-the-traffic-go = die Geschwindigkeiten des Verkehrs gehen von { $from } bis { $to } km/h, müssen aber über null liegen und steigen
+there-are-vehicles-but-the-page = es gibt { $count } Fahrzeuge, die Seite nimmt aber höchstens { $most_vehicles }
+the-case-is-larger-than-kib = der Fall ist größer als { $size } KiB
+map-points-are-more-than-the = `map`: { $points } Punkte sind mehr als die { $most_map_points }, die die Seite rechnet
+lower-map-wavelength-points-or-map-2 = map.wavelength.points oder map.speed.points senken; das Programm selbst rechnet größere Karten
+contact-grid-is-but-the-page = `contact.grid` ist { $grid }, die Seite geht aber bei instationärer Antwort nur bis { $finest_grid }
+the-program-itself-goes-further = das Programm selbst geht weiter
+the-of-the-point-is-but = { $what } des Punkts ist { $value }, die Karte reicht aber von { $low } bis { $high }
+choose-a-point-on-the-map = einen Punkt auf der Karte wählen
+the-speed-is-m-s-but = { $name }: die Geschwindigkeit ist { $speed } m/s, muss aber über null und höchstens 200 m/s sein
+the-amplitude-is-m-but-must = die Amplitude ist { $number } µm, muss aber zwischen { $low } und { $high } µm liegen
+the-plan-cannot-be-read = der Plan lässt sich nicht lesen
+the-plan-cannot-be-written = der Plan lässt sich nicht schreiben
+of-a-prior-must-be-a = `{ $key }` einer Vorverteilung muss eine Zahl oder ein Text sein
+the-answer-took-longer-than-s = die Antwort brauchte länger als { $seconds } s und wurde aufgegeben
+too-much-is-being-computed-at = im Augenblick wird zu viel gerechnet
+the-program-is-ending = das Programm endet gerade
+the-computation-broke-off = die Rechnung ist abgebrochen
+the-file-is-larger-than-mib = die Datei ist größer als { $size } MiB
+riffel-roughness-reads-larger-ones = `riffel roughness` liest größere
+other-files-are-just-coming-in = gerade kommen andere Dateien an
+nothing-of-the-file-came-for = seit { $seconds } s kam nichts von der Datei
+the-file-broke-off-on-its = die Datei brach unterwegs ab
+the-file-came-more-slowly-than = die Datei kam langsamer als { $rate } kB in der Sekunde
+the-files-of-all-pages-have = die Dateien aller Seiten haben mehr als { $size } MiB
+close-pages-that-are-not-needed = Seiten schließen, die nicht gebraucht werden
+the-file-is-no-longer-here = die Datei ist nicht mehr da
+choose-it-once-more = noch einmal wählen
+there-are-such-files-already-which = es gibt schon { $most } solche Dateien, mehr nimmt die Seite nicht
+there-is-no-place = es ist kein Platz da: { $error }
+the-calibration-is-no-longer-here = die Kalibrierung ist nicht mehr da
+choose-its-data-once-more = die Daten noch einmal wählen
+the-file-takes-more-memory-than = die Datei braucht mehr Speicher als die { $memory } MiB, die die Seite ihr gibt
+riffel-roughness-reads-it-without-a = `riffel roughness` liest sie ohne Grenze
+the-program-broke-off = das Programm ist abgebrochen
+the-request-did-not-come-within = die Anfrage kam nicht innerhalb von { $seconds } s an
+the-request-is-larger-than-kib = die Anfrage ist größer als { $size } KiB
+a-case-is-a-few-hundred = ein Fall ist einige hundert Byte lang
+there-are-more-than-actions-or = es sind mehr als { $most } Maßnahmen oder Messungen, mehr nimmt die Seite nicht
+the-actions-cannot-be-written = die Maßnahmen lassen sich nicht schreiben
+blocks-are-m-long-but-must = Abschnitte sind { $block } m lang, erlaubt sind 1 m bis 1000 km
+the-date-of-a-record = das Datum einer Messung: { $sentence }
+the-dates-of-the-records-do = die Daten der Messungen steigen nicht: { $later } kommt nach { $earlier }; die älteste zuerst
+the-limit-of-the-level-must = die Grenze des Pegels muss bei 0 bis { $loudest } dB(A) liegen
+is-larger-than-mib-the-most = ist größer als { $size } MiB, das Meiste, was Riffel liest ({ $what })
+is-text-in-but-a-must = ist Text in { $encoding }, muss aber UTF-8 sein ({ $what })
+byte-of-the-file-is-which = Byte { $place } der Datei ist { $value }, das ist nicht UTF-8; es sieht nach Windows-1252 aus, dort ist es "{ $letter }"
+write-set-key-value-as-in = --set schlüssel=wert schreiben, wie --set contact.friction=0.3
+is-empty-window = ist { $max }, aber das Fenster ist leer, wenn es nicht über dem Minimum von { $min } liegt
+track-model-needs-it = track.model = "{ $model }" braucht es: angeben{ $preset }
+or-name-a-preset = , oder mit track.preset eine Vorgabe nennen
+a-passage-in-time-needs-all = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell von Gleis und Rad an Stelle von Rezeptanzen
+a-passage-in-time-takes-the = eine Überrollung in der Zeit nimmt das starre Rad aus [wheel], keine Rezeptanz an seiner Stelle
+a-passage-in-time-needs-all-2 = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell des Radsatzes oder seine Eigenformen an Stelle gemessener Rezeptanzen
+a-passage-in-time-takes-contacts = eine Überrollung in der Zeit nimmt Kontakte, die auf den Profilen bleiben, wo sie sind; weglassen
+no-spring-dashpot-in-time = `contact.response` ist "spring-dashpot", das nur für kleine Schwingungen bekannt ist; für eine Überrollung in der Zeit "quasi-static" oder "non-steady" wählen
+quasi-static-in-time = in allen Richtungen nimmt eine Überrollung in der Zeit einen Kontakt, der sofort antwortet, `contact.response` = "quasi-static"
+no-constant-force-in-time = `wheel.rotation` ist "constant-tangential-force", doch wo das Rad die Schiene verlässt, hält kein Schlupf die Kraft; "inertia" oder "constant-creepage" wählen
+
+## Modes of a wheelset
+
+ordinal = { $order ->
+        [1] erste
+        [2] zweite
+        [3] dritte
+        [4] vierte
+        [5] fünfte
+        [6] sechste
+       *[other] { $order }.
+    }
+rigid-body-longitudinal = starrer Körper: längs
+rigid-body-lateral = starrer Körper: quer
+rigid-body-bounce = starrer Körper: Tauchen
+rigid-body-roll = starrer Körper: Wanken
+rigid-body-yaw = starrer Körper: Gieren
+symmetric-bending = { $ordinal } symmetrische Biegung
+antisymmetric-bending = { $ordinal } antimetrische Biegung
+torsional-mode = { $ordinal } Torsion
+stretching-mode = { $ordinal } Dehnung
+elastic-mode = { $ordinal } elastische Eigenform
+mode-vertical = { $mode }, vertikal
+mode-horizontal = { $mode }, horizontal
+discs-against-wheels = { $mode } (Scheiben gegen Räder)
+discs-against-each-other = { $mode } (Scheiben gegeneinander)

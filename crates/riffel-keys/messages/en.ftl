@@ -666,3 +666,186 @@ page-asks-again = the page asks again by itself
 defect-of-riffel = this is a defect of Riffel; the case in the address bar reproduces it
 page-misunderstood = the page and the program do not understand each other
 reload-page = reload the page: it may be older than the program
+
+## Cases that are refused, further
+
+is-flange-but-the-wheel-stands = is "flange", but the wheel stands on one point, at a contact angle of { $angle }°
+the-profiles-do-not-part-across = the profiles do not part across the track where they touch (curvature { $curvature } 1/m), so that there is no ellipse; give { $key }
+the-rail-is-not-convex-where = the rail is not convex where the wheel stands (curvature { $curvature } 1/m), so that no contact of a head moves there; leave contact.conformity out, or give { $key }
+is-but-the-ellipse-like-it = is "{ $name }", but the ellipse like it is one of contact.hertz = "exact"
+needs = needs { $what }
+supports-of-the-rail-or-a = supports of the rail: { $keys } or a track.preset
+a-rail-that-moves-across-the = a rail that moves across the track: { $keys }
+narrow-the-window-or-measure-further = narrow the window, or measure further
+the-traction-force-of-kn-on = the traction force of { $force } kN on a wheel is { $ratio } times what friction can carry, μP₀ = { $most } kN
+at-the-tractive-ratio-of = at the tractive ratio of { $ratio }, { $reason }
+at-the-creepage-of = at the creepage of { $creepage } %, { $reason }
+hold-is-but-must-be-force = hold is "{ $name }", but must be force, ratio or creepage
+give-with = give [{ $key }] with { $needs }
+is-but-the-profiles-lie-m = is { $given }, but the profiles lie { $placed } m apart: profiles.flange_back_distance less twice profiles.flange_back_position
+profiles-wheel-cone-needs-it = profiles.wheel = "cone" needs it
+is-set-but-curve-theory-linear = is set, but curve.theory = "linear" knows no flange
+leave-it-out-or-choose-curve = leave it out, or choose curve.theory = "nonlinear"
+is-set-but-profiles-contact-plane = is set, but profiles.contact_plane = "{ $name }" takes a flange of { $keys }
+is-set-but-belongs-to = is set, but belongs to { $belongs }
+larger-than-the-to-either-side = larger than the { $what }, to either side, and at most 10000 km
+is-but-the-wheelset-is-mm = is { $gauge }, but the wheelset is { $width } mm wide over its flanges, 10 mm below the tread, and does not go between such rails
+is-but-the-wheels-mm-wide = is { $gauge }, but the wheels, { $width } mm wide over their field sides, do not stand on both rails
+is-but-cannot-be-read = is "{ $name }", but { $path } cannot be read: { $reason }
+nominal-profiles = nominal profiles: { $known }
+track-model-says-what-the-rail = track.model = "{ $model }" says what the rail does under the wheel alone, not how far its vibration runs
+the-rail-of-track-model-carries = the rail of track.model = "{ $model }" carries its vibration on without end at every frequency
+takes-one-wheel-of-wheel-with = { $what } takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several wheels
+track-model-is-but-is-of = `track.model` is "{ $model }", but { $what } is of discrete supports; choose a periodic model
+this-is-a-traffic-file-with = this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case file, as `riffel init` writes one, in its place
+below-r-at-the-wavelength-of = below λ²/4π²R at the wavelength of { $wavelength } m: beyond it the profile is as curved as the wheel, which bridges the troughs
+at-m-and-m-s-is = { $quantity } at { $wavelength } m and { $speed } m/s is not a finite number: values of the case are too large or too small to compute with
+wheelset-model-needs-it = wheelset.model = "{ $model }" needs it
+give-length-and-diameter-of-an = give length and diameter of an axle of one diameter, or segments
+is-an-empty-list-an-axle = is an empty list, an axle of 0 m, but the sum of the lengths must be above 0
+at-most-the-length-of-the = at most the length of the axle, { $length } m
+between-m-and-m-the-ends = between -{ $end } m and { $end } m, the ends of the axle
+this-is-a-traffic-file-with-2 = this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic
+give-one-of-the-two = give one of the two
+the-file-of-changes-changes-nothing = the file of changes changes nothing
+write-keys-of-the-case-as = write keys of the case, as in [contact] friction = 0.3, or [speed] mean, factor or standard_deviation
+give-damping-loss-factor-or-both = give { $key }.damping, { $key }.loss_factor, or both
+at-most-the-support-spacing = at most the support spacing, { $spacing }
+choose-contact-creep-law-half-space = choose contact.creep_law = "half-space", or leave it out
+give-contact-tractive-ratio-or-contact = give contact.tractive_ratio or contact.creepage
+at-most-contact-polach-adhesion-reduction = at most contact.polach.adhesion_reduction, { $value }
+falling-friction-needs-limit-friction-ratio = falling friction needs limit_friction_ratio, friction_decay and speed of [contact.polach]: give all three or none
+is-one-of-t-a-of = is one of Tγ/A, of which the law of wear does not ask
+it-belongs-to-wear-law-usfd = it belongs to wear.law = "usfd" and "usfd-smooth"
+rates-of-the-laws-add-name = rates of the laws add: name each once
+damage-laws-names-give-its-table = damage.laws names "{ $law }": give its table
+names-bending-but-track-model-does = names bending, but track.model = "{ $name }" does not tell what carries the rail
+choose-a-model-of-rail-and = choose a model of rail and supports, or leave bending out
+names-fatigue-by-t-but-the = names fatigue by Tγ, but the contact does not creep
+give-contact-creepage-or-contact-tractive = give contact.creepage or contact.tractive_ratio above zero
+is-true-but-wheelset-model-tells = is true, but wheelset.model = "{ $model }" tells how the contacts move and not how the hubs do
+choose-wheelset-model-rigid-or-flexible = choose wheelset.model = "rigid" or "flexible", or leave it out
+give-longitudinal-or-lateral-creepage-with = give longitudinal or lateral creepage with it
+transverse-radius-is-the-relative-one = transverse_radius is the relative one of both profiles, equal to that of the rail under a cone
+are-several-but-track-model-does = are several, but track.model = "{ $model }" does not tell how the track answers from one to the next
+choose-a-model-of-rail-and-2 = choose a model of rail and supports, or one wheel
+give-rail-lateral-second-moment-and = give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out
+the-waves-that-run-along-this = the waves that run along this rail over the { $furthest } m from the first wheel to the last are not told by so few oscillations as are fitted in time, { $per_cent } % rms off; give fewer or nearer wheels, or a track that damps more
+the-case-has-contacts-but-a = the case has { $count } contacts, but a passage in time takes at most { $most_contacts }: the work of a step and of the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = "absent"
+is-a-file-and-this-case = is a file, and this case may not name any
+use-it-in-a-case-file = use it in a case file with the program, `riffel map CASE`
+lower-map-wavelength-points-or-map = lower map.wavelength.points or map.speed.points
+and-exclude-each-other = and `{ $other }` exclude each other
+the-nearest-key-is = the nearest key is `{ $key }`
+is-no-key-of-a-case = is no key of a case
+vehicle-at-km-h = vehicle "{ $vehicle }" at { $speed } km/h: { $error }
+is-an-empty-list = is an empty list
+give-both-keys-of-one-of = give both keys of one of the two
+goes-down-to-but-every-value = goes down to { $value }, but every value must be greater than zero
+is-no-spread-give-mean-and = is no spread: give mean and standard_deviation, min and max, or a list of value and share, with { $name } as in "{ $example }"
+is-below-one-but-axles-that = `{ $key }` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the axles with traction and those without as two vehicles
+the-shares-of-sum-to-but = the shares of `{ $key }` sum to { $sum }, but must sum to 1
+vehicle = vehicle "{ $vehicle }": { $error }
+variant-changes-friction-or-load-under = variant "{ $title }" changes friction or load under "{ $vehicle }"; { $why }
+speeds-and-bands-of-vehicle = speeds and bands of vehicle "{ $name }": { $message }
+line-measured-line-needs-profiles-of = `line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle "{ $name }" has none
+and-wear-band-width-of-the = `{ $key }` and wear.band_width of the case exclude each other; give one of the two
+write-one-vehicle-or-more = write one [[vehicle]] or more
+is-empty-but-tables-need-a = is empty, but tables need a name
+is-a-second-time = is "{ $text }" a second time
+line-measured-line-needs-for-without = `line.measured_line` needs `{ $key }`, for without it vehicle "{ $name }" does not say where its wheels run on the rail
+this-is-a-case-file-with = this is a case file, with its table [{ $table }], and no traffic file; a traffic file lists the vehicles of a line in [[vehicle]], `riffel init --traffic` writes one
+is-a-force-but-must-be = is "{ $force }", a force, but must be a mass, as in "13 t"; half of the force may be written as wheel_load
+the-speeds-of-the-traffic-go = the speeds of the traffic go from { $from } to { $to } km/h, but must be above zero and rise
+there-are-vehicles-but-the-page = there are { $count } vehicles, but the page takes { $most_vehicles } at most
+the-case-is-larger-than-kib = the case is larger than { $size } KiB
+map-points-are-more-than-the = `map`: { $points } points are more than the { $most_map_points } that the page computes
+lower-map-wavelength-points-or-map-2 = lower map.wavelength.points or map.speed.points; the program itself computes larger maps
+contact-grid-is-but-the-page = `contact.grid` is { $grid }, but the page goes up to { $finest_grid } with a non-steady response
+the-program-itself-goes-further = the program itself goes further
+the-of-the-point-is-but = the { $what } of the point is { $value }, but the map reaches from { $low } to { $high }
+choose-a-point-on-the-map = choose a point on the map
+the-speed-is-m-s-but = { $name }: the speed is { $speed } m/s, but must be above zero and at most 200 m/s
+the-amplitude-is-m-but-must = the amplitude is { $number } µm, but must be between { $low } and { $high } µm
+the-plan-cannot-be-read = the plan cannot be read
+the-plan-cannot-be-written = the plan cannot be written
+of-a-prior-must-be-a = `{ $key }` of a prior must be a number or a text
+the-answer-took-longer-than-s = the answer took longer than { $seconds } s and was given up
+too-much-is-being-computed-at = too much is being computed at present
+the-program-is-ending = the program is ending
+the-computation-broke-off = the computation broke off
+the-file-is-larger-than-mib = the file is larger than { $size } MiB
+riffel-roughness-reads-larger-ones = `riffel roughness` reads larger ones
+other-files-are-just-coming-in = other files are just coming in
+nothing-of-the-file-came-for = nothing of the file came for { $seconds } s
+the-file-broke-off-on-its = the file broke off on its way
+the-file-came-more-slowly-than = the file came more slowly than { $rate } kB a second
+the-files-of-all-pages-have = the files of all pages have more than { $size } MiB
+close-pages-that-are-not-needed = close pages that are not needed
+the-file-is-no-longer-here = the file is no longer here
+choose-it-once-more = choose it once more
+there-are-such-files-already-which = there are { $most } such files already, which is as many as the page takes
+there-is-no-place = there is no place: { $error }
+the-calibration-is-no-longer-here = the calibration is no longer here
+choose-its-data-once-more = choose its data once more
+the-file-takes-more-memory-than = the file takes more memory than the { $memory } MiB that the page gives it
+riffel-roughness-reads-it-without-a = `riffel roughness` reads it without a limit
+the-program-broke-off = the program broke off
+the-request-did-not-come-within = the request did not come within { $seconds } s
+the-request-is-larger-than-kib = the request is larger than { $size } KiB
+a-case-is-a-few-hundred = a case is a few hundred bytes long
+there-are-more-than-actions-or = there are more than { $most } actions or measurements, which is as many as the page takes
+the-actions-cannot-be-written = the actions cannot be written
+blocks-are-m-long-but-must = blocks are { $block } m long, but must be 1 m to 1000 km
+the-date-of-a-record = the date of a record: { $sentence }
+the-dates-of-the-records-do = the dates of the records do not rise: { $later } comes after { $earlier }; give the oldest first
+the-limit-of-the-level-must = the limit of the level must be 0 to { $loudest } dB(A)
+is-larger-than-mib-the-most = is larger than { $size } MiB, the most that Riffel reads of a { $what }
+is-text-in-but-a-must = is text in { $encoding }, but a { $what } must be UTF-8
+byte-of-the-file-is-which = byte { $place } of the file is { $value }, which is not UTF-8; it looks like Windows-1252, where it is "{ $letter }"
+write-set-key-value-as-in = write --set key=value, as in --set contact.friction=0.3
+is-empty-window = is { $max }, but the window is empty unless it is above the min of { $min }
+track-model-needs-it = track.model = "{ $model }" needs it: give it{ $preset }
+or-name-a-preset = , or name a preset by track.preset
+a-passage-in-time-needs-all = a passage in time needs all frequencies: a model of track and wheel in the place of receptances
+a-passage-in-time-takes-the = a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it
+a-passage-in-time-needs-all-2 = a passage in time needs all frequencies: a model of the wheelset, or its modes, in the place of measured receptances
+a-passage-in-time-takes-contacts = a passage in time takes contacts that stay where they are on the profiles; leave it out
+no-spring-dashpot-in-time = `contact.response` is "spring-dashpot", which is known for small oscillations only; for a passage in time choose "quasi-static" or "non-steady"
+quasi-static-in-time = on all axes a passage in time takes a contact that answers at once, `contact.response` = "quasi-static"
+no-constant-force-in-time = `wheel.rotation` is "constant-tangential-force", but where the wheel leaves the rail no creepage keeps the force; choose "inertia" or "constant-creepage"
+
+## Modes of a wheelset
+
+ordinal = { $order ->
+        [1] first
+        [2] second
+        [3] third
+        [4] fourth
+        [5] fifth
+        [6] sixth
+        [21] 21st
+        [22] 22nd
+        [23] 23rd
+        [31] 31st
+        [32] 32nd
+        [33] 33rd
+        [41] 41st
+        [42] 42nd
+        [43] 43rd
+       *[other] { $order }th
+    }
+rigid-body-longitudinal = rigid body: longitudinal
+rigid-body-lateral = rigid body: lateral
+rigid-body-bounce = rigid body: bounce
+rigid-body-roll = rigid body: roll
+rigid-body-yaw = rigid body: yaw
+symmetric-bending = { $ordinal } symmetric bending
+antisymmetric-bending = { $ordinal } antisymmetric bending
+torsional-mode = { $ordinal } torsion
+stretching-mode = { $ordinal } stretch
+elastic-mode = { $ordinal } elastic mode
+mode-vertical = { $mode }, vertical
+mode-horizontal = { $mode }, horizontal
+discs-against-wheels = { $mode } (discs against wheels)
+discs-against-each-other = { $mode } (discs against each other)

@@ -172,7 +172,11 @@ impl CaseError {
                 line: None,
                 message,
                 ..
-            } => say!(place_and_fault, place = path.display(), fault = message.clone()),
+            } => say!(
+                place_and_fault,
+                place = path.display(),
+                fault = message.clone()
+            ),
             Self::Data {
                 path,
                 line: Some(line),
@@ -328,11 +332,15 @@ mod tests {
     fn shown(error: &CaseError) -> Vec<String> {
         let labels = error.labels().into_iter().flatten();
         let labels = labels.filter_map(|label| label.label().map(str::to_owned));
-        [error.to_string(), error.in_words(), in_a_message(&error.without_key().to_string()).into_owned()]
-            .into_iter()
-            .chain(error.help().map(|help| help.to_string()))
-            .chain(labels)
-            .collect()
+        [
+            error.to_string(),
+            error.in_words(),
+            in_a_message(&error.without_key().to_string()).into_owned(),
+        ]
+        .into_iter()
+        .chain(error.help().map(|help| help.to_string()))
+        .chain(labels)
+        .collect()
     }
 
     proptest! {

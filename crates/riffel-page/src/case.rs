@@ -1,5 +1,6 @@
 //! `POST /api/case`: a case checked, as keys and as text.
 
+use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::{CaseText, Fault, Note, Reply, Wanted};
@@ -28,9 +29,9 @@ impl crate::Question for Question {
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let toml = self.case.toml()?;
-        let keys = toml
-            .parse()
-            .map_err(|error| Fault::bad(format!("not valid TOML: {error}")))?;
+        let keys = toml.parse().map_err(|error: toml::de::Error| {
+            Fault::bad(say!(not_valid_toml, message = error.to_string()))
+        })?;
         Reply::json(&Answer {
             keys,
             toml,

@@ -3,6 +3,7 @@
 use riffel::contact::HalfSpace;
 use riffel_case::Case;
 use riffel_case::file::ContactDynamics;
+use riffel_keys::say;
 use serde::Deserialize;
 
 use crate::Fault;
@@ -40,7 +41,7 @@ impl CaseText {
         if text.len() > LARGEST_CASE {
             return Err(Fault::refused(
                 Fault::TOO_LARGE,
-                format!("the case is larger than {} KiB", LARGEST_CASE / 1024),
+                say!(the_case_is_larger_than_kib, size = LARGEST_CASE / 1024),
                 "",
             ));
         }
@@ -65,10 +66,12 @@ impl CaseText {
             };
             return Err(Fault::of_key(
                 larger,
-                format!(
-                    "`map`: {points} points are more than the {MOST_MAP_POINTS} that the page computes"
+                say!(
+                    map_points_are_more_than_the,
+                    points = points,
+                    most_map_points = MOST_MAP_POINTS
                 ),
-                "lower map.wavelength.points or map.speed.points; the program itself computes larger maps",
+                say!(lower_map_wavelength_points_or_map_2),
             ));
         }
         Ok(case)
@@ -93,11 +96,12 @@ fn check_grid(text: &str) -> Result<(), Fault> {
         {
             Err(Fault::of_key(
                 "contact.grid",
-                format!(
-                    "`contact.grid` is {}, but the page goes up to {FINEST_GRID} with a non-steady response",
-                    contact.grid
+                say!(
+                    contact_grid_is_but_the_page,
+                    grid = contact.grid,
+                    finest_grid = FINEST_GRID
                 ),
-                "the program itself goes further",
+                say!(the_program_itself_goes_further),
             ))
         }
         _ => Ok(()),

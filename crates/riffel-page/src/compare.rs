@@ -4,6 +4,7 @@ use riffel::{Axis, Ridge};
 use riffel_answers::LineGrowth;
 use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::Case;
+use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::map::{Computed, Head};
@@ -200,9 +201,10 @@ impl crate::Question for CurvesQuestion {
         } in &self.curves
         {
             if !(*speed > 0.0 && *speed <= 200.0) {
-                return Err(Fault::bad(format!(
-                    "{}: the speed is {speed} m/s, but must be above zero and at most 200 m/s",
-                    variant.name
+                return Err(Fault::bad(say!(
+                    the_speed_is_m_s_but,
+                    name = &variant.name,
+                    speed = *speed
                 )));
             }
             if !wanted() {

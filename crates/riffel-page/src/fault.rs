@@ -69,7 +69,8 @@ impl Fault {
         help: impl Into<Message>,
     ) -> Self {
         let (message, help) = (message.into(), help.into());
-        let words = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
+        let words =
+            |message: &Message, language| in_a_message(&message.text(language)).into_owned();
         let both = [&message, &help].map(|message| {
             let [english, german] = [Language::English, Language::German];
             (words(message, english), words(message, german))
@@ -163,7 +164,7 @@ impl Fault {
     }
 
     /// A defect of the program.
-    pub fn defect(message: &str) -> Self {
+    pub fn defect(message: impl Into<Message>) -> Self {
         Self::refused(Self::DEFECT, message, say!(defect_of_riffel))
     }
 }

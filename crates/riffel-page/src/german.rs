@@ -23,7 +23,9 @@ fn take(value: &mut Value, german: &mut BTreeMap<String, String>) {
         Value::Object(table) => {
             if let Some(Value::Object(own)) = table.remove(GERMAN) {
                 let texts = own.into_iter();
-                german.extend(texts.filter_map(|(english, text)| Some((english, text.as_str()?.to_owned()))));
+                german.extend(
+                    texts.filter_map(|(english, text)| Some((english, text.as_str()?.to_owned()))),
+                );
             }
             table.values_mut().for_each(|value| take(value, german));
         }
@@ -45,7 +47,10 @@ fn log_missing(value: &Value, german: &BTreeMap<String, String>) {
                 && let Some(words) = riffel_words::in_german(&text)
                 && words != text
             {
-                let file = std::fs::OpenOptions::new().create(true).append(true).open("/tmp/missing-german.txt");
+                let file = std::fs::OpenOptions::new()
+                    .create(true)
+                    .append(true)
+                    .open("/tmp/missing-german.txt");
                 let _ = writeln!(file.unwrap(), "{text}\t{words}");
             }
         }
@@ -64,9 +69,13 @@ mod tests {
     #[test]
     fn what_is_said_has_its_german_beside_it() {
         let inner = json!({ "value": 1, "german": { "low": "innen" } });
-        let (answer, german) = with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
+        let (answer, german) =
+            with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
         let expected = json!({ "rule": "is missing", "inner": { "value": 1 }, "german": { "is missing": "fehlt", "low": "innen" } });
         assert_eq!(beside(answer, german), expected);
-        assert_eq!(beside(json!({ "value": 1 }), BTreeMap::new()), json!({ "value": 1 }));
+        assert_eq!(
+            beside(json!({ "value": 1 }), BTreeMap::new()),
+            json!({ "value": 1 })
+        );
     }
 }

@@ -2,6 +2,7 @@
 
 use riffel::passage::Sinusoid;
 use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
+use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::{CaseText, Fault, Note, Reply, Wanted};
@@ -44,11 +45,11 @@ impl crate::Question for Question {
         let (wavelength, speed, amplitude) =
             (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
         if !(least..=most).contains(&amplitude) {
-            return Err(Fault::bad(format!(
-                "the amplitude is {} µm, but must be between {} and {} µm",
-                1e6 * amplitude,
-                1e6 * least,
-                1e6 * most
+            return Err(Fault::bad(say!(
+                the_amplitude_is_m_but_must,
+                number = 1e6 * amplitude,
+                low = 1e6 * least,
+                high = 1e6 * most
             )));
         }
         let case = self.case.read()?;

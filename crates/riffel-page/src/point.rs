@@ -4,6 +4,7 @@ use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, Point};
+use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Growth;
@@ -91,8 +92,14 @@ fn within(key: &str, what: &str, value: f64, low: f64, high: f64) -> Result<f64,
     }
     Err(Fault::of_key(
         key,
-        format!("the {what} of the point is {value}, but the map reaches from {low} to {high}"),
-        "choose a point on the map",
+        say!(
+            the_of_the_point_is_but,
+            what = what,
+            value = value,
+            low = low,
+            high = high
+        ),
+        say!(choose_a_point_on_the_map),
     ))
 }
 

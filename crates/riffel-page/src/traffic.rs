@@ -5,6 +5,7 @@ use riffel_case::traffic::{
     CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys,
 };
 use riffel_keys::quantity::Quantity;
+use riffel_keys::{number, say};
 use serde::Deserialize;
 
 use crate::{CaseText, Fault};
@@ -72,10 +73,10 @@ impl Traffic {
         let ranges = self.vehicles.iter().map(Vehicle::range);
         for [slowest, fastest] in [own].into_iter().chain(ranges) {
             if !(slowest > 0.0 && slowest <= fastest && fastest < FASTEST) {
-                return Err(Fault::bad(format!(
-                    "the speeds of the traffic go from {:.1} to {:.1} km/h, but must be above zero and rise",
-                    3.6 * slowest,
-                    3.6 * fastest
+                return Err(Fault::bad(say!(
+                    the_speeds_of_the_traffic_go,
+                    from = number(format_args!("{:.1}", 3.6 * slowest)),
+                    to = number(format_args!("{:.1}", 3.6 * fastest))
                 )));
             }
         }
@@ -87,9 +88,10 @@ impl Traffic {
             )));
         }
         if self.vehicles.len() > MOST_VEHICLES {
-            return Err(Fault::bad(format!(
-                "there are {} vehicles, but the page takes {MOST_VEHICLES} at most",
-                self.vehicles.len()
+            return Err(Fault::bad(say!(
+                there_are_vehicles_but_the_page,
+                count = self.vehicles.len(),
+                most_vehicles = MOST_VEHICLES
             )));
         }
         // Names, shares and all else by the rules of the program.

@@ -1,5 +1,6 @@
 //! What pages have measured to calibrate a case by, and the chains that were drawn for it.
 
+use riffel_keys::say;
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use axum::http::StatusCode;
@@ -55,8 +56,8 @@ impl Calibrations {
             return Ok(calibration);
         }
         let folder = uploads.folder();
-        let folder =
-            folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+        let folder = folder
+            .map_err(|error| Fault::defect(say!(there_is_no_place, error = error.to_string())))?;
         let calibration = Arc::new(Calibration {
             folder,
             data: NumberedFiles::default(),
@@ -96,7 +97,7 @@ impl Calibration {
 fn gone() -> Fault {
     Fault::refused(
         StatusCode::GONE,
-        "the calibration is no longer here".to_owned(),
-        "choose its data once more",
+        say!(the_calibration_is_no_longer_here),
+        say!(choose_its_data_once_more),
     )
 }

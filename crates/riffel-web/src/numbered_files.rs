@@ -1,5 +1,6 @@
 //! Files in a folder of a page, by numbers: earlier records of a rail beside the present one, data of a calibration.
 
+use riffel_keys::{number, say};
 use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
@@ -63,8 +64,9 @@ impl NumberedFiles {
     pub(crate) fn reserve(&self) -> Result<Coming<'_>, Fault> {
         let mut numbered = self.numbered();
         if numbered.files.len() >= MOST {
-            return Err(Fault::bad(format!(
-                "there are {MOST} such files already, which is as many as the page takes"
+            return Err(Fault::bad(say!(
+                there_are_such_files_already_which,
+                most = MOST
             )));
         }
         numbered.last += 1;
@@ -85,8 +87,8 @@ impl NumberedFiles {
             .ok_or_else(|| {
                 Fault::refused(
                     StatusCode::GONE,
-                    "the file is no longer here".to_owned(),
-                    "choose it once more",
+                    say!(the_file_is_no_longer_here),
+                    say!(choose_it_once_more),
                 )
             })
     }

@@ -1,5 +1,6 @@
 //! What a page changes of a plan with usual priors.
 
+use riffel_keys::say;
 use std::collections::BTreeMap;
 
 use serde::Deserialize;
@@ -46,10 +47,10 @@ struct Told {
 impl PlanChanges {
     /// The text of a plan, of which a document tells, with the changes.
     pub(crate) fn made(&self, document: &Json) -> Result<String, Fault> {
-        let defect = |_| Fault::defect("the plan cannot be read");
+        let defect = |_| Fault::defect(say!(the_plan_cannot_be_read));
         let text = document["text"].as_str().unwrap_or_default();
         let mut plan: Table =
-            toml::from_str(text).map_err(|_| Fault::defect("the plan cannot be read"))?;
+            toml::from_str(text).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
         let told: Vec<Told> =
             serde_json::from_value(document["parameters"].clone()).map_err(defect)?;
         let sampler = [
@@ -73,7 +74,7 @@ impl PlanChanges {
                 });
             *parameters = kept.collect::<Result<Vec<Value>, Fault>>()?;
         }
-        toml::to_string(&plan).map_err(|_| Fault::defect("the plan cannot be written"))
+        toml::to_string(&plan).map_err(|_| Fault::defect(say!(the_plan_cannot_be_written)))
     }
 }
 
@@ -82,14 +83,12 @@ impl ParameterChange {
         let prior = parameter
             .get_mut(distribution)
             .and_then(Value::as_table_mut);
-        let prior = prior.ok_or_else(|| Fault::defect("the plan cannot be read"))?;
+        let prior = prior.ok_or_else(|| Fault::defect(say!(the_plan_cannot_be_read)))?;
         for (key, value) in &self.prior {
             let value = Value::try_from(value).ok();
             let value =
                 value.filter(|value| value.is_str() || value.is_integer() || value.is_float());
-            let value = value.ok_or_else(|| {
-                Fault::bad(format!("`{key}` of a prior must be a number or a text"))
-            })?;
+            let value = value.ok_or_else(|| Fault::bad(say!(of_a_prior_must_be_a, key = key)))?;
             prior.insert(key.clone(), value);
         }
         Ok(parameter)

@@ -4,6 +4,7 @@
 //! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
 //! too.
 
+use riffel_keys::say;
 use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File};
@@ -141,7 +142,13 @@ impl Program {
         wanted: &Wanted,
         tell: &dyn Fn(Progress),
     ) -> Result<Value, Fault> {
-        let printed = self.run_telling(folder, &["--language=de", "ask", name], question, wanted, tell)?;
+        let printed = self.run_telling(
+            folder,
+            &["--language=de", "ask", name],
+            question,
+            wanted,
+            tell,
+        )?;
         serde_json::from_str(&printed)
             .map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -197,11 +204,11 @@ impl Program {
             if memory.exceeds(self.most_memory) {
                 return Err(Fault::refused(
                     StatusCode::PAYLOAD_TOO_LARGE,
-                    format!(
-                        "the file takes more memory than the {} MiB that the page gives it",
-                        self.most_memory >> 20
+                    say!(
+                        the_file_takes_more_memory_than,
+                        memory = self.most_memory >> 20
                     ),
-                    "`riffel roughness` reads it without a limit",
+                    say!(riffel_roughness_reads_it_without_a),
                 ));
             }
             if let Some(progress) = progress_of(&fs::read_to_string(&err).unwrap_or_default()) {
@@ -239,7 +246,7 @@ fn fault_of(words: &str) -> Fault {
             help.unwrap_or_default(),
         )
         .with_german(german),
-        None => Fault::defect("the program broke off"),
+        None => Fault::defect(say!(the_program_broke_off)),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The work that requests ask for: a bounded queue in front of as many workers as the machine has
 //! processors.
 
+use riffel_keys::say;
 use std::collections::HashMap;
 use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
@@ -124,9 +125,9 @@ impl Queue {
         let outcome = tokio::time::timeout(self.time_limit, self.wait_and_work(wanted, work)).await;
         drop(waiting);
         let outcome = outcome.unwrap_or_else(|_| {
-            Err(Fault::busy(&format!(
-                "the answer took longer than {} s and was given up",
-                self.time_limit.as_secs_f64()
+            Err(Fault::busy(say!(
+                the_answer_took_longer_than_s,
+                seconds = self.time_limit.as_secs_f64()
             )))
         });
         Ok(outcome?)
@@ -139,11 +140,11 @@ impl Queue {
     ) -> Result<T, Fault> {
         let place = Place(self.waiting.clone());
         if self.waiting.fetch_add(1, Ordering::Relaxed) >= self.most_waiting {
-            return Err(Fault::busy("too much is being computed at present"));
+            return Err(Fault::busy(say!(too_much_is_being_computed_at)));
         }
         let worker = self.workers.clone().acquire_owned().await;
         drop(place);
-        let worker = worker.map_err(|_| Fault::busy("the program is ending"))?;
+        let worker = worker.map_err(|_| Fault::busy(say!(the_program_is_ending)))?;
         let task = tokio::task::spawn_blocking(move || {
             // Given back when the work has really ended, not when its request is given up.
             let _worker = worker;
@@ -152,7 +153,7 @@ impl Queue {
             wanted.or_dropped(result)
         });
         task.await
-            .unwrap_or_else(|_| Err(Fault::defect("the computation broke off")))
+            .unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))
     }
 
     /// A request becomes the newest for its subject, and the one before it is dropped.

@@ -1,5 +1,6 @@
 //! What a page asks, read within limits of size and time.
 
+use riffel_keys::say;
 use std::time::Duration;
 
 use axum::body::{Body, Bytes, to_bytes};
@@ -83,9 +84,9 @@ impl<S: Sync> FromRequest<S> for AskedJson {
             .map_err(|_| {
                 Fault::refused(
                     StatusCode::REQUEST_TIMEOUT,
-                    format!(
-                        "the request did not come within {} s",
-                        READING_TIME.as_secs()
+                    say!(
+                        the_request_did_not_come_within,
+                        seconds = READING_TIME.as_secs()
                     ),
                     "",
                 )
@@ -98,8 +99,11 @@ async fn read(body: Body) -> Result<Bytes, Fault> {
     to_bytes(body, LARGEST_REQUEST).await.map_err(|_| {
         Fault::refused(
             StatusCode::PAYLOAD_TOO_LARGE,
-            format!("the request is larger than {} KiB", LARGEST_REQUEST / 1024),
-            "a case is a few hundred bytes long",
+            say!(
+                the_request_is_larger_than_kib,
+                size = LARGEST_REQUEST / 1024
+            ),
+            say!(a_case_is_a_few_hundred),
         )
     })
 }

@@ -1,6 +1,7 @@
 //! Files that came from a page: in a private folder, removed at the end and, after a crash, at the next
 //! start.
 
+use riffel_keys::{number, say};
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
@@ -179,15 +180,15 @@ impl Uploads {
         let too_large = || {
             Fault::refused(
                 StatusCode::PAYLOAD_TOO_LARGE,
-                format!("the file is larger than {} MiB", inner.largest >> 20),
-                "`riffel roughness` reads larger ones",
+                say!(the_file_is_larger_than_mib, size = inner.largest >> 20),
+                say!(riffel_roughness_reads_larger_ones),
             )
         };
         if announced.is_some_and(|bytes| bytes > inner.largest) {
             return Err(too_large());
         }
         let Ok(_coming) = inner.coming.try_acquire() else {
-            return Err(Fault::busy("other files are just coming in"));
+            return Err(Fault::busy(say!(other_files_are_just_coming_in)));
         };
         self.check_room(announced.unwrap_or(0))?;
         let mut file = tokio::fs::File::create(path).await.map_err(disk)?;
@@ -198,12 +199,12 @@ impl Uploads {
             let piece = piece.map_err(|_| {
                 Fault::refused(
                     StatusCode::REQUEST_TIMEOUT,
-                    format!("nothing of the file came for {} s", PIECE_TIME.as_secs()),
+                    say!(nothing_of_the_file_came_for, seconds = PIECE_TIME.as_secs()),
                     "",
                 )
             })?;
             let Some(piece) = piece else { break };
-            let piece = piece.map_err(|_| Fault::bad("the file broke off on its way"))?;
+            let piece = piece.map_err(|_| Fault::bad(say!(the_file_broke_off_on_its)))?;
             if let Ok(data) = piece.into_data() {
                 bytes += data.len() as u64;
                 if bytes > inner.largest {
@@ -219,10 +220,7 @@ impl Uploads {
             if late * SLOWEST > bytes as f64 {
                 return Err(Fault::refused(
                     StatusCode::REQUEST_TIMEOUT,
-                    format!(
-                        "the file came more slowly than {} kB a second",
-                        1e-3 * SLOWEST
-                    ),
+                    say!(the_file_came_more_slowly_than, rate = 1e-3 * SLOWEST),
                     "",
                 ));
             }
@@ -238,8 +236,8 @@ impl Uploads {
         match size_of(inner.folder.path()) + more > most {
             true => Err(Fault::refused(
                 StatusCode::INSUFFICIENT_STORAGE,
-                format!("the files of all pages have more than {} MiB", most >> 20),
-                "close pages that are not needed",
+                say!(the_files_of_all_pages_have, size = most >> 20),
+                say!(close_pages_that_are_not_needed),
             )),
             false => Ok(()),
         }
@@ -259,8 +257,8 @@ impl Uploads {
             .ok_or_else(|| {
                 Fault::refused(
                     StatusCode::GONE,
-                    "the file is no longer here".to_owned(),
-                    "choose it once more",
+                    say!(the_file_is_no_longer_here),
+                    say!(choose_it_once_more),
                 )
             })
     }

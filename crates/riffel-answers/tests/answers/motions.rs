@@ -30,7 +30,12 @@ fn modes_are_those_of_the_wheelset_over_their_largest_motion() {
         let largest = parts.fold(0.0, |most: f64, part| most.max(part.abs()));
         assert!((largest - 1.0).abs() < 1e-12, "{}: {largest}", mode.name);
         let twists = mode.twist.iter().any(|part| *part != 0.0);
-        assert_eq!(twists, mode.name.contains("torsion"), "{}", mode.name);
+        assert_eq!(
+            twists,
+            mode.name.to_string().contains("torsion"),
+            "{}",
+            mode.name
+        );
     }
 }
 

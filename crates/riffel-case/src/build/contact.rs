@@ -1,5 +1,6 @@
 //! The contact of a case: its ellipse, and how it creeps.
 
+use riffel_keys::{CaseError, say};
 use std::sync::Arc;
 
 use riffel::contact::{
@@ -9,7 +10,6 @@ use riffel::contact::{
 };
 use riffel::passage::{LateContact, WaveInTime};
 use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
-use riffel_keys::CaseError;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory, WavePatch};
@@ -91,7 +91,7 @@ impl CheckedKeys {
                 "contact.creep_law",
                 "and `contact.response` exclude each other: a non-steady response is that of the exact \
                  theory",
-                "choose contact.creep_law = \"half-space\", or leave it out",
+                say!(choose_contact_creep_law_half_space),
             ));
         }
         if !GRIDS.contains(&contact.grid) || !contact.grid.is_multiple_of(2) {
@@ -326,11 +326,11 @@ impl CheckedKeys {
             (Some(_), Some(_)) => Err(self.text.keys.invalid(
                 "contact.creepage",
                 "and `contact.tractive_ratio` exclude each other",
-                "give one of the two",
+                say!(give_one_of_the_two),
             )),
             (None, None) => Err(self.text.keys.missing(
                 "contact.tractive_ratio",
-                "give contact.tractive_ratio or contact.creepage",
+                say!(give_contact_tractive_ratio_or_contact),
             )),
             (Some(ratio), None) => Ok(MeanState::TractiveRatio(ratio.si())),
             (None, Some(creepage)) => self

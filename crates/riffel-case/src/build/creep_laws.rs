@@ -1,5 +1,6 @@
 //! The creep laws that are formulas of the contact ellipse of a case.
 
+use riffel_keys::{CaseError, say};
 use std::sync::Arc;
 
 use riffel::HertzContact;
@@ -7,7 +8,6 @@ use riffel::contact::{
     CREEP_LAWS, CreepLaw, CreepLawEntry, CreepLawInputs, FallingFriction, KalkerCoefficients,
     SlopeReduction,
 };
-use riffel_keys::CaseError;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::PolachParameters;
@@ -83,9 +83,9 @@ impl CheckedKeys {
             return Err(self.out_of_range(
                 "contact.polach.slip_reduction",
                 reduction.slip,
-                &format!(
-                    "at most contact.polach.adhesion_reduction, {}",
-                    reduction.adhesion
+                say!(
+                    at_most_contact_polach_adhesion_reduction,
+                    value = reduction.adhesion
                 ),
             ));
         }
@@ -104,11 +104,9 @@ impl CheckedKeys {
             });
         }
         let missing = |key: &str| {
-            self.text.keys.missing(
-                key,
-                "falling friction needs limit_friction_ratio, friction_decay and speed of \
-                 [contact.polach]: give all three or none",
-            )
+            self.text
+                .keys
+                .missing(key, say!(falling_friction_needs_limit_friction_ratio))
         };
         let key = "contact.polach.limit_friction_ratio";
         let limit_ratio = limit_friction_ratio.ok_or_else(|| missing(key))?.si();

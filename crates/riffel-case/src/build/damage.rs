@@ -87,7 +87,7 @@ impl CheckedKeys {
                 return Err(self.text.keys.invalid(
                     "damage.laws",
                     &format!("names {} twice", name.name()),
-                    "rates of the laws add: name each once",
+                    say!(rates_of_the_laws_add_name),
                 ));
             }
             laws.push(self.law(name, &keys, hertz, steady, track)?);
@@ -106,7 +106,7 @@ impl CheckedKeys {
         let spread = keys.spread.si();
         let missing = |table: &str| {
             let key = format!("damage.{table}");
-            let help = format!("damage.laws names \"{}\": give its table", name.name());
+            let help = say!(damage_laws_names_give_its_table, law = name.name());
             self.text.keys.missing(&key, &help)
         };
         Ok(match name {
@@ -138,11 +138,11 @@ impl CheckedKeys {
                 let Some(support) = track.support else {
                     return Err(self.text.keys.invalid(
                         "damage.laws",
-                        &format!(
-                            "names bending, but track.model = \"{}\" does not tell what carries the rail",
-                            self.file.track.model.name()
+                        say!(
+                            names_bending_but_track_model_does,
+                            name = self.file.track.model.name()
                         ),
-                        "choose a model of rail and supports, or leave bending out",
+                        say!(choose_a_model_of_rail_and),
                     ));
                 };
                 let second_moment =
@@ -166,8 +166,8 @@ impl CheckedKeys {
                 if steady.energy_per_metre() <= 0.0 {
                     return Err(self.text.keys.invalid(
                         "damage.laws",
-                        "names fatigue by Tγ, but the contact does not creep",
-                        "give contact.creepage or contact.tractive_ratio above zero",
+                        say!(names_fatigue_by_t_but_the),
+                        say!(give_contact_creepage_or_contact_tractive),
                     ));
                 }
                 let fatigue = keys.fatigue.clone().unwrap_or_default();

@@ -147,11 +147,8 @@ impl CheckedKeys {
         if wheelset.hubs(FREQUENCY).is_none() {
             return Err(self.text.keys.invalid(
                 "wheelset.normal_direction",
-                &format!(
-                    "is true, but wheelset.model = \"{}\" tells how the contacts move and not how the hubs do",
-                    keys.model.name()
-                ),
-                "choose wheelset.model = \"rigid\" or \"flexible\", or leave it out",
+                say!(is_true_but_wheelset_model_tells, model = keys.model.name()),
+                say!(choose_wheelset_model_rigid_or_flexible),
             ));
         }
         Ok(feedback.with_normal_direction(Hubs::OfWheelsets(wheelset.clone())))
@@ -173,7 +170,7 @@ impl CheckedKeys {
             return Err(self.text.keys.invalid(
                 "contact.creepage",
                 "is spin alone, but the wear of its moment is not computed",
-                "give longitudinal or lateral creepage with it",
+                say!(give_longitudinal_or_lateral_creepage_with),
             ));
         }
         let hertz = self.hertz_of(steel, keys)?;
@@ -226,7 +223,7 @@ impl CheckedKeys {
                     "is {} m, but must be at most the transverse radius of the contact, {relative_radius} m",
                     keys.rail_radius
                 ),
-                "transverse_radius is the relative one of both profiles, equal to that of the rail under a cone",
+                say!(transverse_radius_is_the_relative_one),
             ));
         }
         let rail = keys.rail_radius.recip();
@@ -285,11 +282,8 @@ impl CheckedKeys {
             if keys.wheels.len() > 1 {
                 return Err(self.text.keys.invalid(
                     "train.wheels",
-                    &format!(
-                        "are several, but track.model = \"{}\" does not tell how the track answers from one to the next",
-                        model.name()
-                    ),
-                    "choose a model of rail and supports, or one wheel",
+                    say!(are_several_but_track_model_does, model = model.name()),
+                    say!(choose_a_model_of_rail_and_2),
                 ));
             }
             if keys.wheelset.is_some() {
@@ -310,7 +304,7 @@ impl CheckedKeys {
                     return Err(self.text.keys.invalid(
                         "rail.torsion_constant",
                         "is given, but the rail does not move across the track",
-                        "give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out",
+                        say!(give_rail_lateral_second_moment_and),
                     ));
                 }
                 None => None,

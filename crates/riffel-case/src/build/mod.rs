@@ -8,6 +8,7 @@ mod track;
 pub(crate) mod validity;
 mod wheelset;
 
+use riffel_keys::{CaseError, Message, say};
 use std::sync::Arc;
 
 use riffel::contact::MeanRolling;
@@ -18,7 +19,6 @@ use riffel::{
     Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
     Receptance, WearCorners as Corners, WearRegimes,
 };
-use riffel_keys::{CaseError, Message};
 
 pub(crate) use contact::{CreepInTime, mean_key};
 pub use creep_laws::CreepLaws;
@@ -186,8 +186,8 @@ impl CheckedKeys {
         if wear.spread.is_some() && matches!(wear.law, WearLaw::Energy | WearLaw::ArchardMap) {
             return Err(self.text.keys.invalid(
                 "wear.spread",
-                "is one of Tγ/A, of which the law of wear does not ask",
-                "it belongs to wear.law = \"usfd\" and \"usfd-smooth\"",
+                say!(is_one_of_t_a_of),
+                say!(it_belongs_to_wear_law_usfd),
             ));
         }
         let regimes = match wear.law {

@@ -1,5 +1,6 @@
 //! The track of a case, in each direction.
 
+use riffel_keys::{CaseError, say};
 use std::sync::Arc;
 
 use riffel::receptance::{
@@ -7,7 +8,6 @@ use riffel::receptance::{
     PeriodicTrack, ShearSection, Waveguide,
 };
 use riffel::{Direction, ElasticMaterial, STEEL_DENSITY};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use crate::checked_keys::CheckedKeys;
@@ -344,7 +344,7 @@ impl CheckedKeys {
         if support.damping.is_none() && support.loss_factor.is_none() {
             return Err(self.text.keys.missing(
                 &format!("{key}.damping"),
-                &format!("give {key}.damping, {key}.loss_factor, or both"),
+                say!(give_damping_loss_factor_or_both, key = key),
             ));
         }
         let damping = support.damping.map_or(0.0, |damping| damping.si());
@@ -362,7 +362,7 @@ impl CheckedKeys {
             (Some(position), Some(spacing))
                 if track.model.is_periodic() && position.si() > spacing.si() =>
             {
-                let rule = format!("at most the support spacing, {spacing}");
+                let rule = say!(at_most_the_support_spacing, spacing = spacing);
                 Err(self.out_of_range("track.position", position, &rule))
             }
             _ => Ok(()),

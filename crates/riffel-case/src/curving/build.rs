@@ -1,5 +1,6 @@
 //! The vehicle in its curve from its keys.
 
+use riffel_keys::{CaseError, number, say};
 use std::sync::Arc;
 
 use riffel::contact::{CreepEllipse, HertzContact, KalkerCoefficients, ShenHedrickElkins};
@@ -7,7 +8,6 @@ use riffel::curving::{
     Axle, Cone, ConeWithFlangePlane, ContactPlane, Creep, Curve, FlangeSpring, GRAVITY, Kinematics,
     LawOnEllipse, RunningSurfaces, VehicleInCurve,
 };
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Dimension, Quantity};
 
 use super::CurvingCase;
@@ -57,7 +57,7 @@ impl CurvingCase {
         table: &'a Option<T>,
         needs: &str,
     ) -> Result<&'a T, CaseError> {
-        let help = format!("give [{key}] with {needs}");
+        let help = say!(give_with, key = key, needs = needs);
         table
             .as_ref()
             .ok_or_else(|| self.text.keys.missing(key, &help))
@@ -91,9 +91,10 @@ impl CurvingCase {
         let placed = profiles.flange_back_distance.si() - 2.0 * profiles.flange_back_position.si();
         match given {
             Some(given) if (given.si() - placed).abs() > SAME_SPACING => {
-                let rule = format!(
-                    "is {given}, but the profiles lie {placed:.4} m apart: profiles.flange_back_distance less twice \
-                     profiles.flange_back_position"
+                let rule = say!(
+                    is_but_the_profiles_lie_m,
+                    given = given,
+                    placed = number(format_args!("{placed:.4}"))
                 );
                 let help = "leave it out, or change flange_back_distance";
                 Err(self.text.keys.invalid(key, &rule, help))
@@ -125,17 +126,17 @@ impl CurvingCase {
             let rule = "is set, but profiles.wheel = \"cone\" stands for both wheels";
             return Err(keys.invalid(file::LEFT_WHEEL, rule, ""));
         }
-        let conicity = profiles.conicity.ok_or_else(|| {
-            keys.missing("profiles.conicity", "profiles.wheel = \"cone\" needs it")
-        })?;
+        let conicity = profiles
+            .conicity
+            .ok_or_else(|| keys.missing("profiles.conicity", say!(profiles_wheel_cone_needs_it)))?;
         let conicity = conicity.si();
         if theory == CurvingTheory::Linear {
             return match profiles.flange {
                 None => Ok(Kinematics::Linear { conicity }),
                 Some(_) => Err(keys.invalid(
                     "profiles.flange",
-                    "is set, but curve.theory = \"linear\" knows no flange",
-                    "leave it out, or choose curve.theory = \"nonlinear\"",
+                    say!(is_set_but_curve_theory_linear),
+                    say!(leave_it_out_or_choose_curve),
                 )),
             };
         }
@@ -157,9 +158,10 @@ impl CurvingCase {
                 ),
             };
             if let Some(wrong) = foreign.iter().find(|name| keys.has(&key(name))) {
-                let rule = format!(
-                    "is set, but profiles.contact_plane = \"{name}\" takes a flange of {}",
-                    needed.join(", ")
+                let rule = say!(
+                    is_set_but_profiles_contact_plane,
+                    name = name,
+                    keys = needed.join(", ")
                 );
                 return Err(keys.invalid(&key(wrong), &rule, ""));
             }

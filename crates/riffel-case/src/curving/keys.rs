@@ -1,8 +1,8 @@
 //! Which keys a case of curving may hold, and what values they may have.
 
+use riffel_keys::{CaseError, KeyFile, Message, say};
 use std::sync::LazyLock;
 
-use riffel_keys::{CaseError, KeyFile, Message};
 use toml::{Table, Value};
 
 use crate::CaseKey;
@@ -49,7 +49,7 @@ fn refuse_unknown_in(keys: &KeyFile, parent: &str, table: &Table) -> Result<(), 
                 let nearest = known().max_by(|a, b| likeness(a).total_cmp(&likeness(b)));
                 let help =
                     nearest.map_or(String::new(), |near| format!("did you mean {}?", near.key));
-                return Err(keys.invalid(&key, "is not a key Riffel knows", &help));
+                return Err(keys.invalid(&key, say!(is_unknown_key), &help));
             }
         }
     }

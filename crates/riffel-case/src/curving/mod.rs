@@ -177,8 +177,8 @@ impl CurvingCase {
         let (what, shortest) = self.shortest_radius();
         let fits = |radius: &f64| radius.abs() > shortest && radius.abs() <= WIDEST;
         let radius = radii.iter().copied().find(|radius| !fits(radius))?;
-        let rule = format!("larger than the {what}, to either side, and at most 10000 km");
-        Some((radius, rule))
+        let rule = say!(larger_than_the_to_either_side, what = what);
+        Some((radius, rule.to_string()))
     }
 
     /// The equilibrium of a vehicle of this case to which straight track leads.

@@ -1,7 +1,7 @@
 //! What holds the wheelsets, from its keys.
 
 use riffel::curving::{Axle, Body, BogieFrame, FollowingFrame, RunningGear};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 
 use super::CurvingCase;
 use crate::file;
@@ -29,8 +29,8 @@ impl CurvingCase {
     pub(super) fn running_gear(&self, bogie: &file::Bogie) -> Result<RunningGear, CaseError> {
         let keys = &self.text.keys;
         let foreign = |key: &str, belongs: &str| {
-            let rule = format!("is set, but belongs to {belongs}");
-            Err(keys.invalid(key, &rule, "leave it out"))
+            let rule = say!(is_set_but_belongs_to, belongs = belongs);
+            Err(keys.invalid(key, &rule, say!(leave_it_out)))
         };
         if bogie.wheelsets == 1 {
             let of_two = "bogie.wheelsets = 2";

@@ -1,5 +1,6 @@
 //! The wheelset of a case on its track.
 
+use riffel_keys::{CaseError, Message, number, say};
 use std::path::Path;
 
 use riffel::curving::{ContactPlane, Kinematics};
@@ -8,7 +9,6 @@ use riffel::profile::{
     WheelDimensions, Wheels, WheelsetOnTrack,
 };
 use riffel::{ElasticMaterial, Rail};
-use riffel_keys::{CaseError, Message};
 use std::sync::Arc;
 
 use super::CurvingCase;
@@ -95,7 +95,7 @@ impl CurvingCase {
         wheelset: &WheelsetOnTrack,
     ) -> Result<(), CaseError> {
         let gauge = &profiles.gauge;
-        let refuse = |rule: String| {
+        let refuse = |rule: Message| {
             let help = "check profiles.gauge, flange_back_distance and flange_back_position";
             Err(self.text.keys.invalid("profiles.gauge", &rule, help))
         };
@@ -104,18 +104,22 @@ impl CurvingCase {
             let flanges = left.flange_thickness + right.flange_thickness;
             let over = profiles.flange_back_distance.si() + flanges;
             if over > gauge.si() {
-                return refuse(format!(
-                    "is {gauge}, but the wheelset is {:.1} mm wide over its flanges, 10 mm below the tread, and does not go between such \
-                     rails",
-                    1e3 * over
+                return refuse(say!(
+                    is_but_the_wheelset_is_mm,
+                    gauge = gauge,
+                    width = number(format_args!("{:.1}", 1e3 * over))
                 ));
             }
         }
         if wheelset.contact(0.0, 0.0).is_err() {
             let ends: f64 = wheels.iter().map(|wheel| wheel.range()[1]).sum();
-            return refuse(format!(
-                "is {gauge}, but the wheels, {:.1} mm wide over their field sides, do not stand on both rails",
-                1e3 * (wheelset.wheels.spacing() + ends)
+            return refuse(say!(
+                is_but_the_wheels_mm_wide,
+                gauge = gauge,
+                width = number(format_args!(
+                    "{:.1}",
+                    1e3 * (wheelset.wheels.spacing() + ends)
+                ))
             ));
         }
         Ok(())
@@ -218,13 +222,15 @@ impl CurvingCase {
             CaseError::Read { reason, .. } => {
                 let known = NOMINAL.map(|profile| profile.name).join(", ");
                 let path = self.folder.join(Path::new(name));
-                let rule = format!(
-                    "is \"{name}\", but {} cannot be read: {reason}",
-                    path.display()
+                let rule = say!(
+                    is_but_cannot_be_read,
+                    name = name,
+                    path = path.display(),
+                    reason = reason.to_string()
                 );
                 self.text
                     .keys
-                    .invalid(key, &rule, &format!("nominal profiles: {known}"))
+                    .invalid(key, &rule, say!(nominal_profiles, known = known))
             }
             error => error,
         })

@@ -2,7 +2,7 @@
 
 use riffel::Rail;
 use riffel::contact::Creepages;
-use riffel_keys::{CaseError, fixed, say};
+use riffel_keys::{CaseError, fixed, number, say};
 use toml::Value;
 
 use super::mean_contact::MeanContact;
@@ -69,11 +69,10 @@ impl CaseText {
         }
         if let Some(radius) = contact.transverse_radius {
             if !(radius > 0.0 && radius.is_finite()) {
-                let message = format!(
-                    "the profiles do not part across the track where they touch (curvature {:.2} 1/m), so that there is no ellipse; \
-                     give {}",
-                    radius.recip(),
-                    key("transverse_radius")
+                let message = say!(
+                    the_profiles_do_not_part_across,
+                    curvature = number(format_args!("{:.2}", radius.recip())),
+                    key = key("transverse_radius")
                 );
                 return Err(self.keys.refuse("contact.from", &message));
             }
@@ -98,10 +97,10 @@ impl CaseText {
         };
         let radius = place.rail_curvature.recip();
         if !(radius > 0.0 && radius.is_finite()) {
-            let message = format!(
-                "the rail is not convex where the wheel stands (curvature {:.2} 1/m), so that no contact of a head moves there; \
-                 leave contact.conformity out, or give {key}",
-                place.rail_curvature
+            let message = say!(
+                the_rail_is_not_convex_where,
+                curvature = number(format_args!("{:.2}", place.rail_curvature)),
+                key = key
             );
             return match self.is_written(key) {
                 true => Ok(()),

@@ -117,9 +117,7 @@ impl CaseText {
             None => self.keys.text_of("contact.creep_law") == Some("carter-3d"),
         };
         if paper {
-            let rule = format!(
-                "is \"{name}\", but the ellipse like it is one of contact.hertz = \"exact\""
-            );
+            let rule = say!(is_but_the_ellipse_like_it, name = name);
             let help = "choose contact.hertz = \"exact\", or leave contact.from.patch out";
             return Err(self.keys.invalid("contact.from.patch", &rule, help));
         }

@@ -3,7 +3,7 @@
 use riffel::contact::Creepages;
 use riffel::curving::{VehicleState, WheelState};
 use riffel::{HertzContact, Rail};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, number, say};
 
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
@@ -79,10 +79,11 @@ impl CaseText {
                 let angle = wheel.contact_angle.to_degrees();
                 self.keys.invalid(
                     "contact.from.contact",
-                    &format!(
-                        "is \"flange\", but the wheel stands on one point, at a contact angle of {angle:.1}°"
+                    say!(
+                        is_flange_but_the_wheel_stands,
+                        angle = number(format_args!("{angle:.1}"))
                     ),
-                    "leave it out",
+                    say!(leave_it_out),
                 )
             })?,
         };

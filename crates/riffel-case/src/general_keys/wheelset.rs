@@ -1,9 +1,9 @@
 //! The keys of the wheelset, checked and complete.
 
+use riffel_keys::{CaseError, say};
 use std::path::PathBuf;
 
 use riffel::wheelset::{ContactGeometry, FlexibleWheelset, RigidBody};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 
 use super::or;
@@ -172,7 +172,7 @@ impl CheckedKeys {
                 .wheelset
                 .as_ref()
                 .map_or("", |wheelset| wheelset.model.name());
-            let help = format!("wheelset.model = \"{model}\" needs it");
+            let help = say!(wheelset_model_needs_it, model = model);
             self.text.keys.missing(key, &help)
         })
     }
@@ -201,13 +201,13 @@ impl CheckedKeys {
                 return Err(keys.invalid(
                     "wheelset.axle.segments",
                     &format!("and `wheelset.axle.{name}` exclude each other"),
-                    "give length and diameter of an axle of one diameter, or segments",
+                    say!(give_length_and_diameter_of_an),
                 ));
             }
             if segments.is_empty() {
                 return Err(keys.invalid(
                     "wheelset.axle.segments",
-                    "is an empty list, an axle of 0 m, but the sum of the lengths must be above 0",
+                    say!(is_an_empty_list_an_axle),
                     "",
                 ));
             }
@@ -220,7 +220,7 @@ impl CheckedKeys {
             value.ok_or_else(|| {
                 keys.missing(
                     &format!("wheelset.axle.{name}"),
-                    "give length and diameter of an axle of one diameter, or segments",
+                    say!(give_length_and_diameter_of_an),
                 )
             })
         };
@@ -243,7 +243,7 @@ impl CheckedKeys {
         ];
         for (key, spacing) in spacings {
             if let Some(spacing) = spacing.filter(|spacing| spacing.si() > most) {
-                let rule = format!("at most the length of the axle, {length} m");
+                let rule = say!(at_most_the_length_of_the, length = length);
                 return Err(self.out_of_range(key, spacing, &rule));
             }
         }
@@ -253,7 +253,7 @@ impl CheckedKeys {
                 return Err(self.out_of_range(
                     &format!("wheelset.discs[{index}].position"),
                     disc.position,
-                    &format!("between -{end} m and {end} m, the ends of the axle"),
+                    say!(between_m_and_m_the_ends, end = end),
                 ));
             }
         }

@@ -1,12 +1,12 @@
 //! The contacts of a case in time.
 
+use riffel_keys::{CaseError, Message, say};
 use std::sync::Arc;
 
 use riffel::Rail;
 use riffel::contact::CreepLaw;
 use riffel::feedback::Contact;
 use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime};
-use riffel_keys::CaseError;
 
 use crate::Case;
 use crate::build::CreepInTime;
@@ -67,8 +67,7 @@ impl Case {
         let steel = self.keys.steel()?;
         let hertz = self.keys.hertz_of(steel, side)?;
         let Some(law) = self.keys.creep_law(hertz, side.friction)? else {
-            let message = "on all axes a passage in time takes a creep law that is a formula or \"fastsim\": the exact theory is \
-                           followed along the rail alone";
+            let message = say!(quasi_static_in_time);
             return Err(self.refuse("contact.creep_law", message));
         };
         let in_time = ContactInTime::new(contact, law);
@@ -80,51 +79,48 @@ impl Case {
 
     /// `Ok` if the loop of the case can be followed through time.
     pub(super) fn check_in_time(&self) -> Result<(), CaseError> {
-        let refuse = |key: &str, message: &str| Err(self.refuse(key, message));
+        let refuse = |key: &str, message: Message| Err(self.refuse(key, message));
         let on_all_axes = !self.feedback.is_along_one_axis();
         let contacts = self.feedback.contacts();
         if contacts.len() > MOST_CONTACTS {
-            let message = format!(
-                "the case has {} contacts, but a passage in time takes at most {MOST_CONTACTS}: the work of a step and of \
-                 the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = \"absent\"",
-                contacts.len()
+            let message = say!(
+                the_case_has_contacts_but_a,
+                count = contacts.len(),
+                most_contacts = MOST_CONTACTS
             );
-            return refuse("train.wheels", &message);
+            return refuse("train.wheels", message);
         }
         if on_all_axes && self.keys.given.track.is_some() {
-            let message = "a passage in time needs all frequencies: a model of track and wheel in the place of receptances";
+            let message = say!(a_passage_in_time_needs_all);
             return refuse("track", message);
         }
         if self.keys.given.wheel.is_some() {
-            let message = "a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it";
+            let message = say!(a_passage_in_time_takes_the);
             return refuse("wheel", message);
         }
         if matches!(self.wheelset.as_deref(), Some(CaseWheelset::Measured(_))) {
-            let message = "a passage in time needs all frequencies: a model of the wheelset, or its modes, in the place of measured \
-                           receptances";
+            let message = say!(a_passage_in_time_needs_all_2);
             return refuse("wheelset.model", message);
         }
         match self.file.contact.response {
             ContactDynamics::SpringDashpot => {
-                let message = "`contact.response` is \"spring-dashpot\", which is known for small oscillations only; for a passage in \
-                               time choose \"quasi-static\" or \"non-steady\"";
+                let message = say!(no_spring_dashpot_in_time);
                 return refuse("contact.response", message);
             }
             ContactDynamics::NonSteady if on_all_axes => {
                 let message = "on all axes a passage in time takes a contact that answers at once, `contact.response` = \"quasi-static\"";
-                return refuse("contact.response", message);
+                return refuse("contact.response", message.into());
             }
             _ => {}
         }
         if contacts.iter().any(|contact| contact.moving.is_some()) {
-            let message = "a passage in time takes contacts that stay where they are on the profiles; leave it out";
+            let message = say!(a_passage_in_time_takes_contacts);
             return refuse("contact.conformity", message);
         }
         if self.wheelset.is_none()
             && self.file.wheel.rotation() == Rotation::ConstantTangentialForce
         {
-            let message = "`wheel.rotation` is \"constant-tangential-force\", but where the wheel leaves the rail no \
-                           creepage keeps the force; choose \"inertia\" or \"constant-creepage\"";
+            let message = say!(no_constant_force_in_time);
             return refuse("wheel.rotation", message);
         }
         Ok(())

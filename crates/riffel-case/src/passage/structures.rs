@@ -1,5 +1,6 @@
 //! Track and wheels of a case in time.
 
+use riffel_keys::{CaseError, number, say};
 use std::f64::consts::TAU;
 
 use riffel::Error;
@@ -7,7 +8,6 @@ use riffel::feedback::Contact;
 use riffel::passage::{ImpulseResponse, StructuresInTime};
 use riffel::receptance::SpatialMovingLoad;
 use riffel::wheelset::RigidMass;
-use riffel_keys::CaseError;
 
 use crate::Case;
 
@@ -57,9 +57,10 @@ impl Case {
             && self.wheel_alone_is_causal(speed, natural_frequencies)
         {
             let per_cent = 100.0 * share.sqrt();
-            let message = format!(
-                "the waves that run along this rail over the {furthest} m from the first wheel to the last are not told by so few \
-                 oscillations as are fitted in time, {per_cent:.1} % rms off; give fewer or nearer wheels, or a track that damps more"
+            let message = say!(
+                the_waves_that_run_along_this,
+                furthest = furthest,
+                per_cent = number(format_args!("{per_cent:.1}"))
             );
             return Err(self.refuse("train.wheels", &message));
         }

@@ -2,11 +2,11 @@
 
 mod quantity;
 
+use riffel_keys::{CaseError, say};
 use std::f64::consts::TAU;
 
 use riffel::Complex64;
 use riffel::LoopState;
-use riffel_keys::CaseError;
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
@@ -243,10 +243,7 @@ impl Case {
             return Err(self.keys.out_of_range(
                 "corrugation.amplitude",
                 self.file.corrugation.amplitude,
-                &format!(
-                    "below λ²/4π²R at the wavelength of {wavelength} m: beyond it the profile is as curved as the wheel, which \
-                     bridges the troughs"
-                ),
+                say!(below_r_at_the_wavelength_of, wavelength = wavelength),
             ));
         }
         let case = self.covering(wavelength, wavelength)?;
@@ -254,10 +251,11 @@ impl Case {
         match Point::new(&case, &state).not_finite() {
             None => Ok(state),
             Some(quantity) => Err(CaseError::Point {
-                message: format!(
-                    "{} at {wavelength} m and {speed} m/s is not a finite number: values of the case are too large or \
-                     too small to compute with",
-                    quantity.name()
+                message: say!(
+                    at_m_and_m_s_is,
+                    quantity = quantity.name(),
+                    wavelength = wavelength,
+                    speed = speed
                 )
                 .into(),
             }),

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use riffel::forecast::SpeedDistribution;
 use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, number, say};
 
 use super::spreads::PartValues;
 use super::wheel_on_case::settings_of;
@@ -77,16 +77,19 @@ impl Traffic {
                 };
                 // Which of several wheels it is about.
                 let named = |node: &(f64, f64)| {
-                    at(node).map_err(|error| match self.source.table().contains_key("vehicle") {
-                        false => error,
-                        true => self.source.refuse(
-                            &format!("vehicle[{index}]"),
-                            &format!(
-                                "vehicle \"{}\" at {:.1} km/h: {error}",
-                                vehicle.name,
-                                3.6 * node.0
+                    at(node).map_err(|error: CaseError| {
+                        match self.source.table().contains_key("vehicle") {
+                            false => error,
+                            true => self.source.refuse(
+                                &format!("vehicle[{index}]"),
+                                say!(
+                                    vehicle_at_km_h,
+                                    vehicle = &vehicle.name,
+                                    speed = number(format_args!("{:.1}", 3.6 * node.0)),
+                                    error = error.message()
+                                ),
                             ),
-                        ),
+                        }
                     })
                 };
                 let nodes = speeds.nodes();

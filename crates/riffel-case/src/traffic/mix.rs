@@ -1,12 +1,12 @@
 //! A mix of vehicles, read and checked.
 
+use riffel_keys::{CaseError, KeyFile, Message, say};
 use std::fmt;
 use std::path::{Path, PathBuf};
 
 use riffel::forecast::SpeedDistribution;
 use riffel_keys::quantity::{Dimension, Force, Kind, Quantity};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile, Message};
 use toml::Value;
 
 use super::shares::sums_to_one;
@@ -90,7 +90,7 @@ impl Traffic {
             }
         }
         if file.vehicle.is_empty() {
-            return Err(source.missing("vehicle", "write one [[vehicle]] or more"));
+            return Err(source.missing("vehicle", say!(write_one_vehicle_or_more)));
         }
         let (mut speeds, mut spreads) = (Vec::new(), Vec::new());
         let amounts = ["line.passages_per_day", "line.mgt_per_year"].into_iter();
@@ -101,20 +101,20 @@ impl Traffic {
             remarks.extend(judged(&source, index, vehicle)?);
             let key = |name: &str| format!("vehicle[{index}].{name}");
             if vehicle.name.trim().is_empty() {
-                return Err(source.invalid(&key("name"), "is empty, but tables need a name", ""));
+                return Err(source.invalid(&key("name"), say!(is_empty_but_tables_need_a), ""));
             }
             if file.vehicle[..index]
                 .iter()
                 .any(|other| other.name == vehicle.name)
             {
-                let rule = format!("is \"{}\" a second time", vehicle.name);
+                let rule = say!(is_a_second_time, text = &vehicle.name);
                 return Err(source.invalid(&key("name"), &rule, ""));
             }
             if line.measured_line.is_some() && !vehicle.brings_curve() {
-                let message = format!(
-                    "`line.measured_line` needs `{}`, for without it vehicle \"{}\" does not say where its wheels run on the rail",
-                    key("curve"),
-                    vehicle.name
+                let message = say!(
+                    line_measured_line_needs_for_without,
+                    key = key("curve"),
+                    name = &vehicle.name
                 );
                 return Err(source.refuse("line.measured_line", &message));
             }
@@ -179,13 +179,7 @@ fn is_a_traffic(source: &KeyFile) -> Result<(), CaseError> {
     }
     let tables = ["wheel", "rail", "track", "contact", "steel"];
     match tables.into_iter().find(|table| source.has(table)) {
-        Some(table) => Err(source.refuse(
-            table,
-            &format!(
-                "this is a case file, with its table [{table}], and no traffic file; a traffic file lists the \
-                 vehicles of a line in [[vehicle]], `riffel init --traffic` writes one"
-            ),
-        )),
+        Some(table) => Err(source.refuse(table, say!(this_is_a_case_file_with, table = table))),
         None => Ok(()),
     }
 }
@@ -199,9 +193,7 @@ fn no_forces_as_axle_loads(source: &KeyFile) -> Result<(), CaseError> {
             text.trim().parse::<f64>().is_err() && Kind::of::<Force>().read(text).is_ok()
         };
         if let Some(force) = written.filter(is_force) {
-            let rule = format!(
-                "is \"{force}\", a force, but must be a mass, as in \"13 t\"; half of the force may be written as wheel_load"
-            );
+            let rule = say!(is_a_force_but_must_be, force = force);
             return Err(source.invalid(&format!("vehicle[{index}].axle_load"), &rule, ""));
         }
     }
@@ -275,8 +267,8 @@ fn distribution(
 }
 
 fn exclusive(source: &KeyFile, key: &str, other: &str) -> CaseError {
-    let rule = format!("and `{other}` exclude each other");
-    source.invalid(key, &rule, "give one of the two")
+    let rule = say!(and_exclude_each_other, other = other);
+    source.invalid(key, &rule, say!(give_one_of_the_two))
 }
 
 fn above_zero<D: Dimension>(

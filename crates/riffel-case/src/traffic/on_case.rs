@@ -167,10 +167,7 @@ impl Traffic {
             return Ok(());
         }
         let key = format!("vehicle[{index}].traction_share");
-        let message = format!(
-            "`{key}` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the axles with \
-             traction and those without as two vehicles"
-        );
+        let message = say!(is_below_one_but_axles_that, key = &key);
         Err(self.source.refuse(&key, &message))
     }
 }

@@ -1,6 +1,6 @@
 //! Shares of a whole.
 
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, number, say};
 
 /// How far the sum of shares may be from one: shares in tenths of a per cent.
 const SHARE_TOLERANCE: f64 = 2e-3;
@@ -15,6 +15,10 @@ pub(super) fn sums_to_one(
     if (sum - 1.0).abs() <= SHARE_TOLERANCE {
         return Ok(());
     }
-    let message = format!("the shares of `{key}` sum to {sum:.4}, but must sum to 1");
+    let message = say!(
+        the_shares_of_sum_to_but,
+        key = key,
+        sum = number(format_args!("{sum:.4}"))
+    );
     Err(source.refuse(&format!("{key}[0].share"), &message))
 }

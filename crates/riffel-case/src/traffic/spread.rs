@@ -1,12 +1,12 @@
 //! A value that is spread over the wheels of a vehicle, as written.
 
+use riffel_keys::{CaseError, KeyFile, say};
 use std::borrow::Cow;
 use std::fmt;
 use std::marker::PhantomData;
 
 use riffel::forecast::Distribution;
 use riffel_keys::quantity::{Dimension, Kind, Quantity, Ratio};
-use riffel_keys::{CaseError, KeyFile};
 use schemars::{JsonSchema, Schema, SchemaGenerator, json_schema};
 use serde::de::value::{MapAccessDeserializer, SeqAccessDeserializer};
 use serde::{Deserialize, Deserializer, Serialize, de};
@@ -141,7 +141,7 @@ impl<D: Dimension> Spread<D> {
             Self::Shares(list) => {
                 if list.is_empty() {
                     let help = "give one { value, share } or more";
-                    return Err(source.invalid(key, "is an empty list", help));
+                    return Err(source.invalid(key, say!(is_an_empty_list), help));
                 }
                 sums_to_one(source, key, list.iter().map(|entry| entry.share.si()))?;
                 let list: Vec<(f64, f64)> = list
@@ -164,16 +164,16 @@ impl<D: Dimension> Spread<D> {
             }) => Distribution::even(min.si(), max.si()),
             Self::Ends(_) => {
                 let rule = "is neither { mean, standard_deviation } nor { min, max }";
-                return Err(source.invalid(key, rule, "give both keys of one of the two"));
+                return Err(source.invalid(key, rule, say!(give_both_keys_of_one_of)));
             }
         };
         let distribution = distribution.map_err(refused)?;
         let lowest = distribution.lowest();
         match values {
             Values::Positive if lowest <= 0.0 => {
-                let rule = format!(
-                    "goes down to {}, but every value must be greater than zero",
-                    Quantity::<D>::new(lowest)
+                let rule = say!(
+                    goes_down_to_but_every_value,
+                    value = Quantity::<D>::new(lowest)
                 );
                 let help = match distribution {
                     Distribution::Normal { .. } => {
@@ -200,9 +200,10 @@ pub(super) fn of_key(
 ) -> Result<Distribution, CaseError> {
     let in_si = in_si(source, at, kind, value)?;
     let spread: Spread<Ratio> = in_si.try_into().map_err(|_| {
-        let rule = format!(
-            "is no spread: give mean and standard_deviation, min and max, or a list of value and share, with {} as in \"{}\"",
-            kind.name, kind.example
+        let rule = say!(
+            is_no_spread_give_mean_and,
+            name = kind.name,
+            example = kind.example
         );
         source.invalid(at, &rule, "")
     })?;

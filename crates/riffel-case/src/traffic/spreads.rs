@@ -1,7 +1,7 @@
 //! What is spread over the wheels of a vehicle besides its speed, and what each spread does to growth.
 
 use riffel::forecast::Distribution;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, say};
 use toml::Value;
 
 use super::Vehicle;
@@ -148,8 +148,8 @@ impl Spreads {
             ),
         ];
         if let Some((own, other, _)) = taken.into_iter().find(|(_, _, both)| *both) {
-            let rule = format!("and `{}` exclude each other", at(other));
-            return Err(source.invalid(&at(own), &rule, "give one of the two"));
+            let rule = say!(and_exclude_each_other, other = at(other));
+            return Err(source.invalid(&at(own), &rule, say!(give_one_of_the_two)));
         }
         let mut of_keys = Vec::new();
         let mut shorthand = |own: &str, key: &str, distribution: Distribution| {
@@ -186,14 +186,14 @@ impl Spreads {
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");
             let Some(known) = CaseKey::find(&key) else {
-                let help = format!("the nearest key is `{}`", CaseKey::nearest(&key));
-                return Err(source.invalid(&at(&own), "is no key of a case", &help));
+                let help = say!(the_nearest_key_is, key = CaseKey::nearest(&key));
+                return Err(source.invalid(&at(&own), say!(is_no_key_of_a_case), &help));
             };
             let twice = of_keys.iter().any(|it: &SpreadOfKey| it.key == key)
                 || given.iter().any(|it| it.0 == key);
             if twice {
                 let rule = "is given a second time by another key of the vehicle";
-                return Err(source.invalid(&at(&own), rule, "give one of the two"));
+                return Err(source.invalid(&at(&own), rule, say!(give_one_of_the_two)));
             }
             let values = match known.quantity {
                 Some(kind) => ValuesOfKey::Numbers(of_key(source, &at(&own), kind, &value)?),

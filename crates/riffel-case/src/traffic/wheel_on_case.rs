@@ -2,7 +2,7 @@
 
 use riffel::STANDARD_GRAVITY;
 use riffel::forecast::SpeedDistribution;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 use toml::Value;
 
 use super::spreads::PartValues;
@@ -49,7 +49,7 @@ impl Traffic {
             return Err(self.source.refuse(&at(&format!(".{key}")), &message));
         }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
-            let message = format!("vehicle \"{}\": {error}", vehicle.name);
+            let message = say!(vehicle, vehicle = &vehicle.name, error = error.to_string());
             self.source.refuse(&at(""), &message)
         })?;
         let window = window(case, lines, &speeds);
@@ -63,20 +63,24 @@ impl Traffic {
                 let sets = |(own, _): &Setting| *own == key;
                 if held_setting.iter().any(sets) {
                     let held = held.as_ref();
-                    let why = held.map_or_else(|| message.to_string(), |held| held.refusal(&message));
-                    return variant.refuse(&format!(
-                        "variant \"{}\" changes friction or load under \"{}\"; {why}",
-                        variant.title, vehicle.name
+                    let why =
+                        held.map_or_else(|| message.to_string(), |held| held.refusal(&message));
+                    return variant.refuse(say!(
+                        variant_changes_friction_or_load_under,
+                        title = &variant.title,
+                        vehicle = &vehicle.name,
+                        why = why
                     ));
                 }
                 if window.iter().any(sets) {
                     let name = &vehicle.name;
-                    let message = format!("speeds and bands of vehicle \"{name}\": {message}");
+                    let message = say!(speeds_and_bands_of_vehicle, name = name, message = message);
                     return self.source.refuse(&at(""), &message);
                 }
                 match own.iter().find(|(_, setting)| sets(setting)) {
                     Some((own, _)) if !variant.settings.iter().any(sets) => {
-                        let message = format!("`{}`: {message}", at(&format!(".{own}")));
+                        let message =
+                            say!(key_and_rule, key = at(&format!(".{own}")), rule = message);
                         self.source.refuse(&at(&format!(".{own}")), &message)
                     }
                     _ => variant.explain(CaseError::Changed { key, message }),

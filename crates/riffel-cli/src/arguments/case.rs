@@ -65,7 +65,9 @@ impl CaseArguments {
         };
         let case = Case::read(&self.path, &self.overrides)?;
         match case.edit(|keys| keys.track.position = Some(position)) {
-            Err(CaseError::Changed { message, .. }) => Err(CliError::Position { message: message.to_string() })?,
+            Err(CaseError::Changed { message, .. }) => Err(CliError::Position {
+                message: message.to_string(),
+            })?,
             Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
                 message: format!(
                     "the track is the same everywhere along the rail with track.model = \"{}\"; choose \

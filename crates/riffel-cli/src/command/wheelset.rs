@@ -1,12 +1,13 @@
 //! `riffel wheelset`
 
+use riffel_answers::mode_in_words;
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_answers::wheelset::{HIGHEST, WheelsetAnswer};
 use riffel_case::{Case, CaseWheelset};
 
 use super::receptance::within;
 use crate::arguments::Wheelset;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{json, table};
 use crate::results::Results;
 
@@ -60,7 +61,8 @@ fn readable(case: &Case, answer: &WheelsetAnswer) -> String {
     }
     let mut rows = table(&["natural frequency Hz", "mode"]);
     for mode in &answer.modes {
-        rows.add_row([format!("{:.2}", mode.frequency), mode.name.to_string()]);
+        let name = mode_in_words(&mode.name).text(language());
+        rows.add_row([format!("{:.2}", mode.frequency), name]);
     }
     text += &format!("{rows}\n");
     text

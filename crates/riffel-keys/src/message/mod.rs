@@ -89,7 +89,9 @@ impl Message {
     #[must_use]
     pub fn clipped(self) -> Self {
         let values = self.values.into_iter();
-        let values = values.map(|(name, value)| (name, value.clipped())).collect();
+        let values = values
+            .map(|(name, value)| (name, value.clipped()))
+            .collect();
         Self { values, ..self }
     }
 

@@ -6,6 +6,7 @@ use std::fmt::Display;
 use super::Message;
 use crate::Language;
 use crate::excerpt::clipped;
+use crate::quantity::{Dimension, Quantity};
 
 /// A value of a [`Message`].
 #[derive(Debug, Clone, PartialEq)]
@@ -99,6 +100,26 @@ impl From<&str> for Value {
 impl From<Cow<'_, str>> for Value {
     fn from(text: Cow<'_, str>) -> Self {
         Self::Text(text.into_owned())
+    }
+}
+
+impl From<&Message> for Value {
+    fn from(message: &Message) -> Self {
+        message.clone().into()
+    }
+}
+
+/// In its SI unit.
+impl<D: Dimension> From<Quantity<D>> for Value {
+    fn from(quantity: Quantity<D>) -> Self {
+        number(quantity)
+    }
+}
+
+/// In its SI unit.
+impl<D: Dimension> From<&Quantity<D>> for Value {
+    fn from(quantity: &Quantity<D>) -> Self {
+        number(quantity)
     }
 }
 

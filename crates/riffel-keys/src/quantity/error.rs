@@ -76,18 +76,33 @@ impl QuantityError {
                 text,
                 name,
                 example,
-            } => say!(not_a_number, text = text, kind = named(name), example = *example),
+            } => say!(
+                not_a_number,
+                text = text,
+                kind = named(name),
+                example = *example
+            ),
             Self::NotFinite { text, name } => say!(not_finite, text = text, kind = named(name)),
             Self::Separator {
                 text,
                 name,
                 example,
-            } => say!(number_with_separator, text = text, kind = named(name), example = *example),
+            } => say!(
+                number_with_separator,
+                text = text,
+                kind = named(name),
+                example = *example
+            ),
             Self::Range {
                 text,
                 name,
                 example,
-            } => say!(range_for_one_value, text = text, kind = named(name), example = *example),
+            } => say!(
+                range_for_one_value,
+                text = text,
+                kind = named(name),
+                example = *example
+            ),
             Self::UnknownUnit {
                 text,
                 unit,

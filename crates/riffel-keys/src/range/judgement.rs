@@ -221,7 +221,13 @@ mod tests {
             ),
         ] {
             let (rule, help) = (rule.to_owned(), help.to_owned());
-            assert_eq!(judged(key, text), Judgement::Impossible { rule: rule.into(), help: help.into() });
+            assert_eq!(
+                judged(key, text),
+                Judgement::Impossible {
+                    rule: rule.into(),
+                    help: help.into()
+                }
+            );
         }
     }
 

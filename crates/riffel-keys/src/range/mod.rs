@@ -66,7 +66,9 @@ impl PhysicalRange {
             None | Some(Judgement::Usual) => Ok((si, None)),
             Some(Judgement::Unusual(remark)) => Ok((si, Some(remark))),
             Some(Judgement::Impossible { rule, help }) if help.is_empty() => Err(rule),
-            Some(Judgement::Impossible { rule, help }) => Err(say!(one_after_other, one = rule, other = help)),
+            Some(Judgement::Impossible { rule, help }) => {
+                Err(say!(one_after_other, one = rule, other = help))
+            }
         }
     }
 

@@ -1,5 +1,6 @@
 //! `POST /api/along`: a measured rail along the line; `GET /api/sample`: a profile to try.
 
+use riffel_keys::{number, say};
 use std::path::Path;
 
 use axum::extract::State;
@@ -69,8 +70,9 @@ pub(crate) async fn post(
 ) -> Result<Told<Answer>, Refusal> {
     let block = question.block_m;
     if !(1.0..=1e6).contains(&block) {
-        return Err(Refusal(Fault::bad(format!(
-            "blocks are {block} m long, but must be 1 m to 1000 km"
+        return Err(Refusal(Fault::bad(say!(
+            blocks_are_m_long_but_must,
+            block = block
         ))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
@@ -150,9 +152,9 @@ pub(crate) async fn sample(
     let text = page
         .long
         .run(asker.subject("sample"), move |wanted| {
-            let folder = uploads
-                .folder()
-                .map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+            let folder = uploads.folder().map_err(|error| {
+                Fault::defect(say!(there_is_no_place, error = error.to_string()))
+            })?;
             program.run(
                 folder.path(),
                 &["roughness", "--synthesise"],

@@ -1,6 +1,7 @@
 //! `POST /api/calibration/decision`: which action pays, over the chains of the page.
 
 use axum::extract::State;
+use riffel_keys::say;
 use serde::Deserialize;
 use serde_json::{Value, json};
 use toml::Table;
@@ -30,14 +31,15 @@ impl Question {
     /// The plan with what this asks, and the files of changes that it names.
     fn plan(self, plan: &str) -> Result<(String, Vec<(String, String)>), Fault> {
         if self.action.len().max(self.measurement.len()) > MOST {
-            return Err(Fault::bad(format!(
-                "there are more than {MOST} actions or measurements, which is as many as the page takes"
+            return Err(Fault::bad(say!(
+                there_are_more_than_actions_or,
+                most = MOST
             )));
         }
-        let unwritten = |_| Fault::bad("the actions cannot be written");
+        let unwritten = |_| Fault::bad(say!(the_actions_cannot_be_written));
         let mut files = Vec::new();
         let mut plan: Table =
-            toml::from_str(plan).map_err(|_| Fault::defect("the plan cannot be read"))?;
+            toml::from_str(plan).map_err(|_| Fault::defect(say!(the_plan_cannot_be_read)))?;
         let mut actions = Vec::new();
         for (number, mut action) in self.action.into_iter().enumerate() {
             // Nothing that a page sends names a file.

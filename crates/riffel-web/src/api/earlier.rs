@@ -1,5 +1,6 @@
 //! `POST /api/earlier`: an earlier record of the rail; `/read`: its spectrum; `/remove`: it goes.
 
+use riffel_keys::say;
 use std::path::PathBuf;
 
 use axum::body::Body;
@@ -120,7 +121,7 @@ impl Earlier {
             .chain([date])
             .map(|date| date.map(read_date).transpose())
             .collect::<Result<_, _>>()
-            .map_err(|sentence| Fault::bad(format!("the date of a record: {sentence}")))?;
+            .map_err(|sentence| Fault::bad(say!(the_date_of_a_record, sentence = sentence)))?;
         let (own, before) = (given[records.len()], &given[..records.len()]);
         let all: Option<Vec<_>> = given.iter().copied().collect();
         // Without the dates of all the order is that of the records, and each is held against the present one.
@@ -130,8 +131,10 @@ impl Earlier {
             (None, None) => Vec::new(),
         };
         if let Some((earlier, later)) = pairs.iter().find(|(earlier, later)| later <= earlier) {
-            return Err(Fault::bad(format!(
-                "the dates of the records do not rise: {later} comes after {earlier}; give the oldest first"
+            return Err(Fault::bad(say!(
+                the_dates_of_the_records_do,
+                later = later.to_string(),
+                earlier = earlier.to_string()
             )));
         }
         let dated = before

@@ -1,6 +1,7 @@
 //! `POST /api/noise`: what a train sounds like on a measured rail.
 
 use axum::extract::State;
+use riffel_keys::say;
 use riffel_page::TRAFFIC_FILE;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -55,8 +56,9 @@ pub(crate) async fn post(
     question.rail.check()?;
     let limit = question.limit_dba;
     if limit.is_some_and(|limit| !(0.0..=LOUDEST).contains(&limit)) {
-        return Err(Refusal(Fault::bad(format!(
-            "the limit of the level must be 0 to {LOUDEST} dB(A)"
+        return Err(Refusal(Fault::bad(say!(
+            the_limit_of_the_level_must,
+            loudest = LOUDEST
         ))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;

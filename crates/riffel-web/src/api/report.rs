@@ -3,7 +3,7 @@
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
-use riffel_keys::Language;
+use riffel_keys::{Language, say};
 use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -79,8 +79,9 @@ pub(crate) async fn of_case(
             // It is checked here, and opens no file.
             question.case.read()?;
             let folder = uploads.folder();
-            let folder =
-                folder.map_err(|error| Fault::defect(&format!("there is no place: {error}")))?;
+            let folder = folder.map_err(|error| {
+                Fault::defect(say!(there_is_no_place, error = error.to_string()))
+            })?;
             let files = Workspace::within(folder.path())?;
             files.write(CASE_FILE, &question.case.toml()?)?;
             let mut report = json!({ "case": CASE_FILE, "output": REPORT });

@@ -30,10 +30,7 @@ impl Asked<'_> {
             }));
         };
         let Some(outward) = wheel.keys.text.contact_outward else {
-            let message = format!(
-                "`line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle \"{}\" has none",
-                self.name()
-            );
+            let message = say!(line_measured_line_needs_profiles_of, name = self.name());
             return Err(self.traffic.source.refuse("line.measured_line", &message));
         };
         let band = wheel

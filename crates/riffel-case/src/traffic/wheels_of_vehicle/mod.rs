@@ -92,7 +92,7 @@ impl Asked<'_> {
         format!("vehicle[{}]{key}", self.index)
     }
 
-    fn refuse(&self, key: &str, message: &str) -> CaseError {
+    fn refuse(&self, key: &str, message: impl Into<Message>) -> CaseError {
         self.traffic.source.refuse(&self.key(key), message)
     }
 
@@ -100,9 +100,9 @@ impl Asked<'_> {
     fn wheels(&self, values: &PartValues) -> Result<WheelsOfVehicle, CaseError> {
         let (traffic, variant) = (self.traffic, self.variant);
         if self.spreads().lateral_position.is_some() && self.case.file.wear.band_width.is_some() {
-            let message = format!(
-                "`{}` and wear.band_width of the case exclude each other; give one of the two",
-                self.key(".lateral_position")
+            let message = say!(
+                and_wear_band_width_of_the,
+                key = self.key(".lateral_position")
             );
             return Err(self.refuse(".lateral_position", &message));
         }
@@ -146,7 +146,10 @@ impl Asked<'_> {
         let speeds = match self.speeds {
             Some(speeds) => speeds.clone(),
             None => self.variant.speed.apply(own).map_err(|error| {
-                self.refuse("", &format!("vehicle \"{}\": {error}", self.name()))
+                self.refuse(
+                    "",
+                    say!(vehicle, vehicle = self.name(), error = error.to_string()),
+                )
             })?,
         };
         let window = window(self.case, self.lines, &speeds);
