@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 use riffel_keys::quantity::Kind;
-use riffel_keys::{CaseError, Language, Words, clipped};
+use riffel_keys::{CaseError, Language, Message, Words, clipped, say};
 use serde::Deserialize;
 use serde_json::json;
 use toml::{Table, Value};
@@ -27,13 +27,21 @@ pub enum Badge {
     Assumed,
 }
 
+impl Badge {
+    /// In a word.
+    pub fn words(self) -> Message {
+        match self {
+            Self::Measured => say!(badge_measured),
+            Self::Typical => say!(badge_typical),
+            Self::Assumed => say!(badge_assumed),
+        }
+    }
+}
+
+/// In English.
 impl fmt::Display for Badge {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Measured => "measured",
-            Self::Typical => "typical",
-            Self::Assumed => "assumed",
-        })
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.words().fmt(formatter)
     }
 }
 

@@ -27,7 +27,7 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
             let preset = preset(name)?;
             let mut table = text_table(&["key", "value", "", "source"]);
             for value in &preset.values {
-                let badge = value.badge.to_string();
+                let badge = value.badge.words().text(language());
                 let source = value.source.text(language());
                 table.add_row([&value.key, &value.value, &badge, source]);
             }
