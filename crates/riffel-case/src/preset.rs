@@ -5,7 +5,7 @@ use std::sync::LazyLock;
 
 use include_dir::{Dir, include_dir};
 use riffel_keys::quantity::Kind;
-use riffel_keys::{CaseError, clipped};
+use riffel_keys::{CaseError, Language, Message, Words, clipped, say};
 use serde::Deserialize;
 use serde_json::json;
 use toml::{Table, Value};
@@ -27,13 +27,21 @@ pub enum Badge {
     Assumed,
 }
 
+impl Badge {
+    /// In a word.
+    pub fn words(self) -> Message {
+        match self {
+            Self::Measured => say!(badge_measured),
+            Self::Typical => say!(badge_typical),
+            Self::Assumed => say!(badge_assumed),
+        }
+    }
+}
+
+/// In English.
 impl fmt::Display for Badge {
-    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-        f.write_str(match self {
-            Self::Measured => "measured",
-            Self::Typical => "typical",
-            Self::Assumed => "assumed",
-        })
+    fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
+        self.words().fmt(formatter)
     }
 }
 
@@ -106,7 +114,7 @@ pub struct Preset {
     /// What it describes.
     pub kind: PresetKind,
     /// What it is.
-    pub title: String,
+    pub title: Words,
     /// Its values, in the order of the file.
     pub values: Vec<PresetValue>,
 }
@@ -120,8 +128,8 @@ pub struct PresetValue {
     pub value: String,
     /// How well it is known.
     pub badge: Badge,
-    /// Where it comes from.
-    pub source: String,
+    /// Where it comes from; what others have published stays in English.
+    pub source: Words,
 }
 
 impl PresetValue {
@@ -144,6 +152,7 @@ struct PresetFile {
     aliases: Vec<String>,
     kind: PresetKind,
     title: String,
+    title_de: Option<String>,
     #[serde(flatten)]
     tables: Table,
 }
@@ -155,6 +164,7 @@ struct PresetFileValue {
     value: String,
     badge: Badge,
     source: String,
+    source_de: Option<String>,
 }
 
 impl Preset {
@@ -166,7 +176,7 @@ impl Preset {
             name: written.name,
             aliases: written.aliases,
             kind: written.kind,
-            title: written.title,
+            title: Words::new(written.title, written.title_de),
             values,
         })
     }
@@ -180,7 +190,7 @@ impl Preset {
                 "value_si": quantity.and_then(|kind| kind.read(&value.value).ok()),
                 "unit_si": quantity.map(|kind| kind.unit),
                 "badge": value.badge.to_string(),
-                "source": value.source,
+                "source": value.source.text(Language::English),
             });
             (value.key.clone(), document)
         });
@@ -189,7 +199,7 @@ impl Preset {
             "key": self.kind.key(),
             "name": self.name,
             "aliases": self.aliases,
-            "title": self.title,
+            "title": self.title.text(Language::English),
             "values": values.collect::<serde_json::Map<_, _>>(),
         })
     }
@@ -231,7 +241,7 @@ fn collect(
                     key,
                     value: written.value,
                     badge: written.badge,
-                    source: written.source,
+                    source: Words::new(written.source, written.source_de),
                 });
             }
         }
@@ -287,7 +297,21 @@ mod tests {
                 .unwrap_or_else(|error| panic!("{}: {error}", file.path().display()));
             assert!(!preset.values.is_empty());
             for value in &preset.values {
-                assert!(value.source.len() > 20, "{value:?}");
+                assert!(value.source.text(Language::English).len() > 20, "{value:?}");
+            }
+        }
+    }
+
+    /// Values that others have published name who did, and stay as they are.
+    #[test]
+    fn titles_and_sources_of_our_own_are_said_in_every_language() {
+        for preset in presets() {
+            let own = preset.values.iter();
+            let own = own.filter(|value| value.badge == Badge::Assumed);
+            let words = own.map(|value| &value.source).chain([&preset.title]);
+            for words in words {
+                let [english, german] = Language::ALL.map(|language| words.text(language));
+                assert_ne!(english, german, "{}", preset.name);
             }
         }
     }

@@ -255,6 +255,12 @@ ellipse-of-wheel-too-wide = die Ellipse von Rad { $wheelset } { $rail } ist { $w
 left = links
 right = rechts
 
+## Values of presets: how well they are known
+
+badge-measured = gemessen
+badge-typical = üblich
+badge-assumed = angenommen
+
 ## Traffic
 
 growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und wear.coefficient prüfen

@@ -263,6 +263,12 @@ ellipse-of-wheel-too-wide = the ellipse of wheel { $wheelset } { $rail } is { $w
 left = left
 right = right
 
+## Values of presets: how well they are known
+
+badge-measured = measured
+badge-typical = typical
+badge-assumed = assumed
+
 ## Traffic
 
 growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and wear.coefficient

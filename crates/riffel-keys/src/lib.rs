@@ -33,6 +33,7 @@ pub mod table;
 pub mod text_file;
 mod unit;
 pub mod universal_file;
+mod words;
 
 pub use binary_format::BinaryFormat;
 pub use error::CaseError;
@@ -42,3 +43,4 @@ pub use language::Language;
 pub use message::{Message, Value, decimal, fixed, number, significant, significant_digits};
 pub use range::{PhysicalRange, RANGES, bound};
 pub use unit::{Exponents, Unit};
+pub use words::Words;

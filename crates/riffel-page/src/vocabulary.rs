@@ -1,13 +1,14 @@
 //! `GET /api/vocabulary`: the keys of a case, the presets with their sources, the nominal case and lines to begin with.
 
+use std::collections::BTreeMap;
 use std::sync::LazyLock;
 
 use riffel_case::{
-    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, json_schema, presets,
+    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, NOMINAL_CASE, TRAM_CASE, descriptions, json_schema,
+    presets,
 };
+use riffel_keys::{Language, Words};
 use serde_json::{Value, json};
-
-use riffel_words::in_german;
 
 /// Lines to begin with, each on a supported track.
 const LINES: [(&str, &str); 4] = [
@@ -31,10 +32,10 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
                 .iter()
                 .map(|value| {
                     json!({ "key": value.key, "value": value.value, "badge": value.badge.to_string(),
-                        "source": value.source })
+                        "source": value.source.to_string() })
                 })
                 .collect();
-            json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title, "values": values })
+            json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title.to_string(), "values": values })
         })
         .collect();
     let keys = |text: &str| text.parse::<toml::Table>().unwrap_or_default();
@@ -42,33 +43,26 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
         .iter()
         .map(|&(name, text)| json!({ "name": name, "case": keys(text) }))
         .collect();
-    let vocabulary = json!({
+    json!({
         "version": env!("CARGO_PKG_VERSION"),
         "schema": json_schema(),
         "presets": presets,
         "nominal": case,
         "lines": lines,
+        "german": german(),
+    })
+    .to_string()
+}
+
+/// The German of what the keys of a case are, of titles of presets and of sources that are words of our own, by the English.
+fn german() -> BTreeMap<String, String> {
+    let of_preset = |words: &Words| Language::ALL.map(|language| words.text(language).to_owned());
+    let presets = presets().iter().flat_map(|preset| {
+        let sources = preset.values.iter().map(|value| &value.source);
+        sources.chain([&preset.title]).map(of_preset)
     });
-    with_german(vocabulary).to_string()
-}
-
-fn with_german(mut answer: Value) -> Value {
-    let mut german = serde_json::Map::new();
-    collect(&answer, &mut german);
-    answer["german"] = german.into();
-    answer
-}
-
-fn collect(value: &Value, german: &mut serde_json::Map<String, Value>) {
-    match value {
-        Value::Object(table) => table.values().for_each(|value| collect(value, german)),
-        Value::Array(list) => list.iter().for_each(|value| collect(value, german)),
-        Value::String(text) => {
-            let text = text.trim().replace('\n', " ");
-            if let Some(words) = in_german(&text) {
-                german.insert(text, words.into());
-            }
-        }
-        _ => {}
-    }
+    let presets = presets.filter(|[english, german]| english != german);
+    let mut german = descriptions(Language::German);
+    german.extend(presets.map(|[english, german]| (english, german)));
+    german
 }

@@ -279,7 +279,7 @@ pub(crate) fn limits(
             };
             (
                 table.name,
-                table.title,
+                table.title.to_string(),
                 table.edition,
                 table.source,
                 of_levels,

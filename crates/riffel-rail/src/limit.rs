@@ -6,7 +6,7 @@ use include_dir::{Dir, include_dir};
 use riffel::roughness::{LevelLimit, RmsLimit, Spectrum, ThirdOctave, WavelengthBand};
 use riffel_keys::quantity::{Length, Quantity, Ratio};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, Words};
 use serde::Deserialize;
 
 use crate::built_in::built_in;
@@ -20,7 +20,7 @@ pub struct LimitTable {
     /// Name for the command line.
     pub name: String,
     /// What it is.
-    pub title: String,
+    pub title: Words,
     /// Edition, for reports.
     pub edition: String,
     /// Where the numbers come from.
@@ -44,6 +44,7 @@ pub enum Limit {
 struct LimitKeys {
     name: String,
     title: String,
+    title_de: Option<String>,
     edition: String,
     source: String,
     share_of_length: Option<Quantity<Ratio>>,
@@ -124,7 +125,7 @@ impl LimitTable {
         };
         Ok(Self {
             name: written.name,
-            title: written.title,
+            title: Words::new(written.title, written.title_de),
             edition: written.edition,
             source: written.source,
             limit,
@@ -167,15 +168,18 @@ fn bands(source: &KeyFile, written: &LimitKeys) -> Result<Limit, CaseError> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use riffel_keys::Language;
 
     #[test]
-    fn every_file_reads_and_names_edition_and_source() {
+    fn every_file_reads_and_names_edition_and_source_and_has_a_title_in_every_language() {
         assert_eq!(LimitTable::all().len(), FILES.files().count());
         for table in LimitTable::all() {
             assert!(
                 table.edition.len() > 5 && table.source.len() > 40,
                 "{table:?}"
             );
+            let [english, german] = Language::ALL.map(|language| table.title.text(language));
+            assert_ne!(english, german);
         }
     }
 

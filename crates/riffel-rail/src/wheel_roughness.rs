@@ -42,7 +42,7 @@ impl WheelRoughness {
         Ok(match table.limit {
             Limit::Levels(levels) => Some(Self {
                 name: table.name,
-                title: table.title,
+                title: table.title.to_string(),
                 spectrum: levels.spectrum().clone(),
             }),
             Limit::Rms(_) => None,

@@ -3,6 +3,8 @@
 use std::collections::HashMap;
 use std::sync::LazyLock;
 
+use riffel_keys::quantity::names;
+
 use crate::numbers::with_comma;
 use crate::wording::{Wording, sentence_end};
 
@@ -15,7 +17,7 @@ static OF_MESSAGES: LazyLock<Vec<(String, String)>> =
     LazyLock::new(|| riffel_keys::message::wordings().collect());
 
 /// All wordings, each English one with the German one: those of the file, and those that have both languages where they
-/// are made ([`riffel_keys::Message`]).
+/// are made ([`riffel_keys::quantity::named`], [`riffel_keys::Message`]).
 pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
     let is_wording = |line: &&str| !line.is_empty() && !line.starts_with('#');
     let english = FILE.lines().filter(is_wording).step_by(2);
@@ -27,7 +29,8 @@ pub fn wordings() -> impl Iterator<Item = (&'static str, &'static str)> {
     let of_messages = OF_MESSAGES
         .iter()
         .map(|(english, german)| (&**english, &**german));
-    english.zip(german).chain(of_messages.filter(whole))
+    let of_messages = of_messages.filter(whole);
+    english.zip(german).chain(names()).chain(of_messages)
 }
 
 /// Name of a value that must be a sentence of the catalogue.

@@ -13,6 +13,7 @@ mod strip_map;
 use std::path::Path;
 
 use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::PlotError;
 use riffel_rail::{LimitTable, Record};
 
@@ -434,12 +435,12 @@ fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -
             let mut origin: Vec<&str> = preset
                 .values
                 .iter()
-                .map(|value| value.source.as_str())
+                .map(|value| value.source.text(Language::English))
                 .collect();
             origin.dedup();
             sources.push(vec![
                 escape(&format!("preset {}", preset.name)),
-                escape(&preset.title),
+                escape(preset.title.text(Language::English)),
                 escape(origin.first().copied().unwrap_or_default()),
             ]);
         }

@@ -1,6 +1,7 @@
 //! Presets of wheelsets, and values that go before theirs.
 
 use riffel_case::{Case, CaseWheelset, PresetKind, presets};
+use riffel_keys::Language;
 
 /// A case whose wheelset is that of a preset, with overrides.
 fn case(overrides: &[&str]) -> Result<Case, riffel_keys::CaseError> {
@@ -32,7 +33,7 @@ fn every_wheelset_computes() {
     assert_eq!(wheelsets.len(), 5);
     for preset in wheelsets {
         let case = case(&[&format!("wheelset.preset={}", preset.name)]).unwrap();
-        let title = &preset.title;
+        let title = preset.title.text(Language::English);
         // The title says the mass; of a driven one without the rotor, which does not move with the axle.
         let said = title
             .split(['(', ' '])

@@ -3,6 +3,7 @@
 use riffel_case::{Preset, preset, presets};
 
 use crate::arguments::Presets;
+use crate::messages::language;
 use crate::output::{print, print_json, text_table};
 
 pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
@@ -17,7 +18,8 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
         None => {
             let mut table = text_table(&["name", "key", "what it is"]);
             for preset in presets() {
-                table.add_row([&preset.name, preset.kind.key(), &preset.title]);
+                let title = preset.title.text(language());
+                table.add_row([&preset.name, preset.kind.key(), title]);
             }
             format!("{table}\nriffel presets NAME shows the values with their sources\n")
         }
@@ -25,10 +27,15 @@ pub(crate) fn run(arguments: &Presets) -> miette::Result<()> {
             let preset = preset(name)?;
             let mut table = text_table(&["key", "value", "", "source"]);
             for value in &preset.values {
-                let badge = value.badge.to_string();
-                table.add_row([&value.key, &value.value, &badge, &value.source]);
+                let badge = value.badge.words().text(language());
+                let source = value.source.text(language());
+                table.add_row([&value.key, &value.value, &badge, source]);
             }
-            let (title, key, name) = (&preset.title, preset.kind.key(), &preset.name);
+            let (title, key, name) = (
+                preset.title.text(language()),
+                preset.kind.key(),
+                &preset.name,
+            );
             format!("{title}\n{key} = \"{name}\"\n{table}\n")
         }
     };

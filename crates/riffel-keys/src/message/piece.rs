@@ -100,6 +100,7 @@ fn in_words(value: &Value, language: Language) -> Cow<'_, str> {
         Value::Text(text) | Value::Key(text) => Cow::Borrowed(text),
         Value::Number(number) => Cow::Owned(number.replace('.', language.decimal_mark())),
         Value::Count(count) => Cow::Owned(count.to_string()),
+        Value::Words(words) => Cow::Borrowed(words.text(language)),
         Value::Message(message) => Cow::Owned(message.text(language)),
         Value::List(values) => {
             let values: Vec<_> = values

@@ -4,9 +4,9 @@ use std::borrow::Cow;
 use std::fmt::Display;
 
 use super::Message;
-use crate::Language;
 use crate::excerpt::clipped;
 use crate::quantity::{Dimension, Quantity};
+use crate::{Language, Words};
 
 /// A value of a [`Message`].
 #[derive(Debug, Clone, PartialEq)]
@@ -19,6 +19,8 @@ pub enum Value {
     Count(u64),
     /// A key of the case, dotted, or an option of the program.
     Key(String),
+    /// Words of a file of data, or the name of a quantity.
+    Words(Words),
     /// Another message.
     Message(Box<Message>),
     /// Several of them, separated by commas.
@@ -43,6 +45,7 @@ impl Value {
             Self::Number(number) => serde_json::from_str::<serde_json::Number>(number)
                 .map_or_else(|_| number.as_str().into(), Into::into),
             Self::Count(count) => (*count).into(),
+            Self::Words(words) => words.text(language).into(),
             Self::Message(message) => message.document(language),
             Self::List(values) => values
                 .iter()
@@ -138,6 +141,12 @@ impl From<&String> for Value {
 impl From<std::path::Display<'_>> for Value {
     fn from(path: std::path::Display<'_>) -> Self {
         Self::Text(path.to_string())
+    }
+}
+
+impl From<Words> for Value {
+    fn from(words: Words) -> Self {
+        Self::Words(words)
     }
 }
 

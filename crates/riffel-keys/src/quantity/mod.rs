@@ -3,6 +3,7 @@
 mod dimension;
 mod error;
 mod kind;
+mod name;
 mod written;
 
 use std::borrow::Cow;
@@ -17,6 +18,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 pub use dimension::*;
 pub use error::QuantityError;
 pub use kind::Kind;
+pub use name::{named, names};
 pub(crate) use written::WrittenQuantity;
 
 /// A quantity of the dimension `D`, held in SI.

@@ -5,9 +5,9 @@ mod lists;
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use riffel_case::{Badge, presets};
-use riffel_rail::LimitTable;
-use riffel_words::{in_german, wordings};
+use riffel_case::descriptions;
+use riffel_keys::Language;
+use riffel_words::wordings;
 
 use lists::{IN_ENGLISH, LEFT, WITHOUT};
 
@@ -179,7 +179,11 @@ fn english() -> Vec<&'static str> {
 
 #[test]
 fn no_sentence_lacks_its_german() {
-    let catalogue = english();
+    let keys = descriptions(Language::German);
+    let catalogue: Vec<&str> = english()
+        .into_iter()
+        .chain(keys.keys().map(|key| &**key))
+        .collect();
     let mut sources = sources(&WITHOUT);
     let in_english: Vec<PathBuf> = IN_ENGLISH.iter().map(|path| crates().join(path)).collect();
     sources.retain(|source| !in_english.iter().any(|path| source.starts_with(path)));
@@ -227,27 +231,6 @@ fn no_sentence_is_left_that_nobody_says() {
         }
     }
     said += &fs::read_to_string(crates().join("riffel-web/assets/faults.js")).unwrap();
-    for preset in presets() {
-        let sources = preset.values.iter().map(|value| value.source.as_str());
-        sources
-            .chain([preset.title.as_str()])
-            .for_each(|text| said.extend([text, "\n"]));
-    }
-    LimitTable::all()
-        .iter()
-        .for_each(|table| said.extend([table.title.as_str(), "\n"]));
-    // What a key is stands in the comment on it.
-    for source in sources.iter().filter(|source| {
-        source
-            .ancestors()
-            .any(|folder| folder.ends_with("riffel-case/src/file"))
-    }) {
-        let text = fs::read_to_string(source).unwrap();
-        let comments = text
-            .lines()
-            .filter_map(|line| line.trim_start().strip_prefix("/// "));
-        said.extend(comments.map(|line| line.replace('\\', "") + " "));
-    }
     said += &fs::read_to_string(crates().join("riffel-keys/messages/en.ftl")).unwrap();
     // What others say is no concern of the sources.
     let others = FILE
@@ -285,23 +268,4 @@ fn no_sentence_is_left_that_nobody_says() {
         .filter(|wording| !is_said(wording))
         .collect();
     assert!(unsaid.is_empty(), "nobody says\n{}", unsaid.join("\n"));
-}
-
-/// Values that others have published name who did, and stay as they are.
-#[test]
-fn presets_have_their_german() {
-    let mut missing = Vec::new();
-    for preset in presets() {
-        let own = preset
-            .values
-            .iter()
-            .filter(|value| value.badge == Badge::Assumed)
-            .map(|value| value.source.as_str());
-        let words = own.chain([preset.title.as_str()]);
-        missing.extend(words.filter(|words| in_german(words).is_none()));
-    }
-    let limits = LimitTable::all();
-    let titles = limits.iter().map(|table| table.title.as_str());
-    missing.extend(titles.filter(|title| in_german(title).is_none()));
-    assert!(missing.is_empty(), "no German of\n{}", missing.join("\n"));
 }
