@@ -1,7 +1,7 @@
 //! # The German of what Riffel says
 //!
 //! Physics and answers speak English and know of no other language. What leaves the program is put into German at its
-//! edge: by [`in_german`] where it is printed and beside each answer to the page, by [`page_in_german`] in a report.
+//! edge, by [`in_german`]: where it is printed and beside each answer to the page.
 //!
 //! The identity of a sentence is its English wording with a name in braces for every value. The catalogue has the German
 //! wording below it, with the same names:
@@ -28,9 +28,7 @@
 
 mod catalogue;
 mod numbers;
-mod page;
 mod wording;
 
 pub use catalogue::{in_german, wordings};
 pub use numbers::with_comma;
-pub use page::page_in_german;

@@ -50,6 +50,12 @@ impl Message {
         say!(verbatim, words = words.into())
     }
 
+    /// With what it is about before it: a rail, a file.
+    #[must_use]
+    pub fn about(self, subject: impl Into<Value>) -> Self {
+        say!(about, subject = subject.into(), remark = self)
+    }
+
     /// Which message it is, as in the Fluent files.
     pub fn id(&self) -> &'static str {
         self.id
