@@ -752,6 +752,15 @@ input-head = input
 file-head = file
 what-it-is-head = what it is
 growth-map = Growth map
+speed-axis-in-kilometres-per-hour = speed V [km/h]
+strongest-growth-at-each-speed = strongest growth at each speed
+strongest-at-edge = strongest at the edge of the window
+frequency-of-strongest-branch = constant frequency of the strongest branch
+branches-of-growth = branches of growth
+constant-frequency = constant frequency V = fλ
+neither-growth-nor-decay = neither growth nor decay
+not-computed = not computed
+rail-and-group = { $rail }, { $group }
 measured-wavelength = measured { $wavelength } mm
 where-measured-wavelengths-stand = measured wavelengths at the slowest, mean and fastest of { $speeds }
 outside-the-map = outside the map: { $wavelengths }

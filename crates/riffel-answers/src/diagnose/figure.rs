@@ -4,7 +4,6 @@ use riffel::diagnosis::{FineBand, FineSpectrum};
 use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
 use riffel_rail::history::Curves;
-use riffel_rail::name_in_words;
 
 use super::Diagnosis;
 use crate::roughness::figure::file_name;
@@ -29,7 +28,7 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
                 .enumerate()
                 .map(|(index, (name, spectrum))| Series {
                     label: if spectra.len() > 1 {
-                        name_in_words(name).text(language)
+                        name.text(language)
                     } else {
                         say!(measured_word).text(language)
                     },
@@ -50,7 +49,7 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
                 .iter()
                 .enumerate()
                 .map(|(index, (name, mean))| Series {
-                    label: name_in_words(name).text(language),
+                    label: name.text(language),
                     x: mean
                         .levels()
                         .iter()

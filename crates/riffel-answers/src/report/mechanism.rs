@@ -5,7 +5,7 @@ use std::fmt::Write as _;
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
 use riffel_keys::{Language, Message, Value, fixed, say};
-use riffel_plot::{MapFigure, Observation, PlotError};
+use riffel_plot::{MapFigure, MapWords, Observation, PlotError};
 
 use super::outlook::{Outlook, drawing};
 use super::page::{Section, escape, figure, list, said, sentence, table, texts};
@@ -38,7 +38,12 @@ pub(super) fn growth_map(
         ..MapFigure::default()
     };
     let words = sentence(&BranchDocument::sentence(&map.branches), language);
-    let map_of_growth = figure("half", map_drawn.picture()?, &caption.join(" "), language);
+    let map_of_growth = figure(
+        "half",
+        map_drawn.picture_with(&map_words(language))?,
+        &caption.join(" "),
+        language,
+    );
     let remarks = map.under_traffic.iter().flat_map(|it| it.remarks.clone());
     let over = map.over_posterior.iter().flat_map(growth_in_words);
     let brief = remarks.chain(over);
@@ -47,6 +52,22 @@ pub(super) fn growth_map(
         brief: brief.map(|remark| sentence(&remark, language)).collect(),
         warnings: Vec::new(),
     })
+}
+
+/// The words of the map itself.
+fn map_words(language: Language) -> MapWords {
+    MapWords {
+        wavelength: say!(wavelength_axis).text(language),
+        speed_km_per_h: say!(speed_axis_in_kilometres_per_hour).text(language),
+        speed_m_per_s: say!(speed_axis).text(language),
+        ridge: say!(strongest_growth_at_each_speed).text(language),
+        ridge_at_edge: say!(strongest_at_edge).text(language),
+        best_fit_ray: say!(frequency_of_strongest_branch).text(language),
+        branches: say!(branches_of_growth).text(language),
+        rays: say!(constant_frequency).text(language),
+        zero: say!(neither_growth_nor_decay).text(language),
+        not_computed: say!(not_computed).text(language),
+    }
 }
 
 /// Put the measured wavelengths that lie in the map on it; what the caption says of all of them.

@@ -34,9 +34,9 @@ pub struct Measured {
 /// What a figure shows of the records.
 pub enum Curves {
     /// Levels of a profile in narrow bands, of each rail and of the places that tell most; the worst first.
-    Fine(Vec<(String, FineSpectrum)>),
+    Fine(Vec<(Message, FineSpectrum)>),
     /// Means of levels of one-third octaves, by group.
-    Levels(Vec<(String, Spectrum)>),
+    Levels(Vec<(Message, Spectrum)>),
 }
 
 /// What stands out of the records of a rail, and what became of it.

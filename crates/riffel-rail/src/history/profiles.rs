@@ -2,7 +2,7 @@
 
 use jiff::civil::Date;
 use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWavelength, WINDOW};
-use riffel_keys::{CaseError, Message, decimal, fixed, number, say};
+use riffel_keys::{CaseError, Message, fixed, number, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
 use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, name_in_words};
@@ -154,15 +154,16 @@ impl FoundWavelengths {
         &self,
         rails: &[Rail],
         clean: &[CleanRail],
-    ) -> Result<Vec<(String, FineSpectrum)>, riffel::Error> {
+    ) -> Result<Vec<(Message, FineSpectrum)>, riffel::Error> {
         let mut curves = Vec::new();
         for (index, peaks) in &self.0 {
-            let name = &rails[*index].name;
-            curves.push((name.clone(), clean[*index].spectrum()?));
+            let name = || name_in_words(&rails[*index].name);
+            curves.push((name(), clean[*index].spectrum()?));
             let local = peaks.iter().find(|one| !one.all_along);
             curves.extend(local.and_then(|one| {
                 let place = one.places.first()?;
-                let label = format!("{name}, {}–{:.0} m", decimal(place.from, 0), place.to);
+                let (from, to) = (fixed(place.from, 0), fixed(place.to, 0));
+                let label = say!(rail_from_to, rail = name(), from = from, to = to);
                 Some((label, clean[*index].spectrum_between(place.from, place.to)?))
             }));
         }

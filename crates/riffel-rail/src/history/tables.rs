@@ -230,13 +230,16 @@ impl RailTable {
     }
 
     /// Mean levels of each record, with the name of the rail where there are `several`.
-    fn curves(&self, several: bool) -> impl Iterator<Item = (String, Spectrum)> + '_ {
+    fn curves(&self, several: bool) -> impl Iterator<Item = (Message, Spectrum)> + '_ {
         let rail = self.rail.as_deref().filter(|_| several);
         self.groups.iter().filter_map(move |group| {
             let name = match (rail, self.groups.len()) {
-                (None, _) => group.name.clone(),
-                (Some(rail), 1) => rail.to_owned(),
-                (Some(rail), _) => format!("{rail}, {}", group.name),
+                (None, _) => Message::verbatim(&group.name),
+                (Some(rail), 1) => name_in_words(rail),
+                (Some(rail), _) => {
+                    let rail = name_in_words(rail);
+                    say!(rail_and_group, rail = rail, group = &group.name)
+                }
             };
             Some((name, Spectrum::arithmetic_mean(&group.spectra)?))
         })
