@@ -1,7 +1,7 @@
 //! Why there is no answer.
 
 use miette::Diagnostic;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_plot::PlotError;
 use thiserror::Error;
 
@@ -84,4 +84,14 @@ pub enum AnswerError {
     /// The gridded file cannot be written.
     #[error("cannot write the gridded file: {0}")]
     Grid(String),
+}
+
+impl AnswerError {
+    /// What is wrong; what no case is at fault for is English.
+    pub fn message(&self) -> Message {
+        match self {
+            Self::Case(error) => error.message(),
+            other => Message::verbatim(other.to_string()),
+        }
+    }
 }

@@ -76,7 +76,7 @@ pub mod wheelset_motions;
 pub use answer::Answer;
 pub use banded::Banded;
 pub use calibration::{Calibration, four_digits};
-pub use capital::capital;
+pub use capital::{capital, sentence};
 pub use cause::Cause;
 pub use error::AnswerError;
 pub use expected_growth::{expected_growth, expected_growth_over};

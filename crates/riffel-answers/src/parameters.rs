@@ -87,7 +87,7 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
     let amplitude = amplitude.map_or(String::new(), |amplitude| {
         format!("Δ = {:.1} µm; ", 1e6 * amplitude)
     });
-    format!(
+    let words = format!(
         "{}: {}. E = {:.0} GPa, ν = {}; R = {:.2} m, R_r = {:.2} m, {wheel}; {}P₀ = {:.0} kN, μ = {}, τ = {:.3}, {}; {amplitude}{law}{dynamics}{phase}.",
         say!(track).text(language),
         track(case, language),
@@ -100,7 +100,8 @@ fn written(case: &Case, language: Language, amplitude: Option<f64>) -> String {
         steady.friction,
         steady.tractive_ratio(),
         creepage(steady.creepages),
-    )
+    );
+    language.numbers(&words)
 }
 
 /// The mean creepage: along the rail, or as a vector with its spin.

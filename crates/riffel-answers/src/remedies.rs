@@ -3,7 +3,7 @@
 use riffel::forecast::SpeedDistribution;
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{CaseError, Message, fixed, number, say, significant_digits};
+use riffel_keys::{CaseError, Language, Message, fixed, number, say, significant_digits};
 use riffel_plot::{LineFigure, Series};
 use serde::Serialize;
 
@@ -345,7 +345,7 @@ impl Answer for RemediesAnswer {
             title: "Remedies".to_owned(),
             caption: "Growth of the level by wavelength, positive where corrugation grows."
                 .to_owned(),
-            panels: vec![rate_panel(series.collect())],
+            panels: vec![rate_panel(series.collect(), Language::English)],
             ..LineFigure::default()
         }
     }

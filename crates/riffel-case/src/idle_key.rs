@@ -1,12 +1,14 @@
 //! Keys that cannot change growth in a case.
 
+use riffel_keys::{Message, say};
+
 use crate::Case;
 use crate::file::CreepLawName;
 use crate::file::{ContactDynamics, Rotation, TrackModel, WheelsetModel};
 
 impl Case {
     /// Why a key of the case, dotted, cannot change growth under traffic; none where it may.
-    pub fn idle_because(&self, key: &str) -> Option<String> {
+    pub fn idle_because(&self, key: &str) -> Option<Message> {
         let (table, inner) = key.split_once('.').unwrap_or((key, ""));
         let file = &self.file;
         let contact = &file.contact;
@@ -15,10 +17,10 @@ impl Case {
             "track" | "rail" => return self.idle_in_track(table, inner),
             "curve" | "bogie" | "body" | "profiles" if contact.from.is_some() => return None,
             "curve" | "bogie" | "body" | "profiles" => {
-                "it belongs to `riffel curve` and `riffel profile`"
+                say!(idle_belongs_to_curve)
             }
             "corrugation" if self.feedback.depends_on_amplitude() => return None,
-            "corrugation" => "growth rates do not depend on the amplitude",
+            "corrugation" => say!(idle_amplitude),
             "train"
                 if inner == "comb"
                     && file
@@ -26,60 +28,60 @@ impl Case {
                         .as_ref()
                         .is_none_or(|train| train.wheels.len() < 2) =>
             {
-                "there is one wheel, which interferes with no other"
+                say!(idle_one_wheel)
             }
             "wheelset" => return self.idle_in_wheelset(inner),
-            "map" => "the bands are those of the case, and the speeds those of the traffic",
+            "map" => say!(idle_map),
             "wheel" if inner == "inertia" && self.file.wheel.rotation() != Rotation::Inertia => {
-                "wheel.rotation is the limit of no inertia or of infinite inertia"
+                say!(idle_inertia)
             }
             "wheel"
                 if inner == "normal_direction"
                     && self.file.wheel.rotation() != Rotation::Inertia =>
             {
-                "wheel.rotation holds the creepage or the force along the rail"
+                say!(idle_rotation)
             }
             "contact"
                 if inner.starts_with("conformity")
                     && contact.contact_angle.is_none_or(|angle| angle.si() == 0.0) =>
             {
-                "under a contact angle of zero the wheel has the same radius everywhere"
+                say!(idle_contact_angle)
             }
             "contact"
                 if inner.starts_with("conformity")
                     && file.wheelset.is_none()
                     && file.wheel.rotation() == Rotation::ConstantTangentialForce =>
             {
-                "a wheel that turns freely takes any radius"
+                say!(idle_free_wheel)
             }
             "contact"
                 if inner.starts_with("polach") && self.creep_law() != CreepLawName::POLACH =>
             {
-                "it belongs to contact.creep_law = \"polach\""
+                say!(idle_belongs_to, keys = "contact.creep_law = \"polach\"")
             }
             "contact" if inner == "grid" && self.creep_law() != CreepLawName::HALF_SPACE => {
-                "it belongs to contact.creep_law = \"half-space\""
+                say!(idle_belongs_to, keys = "contact.creep_law = \"half-space\"")
             }
             "contact" if inner == "wave_patch" && contact.wave_geometry != Some(true) => {
-                "it belongs to contact.wave_geometry = true"
+                say!(idle_belongs_to, keys = "contact.wave_geometry = true")
             }
             "contact"
                 if inner == "wave_patch" && contact.response == ContactDynamics::NonSteady =>
             {
-                "a non-steady contact resolves its patch"
+                say!(idle_patch)
             }
             "contact"
                 if inner == "dissipation_phase"
                     && contact.response == ContactDynamics::NonSteady =>
             {
-                "a non-steady contact finds the place of wear itself"
+                say!(idle_place_of_wear)
             }
             _ => return None,
         };
-        Some(words.to_owned())
+        Some(words)
     }
 
-    fn idle_in_wheelset(&self, key: &str) -> Option<String> {
+    fn idle_in_wheelset(&self, key: &str) -> Option<Message> {
         let model = self.file.wheelset.as_ref()?.model;
         let takes: &[WheelsetModel] = match key.split('.').next().unwrap_or_default() {
             "mass" | "roll_inertia" | "spin_inertia" => {
@@ -101,19 +103,22 @@ impl Case {
                 .iter()
                 .map(|model| format!("\"{}\"", model.name()))
                 .collect();
-            format!("it belongs to wheelset.model = {}", takes.join(" or "))
+            let either = |one: Message, other| say!(one_or_other, one = one, other = other);
+            let takes = takes.into_iter().map(Message::verbatim).reduce(either);
+            say!(
+                idle_belongs_to_wheelset,
+                models = takes.unwrap_or_else(|| Message::verbatim(""))
+            )
         })
     }
 
-    fn idle_in_track(&self, table: &str, key: &str) -> Option<String> {
+    fn idle_in_track(&self, table: &str, key: &str) -> Option<Message> {
         let track = &self.file.track;
         if self.keys.given.track.is_some() {
-            return Some("the track is a receptance given in place of the model".to_owned());
+            return Some(say!(idle_receptance_given));
         }
         if track.model == TrackModel::Measured {
-            return (!key.starts_with("measurement")).then(|| {
-                "the track is a measured receptance, with the rail and the supports that were measured".to_owned()
-            });
+            return (!key.starts_with("measurement")).then(|| say!(idle_receptance_measured));
         }
         if table == "rail" {
             let of_twist = [
@@ -125,29 +130,24 @@ impl Case {
                 "foot_width",
             ];
             let twists = self.file.rail.torsion_constant.is_some();
-            return (!twists && of_twist.contains(&key))
-                .then(|| "without rail.torsion_constant the rail does not twist".to_owned());
+            return (!twists && of_twist.contains(&key)).then(|| say!(idle_twist));
         }
         let layer = key.split('.').next().unwrap_or_default();
         let model = track.model.name();
-        let without_support = || format!("track.model = \"{model}\" is a rail without supports");
+        let without_support = || say!(idle_without_supports, model = model);
         match (track.model, layer) {
             (TrackModel::FreeBeam, _) => Some(without_support()),
             (TrackModel::MovingBeam, _) if track.pad.is_none() && track.ballast.is_none() => {
                 Some(without_support())
             }
-            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => Some(format!(
-                "track.model = \"{model}\" has no sleepers without ballast"
-            )),
+            (TrackModel::MovingBeam, "sleeper") if track.ballast.is_none() => {
+                Some(say!(idle_sleepers, model = model))
+            }
             (TrackModel::OneLayer | TrackModel::OneLayerPeriodic, "sleeper" | "ballast") => {
-                Some(format!("track.model = \"{model}\" has one layer, the pads"))
+                Some(say!(idle_one_layer, model = model))
             }
-            (_, "position") if track.model.is_periodic() => {
-                Some("growth is the mean over the bay".to_owned())
-            }
-            (_, "position") => Some(format!(
-                "track.model = \"{model}\" is the same everywhere along the rail"
-            )),
+            (_, "position") if track.model.is_periodic() => Some(say!(idle_mean_over_bay)),
+            (_, "position") => Some(say!(idle_same_everywhere, model = model)),
             _ => None,
         }
     }

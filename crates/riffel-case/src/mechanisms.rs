@@ -5,6 +5,7 @@ use std::f64::consts::TAU;
 use riffel::Direction;
 use riffel::diagnosis::{Mechanism, MechanismKind, TrafficSpeeds};
 use riffel::receptance::ResonanceKind;
+use riffel_keys::{Message, say};
 
 use crate::Case;
 use crate::track::Origin;
@@ -17,7 +18,7 @@ impl Case {
     /// Resonances are peaks of the receptance of the rail; where damping leaves no peak, they are the
     /// undamped frequencies of the layers. A receptance without a model has its peaks and dips. The pinned-pinned frequency of an evenly supported track is that of the
     /// same supports at their distance.
-    pub fn mechanisms(&self) -> (Vec<Mechanism>, Vec<String>) {
+    pub fn mechanisms(&self) -> (Vec<Mechanism>, Vec<Message>) {
         let (mut mechanisms, mut unknown) = match self.track.origin {
             Origin::Model => self.modes_of_model(),
             Origin::Measured(_) | Origin::Given => self.modes_of_receptance(),
@@ -38,55 +39,46 @@ impl Case {
     }
 
     /// Pinned-pinned modes of the rail on the supports of the case, where they are not there already.
-    fn add_pinned_pinned(&self, mechanisms: &mut Vec<Mechanism>, unknown: &mut Vec<String>) {
+    fn add_pinned_pinned(&self, mechanisms: &mut Vec<Mechanism>, unknown: &mut Vec<Message>) {
         let directions = [
-            (Direction::Vertical, MechanismKind::PinnedPinned, "vertical"),
-            (
-                Direction::Lateral,
-                MechanismKind::LateralPinnedPinned,
-                "lateral",
-            ),
+            (Direction::Vertical, MechanismKind::PinnedPinned),
+            (Direction::Lateral, MechanismKind::LateralPinnedPinned),
         ];
-        for (direction, kind, word) in directions {
+        for (direction, kind) in directions {
             if mechanisms.iter().any(|known| known.kind == kind) {
                 continue;
             }
             let frequency = self.keys.pinned_pinned(direction);
             match frequency.filter(|_| self.may_have_supports()) {
                 Some(frequency) => mechanisms.push(Mechanism::of_frequency(kind, frequency)),
-                None => unknown.push(format!(
-                    "the {word} pinned-pinned mode is not among the candidates: it needs supports at a spacing \
-                     and a rail.section whose {word} bending and shear are known"
-                )),
+                None => unknown.push(match direction {
+                    Direction::Lateral => say!(lateral_pinned_pinned_is_no_candidate),
+                    _ => say!(vertical_pinned_pinned_is_no_candidate),
+                }),
             }
         }
     }
 
     /// Peaks and dips of a receptance without a model, and P2.
-    fn modes_of_receptance(&self) -> (Vec<Mechanism>, Vec<String>) {
+    fn modes_of_receptance(&self) -> (Vec<Mechanism>, Vec<Message>) {
         let mut unknown = Vec::new();
         let resonances = self.resonances();
         let word = match self.track.origin {
-            Origin::Given => "given",
-            _ => "measured",
+            Origin::Given => say!(given_word),
+            _ => say!(measured_word),
         };
         if !resonances
             .iter()
             .any(|found| found.kind == ResonanceKind::P2)
         {
-            unknown.push(format!(
-                "P2 is not among the candidates: below the first peak of the {word} receptance the sum of rail, \
-                 wheel and contact has no least value within its frequencies"
-            ));
+            let reason = say!(no_least_sum_of_receptances, origin = word.clone());
+            unknown.push(say!(p2_is_no_candidate, reason = reason));
         }
         if resonances
             .iter()
             .all(|found| found.kind == ResonanceKind::P2)
         {
-            unknown.push(format!(
-                "modes of the track are not among the candidates: no peak or dip of the {word} receptance stands out of its \
-                 neighbours and its noise"
-            ));
+            unknown.push(say!(no_modes_of_receptance, origin = word));
         }
         let mechanisms = resonances.iter().filter_map(|found| {
             let frequency = found.angular_frequency / TAU;
@@ -117,7 +109,7 @@ impl Case {
     }
 
     /// Modes of the layers of a model, and P2.
-    fn modes_of_model(&self) -> (Vec<Mechanism>, Vec<String>) {
+    fn modes_of_model(&self) -> (Vec<Mechanism>, Vec<Message>) {
         let mut mechanisms = Vec::new();
         let mut unknown = Vec::new();
         let mut add = |kind, frequency: f64| {
@@ -125,14 +117,13 @@ impl Case {
         };
         match self.p2() {
             Some(p2) => add(MechanismKind::P2, p2.angular_frequency / TAU),
-            None => unknown.push(format!(
-                "P2 is not among the candidates: {}",
-                if self.track.support.is_none() {
-                    "the rail of this case has no support"
-                } else {
-                    "damping, or the suspension and the bending of the axle, leave no resonance of the unsprung mass on the track"
-                }
-            )),
+            None => {
+                let reason = match self.track.support {
+                    None => say!(rail_has_no_support),
+                    Some(_) => say!(no_resonance_of_unsprung_mass),
+                };
+                unknown.push(say!(p2_is_no_candidate, reason = reason));
+            }
         }
         if let (Some(support), Some(rail_mass)) = (self.track.support, self.track.rail_mass) {
             let found = self.track.resonances();
@@ -153,9 +144,7 @@ impl Case {
                 add(MechanismKind::SleeperAntiresonance, sleeper / TAU);
             }
         } else {
-            unknown.push(
-                "modes of pads and sleepers are not among the candidates: the track of this case has none".to_owned(),
-            );
+            unknown.push(say!(track_has_no_layers));
         }
         (mechanisms, unknown)
     }

@@ -1,7 +1,7 @@
 //! The wheels of a vehicle in its curve, each as the wheel of the loop.
 
 use riffel::curving::{Curve, VehicleState, WheelState};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, number, say};
 use toml::Value;
 
 use crate::Case;
@@ -29,13 +29,23 @@ pub struct WheelOfCurve {
 
 impl WheelOfCurve {
     /// As in "wheelset 1, low rail", or "wheelset 1, high rail, flange".
-    pub fn name(&self) -> String {
-        let flange = match self.contact {
-            ContactOfWheel::Tread => "",
-            ContactOfWheel::Flange => ", flange",
+    pub fn in_words(&self) -> Message {
+        let number = number(self.state.wheelset);
+        let wheel = match self.rail {
+            CurveRail::Low => say!(wheel_on_low_rail, number = number),
+            CurveRail::High => say!(wheel_on_high_rail, number = number),
+            CurveRail::Left => say!(wheel_on_left_rail, number = number),
+            CurveRail::Right => say!(wheel_on_right_rail, number = number),
         };
-        let (wheelset, rail) = (self.state.wheelset, self.rail.name());
-        format!("wheelset {wheelset}, {rail} rail{flange}")
+        match self.contact {
+            ContactOfWheel::Tread => wheel,
+            ContactOfWheel::Flange => say!(flange_of_wheel, wheel = wheel),
+        }
+    }
+
+    /// The same in English.
+    pub fn name(&self) -> String {
+        self.in_words().to_string()
     }
 }
 

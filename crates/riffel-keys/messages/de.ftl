@@ -576,6 +576,563 @@ one-group-left-out = nur { $held } wurde weggelassen: ein anderes Datum, ein and
 log-evidence = ln Evidenz { $value }, { $low } bis { $high } in { $runs } Läufen; sie ändert sich mit der Breite des Vorwissens und vergleicht daher nur Modelle mit gleichem
 models-on-doubtful-chains = { $model }: seine Ketten lassen { $doubts } Zweifel, mit mehr Ziehungen kann sich das Ergebnis ändern
 
+## The report
+
+keys-have-no-effect = { $count ->
+        [one] { $keys } hat keine Wirkung, denn { $reason }
+       *[other] { $keys } haben keine Wirkung, denn { $reason }
+    }
+variant-cannot-act = "{ $title }" kann auf diesen Fall nicht wirken: { $reasons }
+variant-changes-nothing = "{ $title }" ändert nichts: das Wachstum ist bis zur letzten Stelle das des Falls
+variant-acts-in-part = von "{ $title }" wirkt nur ein Teil: { $reasons }
+growth-of-the-level = Wachstum des Pegels nach Wellenlänge, positiv, wo Riffeln wachsen
+after-grinding = nach dem Schleifen
+now = jetzt
+rail-when = { $rail } { $time }
+in-quotes = „{ $words }“
+levels-after = Pegel nach { $passages } Achsüberrollungen, { $tonnes } Mio. t, wie er ist
+levels-of-rail-as-it-is = die Pegel sind die von { $rail }, die vorn liegt, wie er ist
+forecast-ends-before = davor, wo das Rad von der Schiene abhebt und die Prognose endet: { $titles }
+comparison = Vergleich
+keeps-tractive-ratio = "{ $title }" behält die Kraftschlussausnutzung: die Zugkraft ändert sich mit Reibung und Last; --hold force behält die Kraft
+fastest-in-millimetres = am schnellsten mm
+decibels-per-million-passages = dB je 10⁶ Überrollungen
+change-head = Änderung
+held-head = gehalten
+ridge-in-hertz = Grat Hz
+passages-to-limit-head = Überrollungen bis Grenze
+tonnes-to-limit-head = Mio. t bis Grenze
+months-to-limit-head = Monate bis Grenze
+at-edge-of-lines = { $wavelength } (Rand)
+cannot-act = kann nicht wirken
+changes-nothing = ändert nichts
+held-mixed = verschieden
+held-force = Kraft
+held-ratio = Ausnutzung
+held-creepage = Schlupf
+as-it-is = wie er ist
+growth-ridge-is-no-candidate = der Wachstumsgrat ist nicht unter den Kandidaten: { $reason }
+track-known-up-to = bei { $slowest } bis { $fastest } km/h ist das Gleis bis { $longest } mm bekannt, und Wellen unter 1,5 Kontaktlängen, { $shortest } mm, bleiben ungesehen
+share-of-belief = Anteil am Glauben, wenn jeder Mechanismus der Liste, und einer außerhalb, vorher gleich wahrscheinlich ist; er vergleicht die Kandidaten nach den genannten Gründen und ist keine Wahrscheinlichkeit, dass ein Befund stimmt
+measured-word = gemessen
+given-word = gegeben
+trend-of-neighbours = Trend der Nachbarn
+fine-level-axis = Pegel je 1/24 Oktave [dB re 1 µm]
+how-fine-bands-are = Bänder von 1/24 Oktave, wenigstens eine Linie der Transformation breit; Trend der ersten Kurve.
+level-axis = Pegel [dB re 1 µm]
+means-of-levels = Mittel der Terzpegel.
+perhaps-made-by = { $wavelength } mm: { $mechanism }?
+dominant-wavelengths = Vorherrschende Wellenlängen
+caption-of-diagnosis = { $file }: { $record }. { $bands } An jeder Wellenlänge steht der führende Kandidat; die Liste nennt die anderen und die Gründe.
+dominant-wavelength-at = vorherrschende Wellenlänge { $wavelength } mm ({ $from }–{ $to } mm), { $place }, { $frequency } Hz bei { $speeds }
+dominant-wavelength = vorherrschende Wellenlänge { $wavelength } mm ({ $from }–{ $to } mm), { $frequency } Hz bei { $speeds }
+rail-all-along = { $rail }, durchgehend
+rail-from-to = { $rail }, { $from }–{ $to } m
+and-more-places = { $count ->
+        [one] { $place } und an einem weiteren Ort
+       *[other] { $place } und an { $count } weiteren Orten
+    }
+scatter-of = Streuung { $scatter } dB
+scatter-unknown = Streuung unbekannt, nur ein Spektrum
+level-of-record = Pegel { $level } dB re 1 µm, Messung { $record }
+level-of-peak = Pegel { $level } dB re 1 µm
+level-of-rail = { $name } { $level }
+with-levels-of-rails = { $level } ({ $rails })
+stands-over-its-trend = { $level }, { $prominence } dB über dem Trend seiner Nachbarn ({ $scatter })
+by-chance-in-a-million = zufällig in weniger als einem von einer Million Spektren
+by-chance = zufällig in einem von { $spectra } Spektren
+harmonic-of = Harmonische { $order } von { $wavelength } mm
+means-of-energies = Mittel der Energien { $levels }
+candidate-leads = { $first } führt mit einem Anteil von { $share }, dann folgt { $second } mit { $other }.
+level-falls-as-grinding-mark = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Schleifspur tut und eine wachsende Riffel nicht. Am ehesten eine abklingende Schleifspur und keine wachsende Riffel.
+level-falls = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Spur tut und eine wachsende Riffel nicht.
+level-rises = Der Pegel steigt mit einer Wahrscheinlichkeit von { $percent }, wie es eine Riffel unter Verkehr tut und eine Schleifspur nicht.
+rise-is-open = Ob der Pegel steigt, ist offen (Wahrscheinlichkeit { $percent } %).
+one-record-only = Es gibt nur eine Messung: Ob sie wächst, ist nicht bekannt.
+two-sentences = { $one } { $other }
+mechanism-of = { $mechanism }, { $wheel }
+more-than-999-per-mille = mehr als 99,9 %
+percent-of = { $percent } %
+speeds-of-the-map = alle Geschwindigkeiten der Karte des Falls, { $slowest }–{ $fastest } km/h, gelten als gleich häufig; feste Frequenzen lassen sich so schlecht unterscheiden
+explains-any-wavelength = Sie erklärt jede Wellenlänge und jeden Verlauf, keinen davon gut.
+patch-averages = Die Kontaktfläche mittelt über so kurze Wellen: von { $wavelength } lässt sie { $percent } % durch.
+trolley-measures-rail-alone = Ein Messwagen von Hand misst die Schiene allein, und Räder vieler Durchmesser prägen ihr kein gemeinsames Muster ein.
+known-with-damping = Dämpfung { $ratio } %, ±{ $spread } %
+known-to = ±{ $spread } %
+frequency-makes = { $frequency } Hz ({ $known }) ergibt { $range } bei { $speeds }; gemessen { $measured }, also { $frequencies }.
+case-grows-at-measured = Bei { $speeds } wächst der Fall am schnellsten bei { $wavelength } ({ $rate } je Überrollung); bei { $measured } wächst er um { $own }, das sind { $percent } % davon.
+case-decays-at-measured = Bei { $speeds } wächst der Fall am schnellsten bei { $wavelength } ({ $rate } je Überrollung); bei { $measured } klingt er um { $own } ab.
+case-lets-nothing-grow = Bei { $speeds } lässt der Fall keine Wellenlänge wachsen, auch { $measured } nicht.
+measured-outside-growth = { $measured } liegt außerhalb der Wellenlängen, bei denen der Fall wachsen kann: die seiner Karte, und nicht unter 1,5 Kontaktlängen.
+wavelengths-at-any-speed = Ihre Wellenlängen sind { $range }, wie schnell der Verkehr auch fährt; gemessen { $measured }.
+order-of-length = { $length } durch { $order } ist { $nearest }, das { $ratio }-fache der gemessenen { $measured }, wie schnell der Verkehr auch fährt.
+marks-fade-under-traffic = Bearbeitungsspuren klingen unter Verkehr ab; dieser Pegel: { $course }.
+corrugation-grows-under-traffic = Riffeln wachsen unter Verkehr; dieser Pegel: { $course }.
+measure-at-other-speed = Geschwindigkeit: dort messen, wo dieselben Züge ein Fünftel langsamer fahren. Eine feste Frequenz ({ $frequencies }) stünde dort bei { $moved } mm, eine Spur oder Ordnung einer Länge wie hier bei { $wavelength } mm
+in-weeks-moves = in { $weeks } Wochen bewegt der jetzige Verlauf den Pegel um das Dreifache seiner Streuung
+intervals-move = { $records } Abstände zwischen diesen Messungen bewegen den Pegel um das Dreifache seiner Streuung
+after-three-months = nach drei Monaten und noch einmal nach sechs, an derselben Stelle
+measure-again = Zeit: diese Messung wiederholen ({ $when }). Eine Riffel steigt, eine Schleifspur fällt
+year = Jahr
+record = Messung
+course-falls = { $levels } dB re 1 µm: fällt jedes Mal, { $slope } ± { $scatter } dB je { $unit }
+course-rises = { $levels } dB re 1 µm: steigt jedes Mal, { $slope } ± { $scatter } dB je { $unit }
+course-is-open = { $levels } dB re 1 µm: steigt und fällt nicht jedes Mal, { $slope } ± { $scatter } dB je { $unit }
+after-tonnes = nach { $tonnes } Mio. t
+after-tonnes-at-end = nach { $tonnes } Mio. t, wo die Prognose endet
+by-vehicle = durch { $vehicle }, { $percent } %
+mix-of-vehicles = Mischung
+caption-of-forecast = Nach { $amount }. Terzpegel; Wachstum des Pegels nach Wellenlänge, positiv, wo Riffeln wachsen: was jede Fahrzeugart beiträgt und ihre Summe. Die Prognose endet, wo das Rad von der Schiene abhebt.
+levels-of-leading-rail = Die Pegel sind die von { $rail }, die vorn liegt.
+growth-forecast = Wachstumsprognose
+months-axis = Monate
+million-passages-axis = 10⁶ Achsüberrollungen
+crest = Wellenberg
+falling-flank = fallende Flanke
+trough = Wellental
+rising-flank = steigende Flanke
+cracks-at = Risse bei { $wavelength } mm
+crack-axis = Länge eines Risses [mm]
+growth-axis = Wachstum [dB je 10⁶ Überrollungen]
+rail-leads = { $rail } liegt vorn: { $sentence }
+bands-not-forecast = nicht vorhergesagt: { $count } Bänder von { $first } bis { $last } mm, die außerhalb von map.wavelength des Falls liegen
+grinding-interval-from = Schleifintervall ab { $ground }
+grinding-interval = Schleifintervall
+over-the-limit-now = jetzt über der Grenze: { $edition } bei { $wavelength } mm um { $decibels } dB
+limit-reached-after = { $edition } ist bei { $wavelength } mm erreicht nach { $amount }
+no-band-reaches = kein vorhergesagtes Band erreicht je { $edition }
+limit-not-reached-before = { $edition } ist nicht erreicht, bevor das Rad von der Schiene abhebt, wo die Prognose endet
+beyond-linear-range-now = jetzt außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀ unter "{ $vehicle }", Rad und Schiene trennen sich also; dann wächst die Riffel anders, als der lineare Kreis sagt, und nichts wird vorhergesagt
+linear-range-ends = linearer Bereich: |P₁| ist jetzt { $ratio } P₀ und erreicht P₀ unter "{ $vehicle }" nach { $amount }; dort hebt das Rad von der Schiene ab, und die Prognose endet
+linear-range-never-ends = linearer Bereich: |P₁| ist jetzt { $ratio } P₀ unter "{ $vehicle }" und erreicht P₀ nie
+amount-with-date = { $passages } Achsüberrollungen = { $tonnes } Mio. t = { $months } Monate ({ $date })
+amount-with-months = { $passages } Achsüberrollungen = { $tonnes } Mio. t = { $months } Monate
+amount-of-traffic = { $passages } Achsüberrollungen = { $tonnes } Mio. t
+rail-not-forecast = { $rail } hat kein Band zwischen { $from } und { $to } mm, map.wavelength des Falls, und bleibt weg
+wavelength-in-millimetres = Wellenlänge [mm]
+median = Median
+forecast = Prognose
+caption-of-posterior-forecast = { $draws } Ziehungen der Nachverteilung; Monate bis zur Grenze: { $months }.
+at-the-last-date = am letzten Datum
+months-later = { $months } Monate später
+growth-goes-by-this-rail = das Wachstum rechnet mit dem Verschleißbeiwert dieser Schiene, { $coefficient } kg/J, { $interval }: Er ist an das angepasst, was sich über { $passages } Überrollungen geändert hat; der Fall hat { $given } kg/J
+interval-of-coefficient = 95-%-Intervall { $low } bis { $high } kg/J
+coefficient-is-fitted = Verschleißbeiwert { $coefficient } kg/J, { $interval }: Prognose damit durch --set wear.coefficient={ $value }
+no-coefficient-nothing-grows = kein Verschleißbeiwert: von keinem gemessenen Band sagt das Modell, dass es wächst
+no-coefficient-nothing-moved = kein Verschleißbeiwert: die Bänder, die nach dem Modell wachsen sollten, haben sich nicht bewegt
+no-coefficient-bands-fell = kein Verschleißbeiwert: die Bänder, die nach dem Modell wachsen sollten, sind gefallen; auf dieser Schiene ist also nicht die Riffel dieses Modells
+no-coefficient-indistinct = kein Verschleißbeiwert: das Wachstum ist von keinem nicht zu unterscheiden, { $interval }
+no-coefficient-claimed = kein Verschleißbeiwert wird behauptet: Ein Intervall braucht drei Messungen von jedem Datum oder 30 m Profil; am besten passt { $coefficient } kg/J
+band-fades-against-model = { $wavelength } mm wächst nicht, wie es das Modell sagt: { $measured } dB gemessen, { $predicted } dB vorhergesagt; es klingt ab, wie es eine Schleifspur tut
+band-grows-against-model = { $wavelength } mm wächst, wo es nach dem Modell abklingt: { $measured } dB gemessen, { $predicted } dB vorhergesagt
+band-fades-as-in-model = { $wavelength } mm klingt ab, { $measured } dB gemessen, und auch im Modell, { $predicted } dB: was abklingt, wie es eine Schleifspur tut, ist keine wachsende Riffel
+band-grows-unlike-fit = { $wavelength } mm wächst nicht, wie es die Anpassung sagt: { $measured } dB gemessen, { $fitted } dB angepasst
+beyond-linear-range = außerhalb des linearen Bereichs
+never = nie
+number-alone = { $number }
+noise-beside-the-track = Rollgeräusch neben dem Gleis
+caption-of-noise = Äquivalenter Pegel über die Vorbeifahrt bei { $speed } km/h, { $distance } m von der Gleismitte und { $height } m über der Schiene, re 20 µPa, Terzen ohne Bewertung. { $parameters }
+level-a-weighted = { $level } dB(A)
+part-and-level = { $part } { $level }
+what-would-help = was hülfe, jedes allein
+limit-word = Grenze
+under-traffic = unter Verkehr
+time-axis-in-months = Zeit [Monate]
+level-axis-a-weighted = Pegel [dB(A)]
+level-axis-in-decibels = Pegel [dB]
+grinding-shifts = { $count ->
+        [one] 1 Schleifschicht
+       *[other] { $count } Schleifschichten
+    }
+grinding-costs-a-year = { $length } m Strecke zu schleifen kostet { $shifts } und { $cost } { $currency }, { $yearly } { $currency } im Jahr, wenn alle { $months } Monate geschliffen wird
+grinding-costs = { $length } m Strecke zu schleifen kostet { $shifts } und { $cost } { $currency }
+input-head = Eingabe
+file-head = Datei
+what-it-is-head = was es ist
+growth-map = Wachstumskarte
+speed-axis-in-kilometres-per-hour = Geschwindigkeit V [km/h]
+strongest-growth-at-each-speed = stärkstes Wachstum bei jeder Geschwindigkeit
+strongest-at-edge = am stärksten am Rand des Fensters
+frequency-of-strongest-branch = feste Frequenz des stärksten Astes
+branches-of-growth = Äste des Wachstums
+constant-frequency = feste Frequenz V = fλ
+neither-growth-nor-decay = weder Wachstum noch Abklingen
+not-computed = nicht berechnet
+rail-and-group = { $rail }, { $group }
+measured-wavelength = gemessen { $wavelength } mm
+where-measured-wavelengths-stand = gemessene Wellenlängen bei der langsamsten, mittleren und schnellsten von { $speeds }
+outside-the-map = außerhalb der Karte: { $wavelengths }
+nothing-stands-out = keine vorherrschende Wellenlänge: nichts ragt mehr als zufällig 3 dB über den Trend seiner Nachbarn
+diagnosis = Diagnose
+share-capital = Anteil
+mechanism-head = Mechanismus
+source-head = Quelle
+valid-for-head = gültig für
+sources-and-validity = Quellen und Gültigkeit
+course-capital = Verlauf
+candidate-head = Kandidat
+share-head = Anteil
+frequency-in-hertz-head = Frequenz [Hz]
+predicts-in-millimetres = sagt vorher [mm]
+to-tell-them-apart = Was sie unterscheidet
+profile = Profil
+moving-rms-along-the-line = Gleitender Effektivwert entlang der Strecke
+spectrum-and-limits = Spektrum und Grenzen
+wavelength-bands = Wellenlängenbänder
+what-to-grind = Was zu schleifen ist
+what-if = Was wäre, wenn
+since-when = Seit wann
+why-and-how-sure = Warum, und wie sicher
+no-dates-are-told = Daten, Zeiten und was Maßnahmen sparen würden, stehen hier deshalb nicht; unten stehen sie so, wie das Modell sie hat
+not-plausible = Nicht plausibel
+model-does-not-explain-growth = das Modell erklärt das gemessene Wachstum nicht und kann darum nicht sagen, was es senken würde
+what-comes = Was kommt
+what-helps = Was hilft
+what-is-heard = Was zu hören ist
+no-roughness-given = es wurde keine Rauheit angegeben
+roughness-not-diagnosed = die Rauheit wurde nicht diagnostiziert
+how-bad-and-where = Wie schlimm, und wo
+forecast-over-calibration = Prognose über die Kalibrierung
+no-case-given = es wurde kein Fall angegeben
+what-it-costs = Was es kostet
+rail-roughness-and-corrugation = Schienenrauheit und Riffeln
+levels-are-no-profile = die Messung ist eine Tabelle von Pegeln; nötig ist ein Profil
+course-of-wavelength = { $wavelength }, { $first } bis { $last }: { $course }
+no-wavelength-stands-out = aus der Rauheit ragt keine vorherrschende Wellenlänge heraus
+wavelength-stands-out-at = { $wavelength } ragt heraus, { $place }, { $level } dB
+wavelength-stands-out = { $wavelength } ragt heraus, { $level } dB
+limit-of-name = Grenze { $name }
+preset-of-name = Vorgabe { $name }
+built-in-head = eingebaut
+made-by = erstellt von riffel { $version }. Dieselben Dateien und dieselbe Version ergeben denselben Bericht
+inputs-and-versions = Eingaben und Versionen
+no-warnings = keine
+warnings-and-limits-of-models = Warnungen und Grenzen der Modelle
+no-level = nichts
+train-is-heard = bei { $speed } km/h ist ein Zug mit { $wheels } Rädern auf jeder Schiene, { $length } m lang, zu hören mit { $level }, { $distance } m von der Gleismitte
+level-is-of = davon: { $parts }
+measure-saves = { $title } { $saved } dB
+each-alone-would-save = jedes für sich spart: { $savings }
+noise = Rollgeräusch
+now-in-decibels = jetzt [dB]
+then-in-decibels = dann [dB]
+limit-in-decibels = Grenze [dB]
+wheel-leaves-the-rail-after = Rad hebt ab nach
+the-traffic = dem Verkehr
+levels-after-grinding = Terzpegel unter { $traffic }; jetzt ist nach dem Schleifen auf { $ground }; dann ist nach { $amount }
+levels-under-traffic = Terzpegel unter { $traffic }; dann ist nach { $amount }
+growth-is-uncertain = Prognose und Was-wäre-wenn: Wachstumsraten sind proportional zu einem Verschleißbeiwert, der auf einen Faktor zwei und mehr unsicher ist, bis er an zwei datierte Messungen angepasst ist (--earlier, --dates)
+variant-head = Variante
+case-and-variants = der Fall und seine Varianten bei { $speeds }
+limit-is = Grenze: { $edition }
+from-ground = ab { $ground }
+held-is = gehalten ist, was eine Änderung von Reibung oder Last lässt, wie es ist: die Zugkraft, die Kraftschlussausnutzung Q₀/μP₀ oder der Schlupf
+no-variant-can-act = keine der Varianten kann auf diesen Fall wirken
+variant-lowers-most = von den Varianten senkt „{ $title }“ das schnellste Wachstum am meisten, um { $percent } %
+no-variant-lowers = keine der Varianten senkt das schnellste Wachstum
+with-held = { $sentence } (gehalten: { $held })
+without-any-effect = ohne jede Wirkung: { $titles }
+limit-is-passed-on = die Grenze ({ $edition }) ist auf { $rail } schon überschritten; --ground oder --from-limit sagt, wie lange jede Variante nach dem Schleifen hält
+limit-is-passed = die Grenze ({ $edition }) ist schon überschritten; --ground oder --from-limit sagt, wie lange jede Variante nach dem Schleifen hält
+with-variant = mit „{ $title }“
+gross-tonnes = { $tonnes } Mio. t
+reached-after = nach { $time } { $variant }
+reached-beyond-linear-range = { $variant } nicht, bevor das Rad von der Schiene abhebt
+never-reached = { $variant } nie
+on-rail = { $sentence } auf { $rail }
+limit-is-reached-from = von { $ground } an ist die Grenze ({ $edition }) erreicht { $times }
+limit-is-reached = die Grenze ({ $edition }) ist erreicht { $times }
+in-brief = In Kürze
+not-in-this-report = Nicht in diesem Bericht
+line-of-site = Strecke
+height-axis = Höhe [µm]
+caption-of-heights = Höhen wie gelesen, nach oben positiv, { $from } m bis { $to } m. Je von { $columns } Längen die tiefste und die höchste; Lücken sind Lücken.
+caption-of-moving-rms = Höchster gleitender Effektivwert je { $block } m, nach Wellenlängenband; gestrichelt in derselben Farbe: die Grenze des Bands. Die schlechteste Schiene zuerst.
+caption-of-levels = Terzpegel nach EN 15610:2009, Verfahren A, ohne { $spikes } und { $pits }; Bänder zur Basis zehn
+group-of-spectra = { $name } ({ $count })
+caption-of-group-means = Energiemittel über die Spektren jeder Gruppe: { $groups }
+dashed-limit = Gestrichelt: { $edition } ({ $source })
+within-the-limit = innerhalb der Grenze
+over-the-limit = über der Grenze
+band-in-millimetres = Band [mm]
+rms-in-micrometres = Effektivwert [µm]
+highest-moving-rms = höchster gleitender Effektivwert [µm]
+highest-peak-to-peak = höchster Spitze-Spitze-Wert [µm]
+window-in-metres = Fenster [m]
+limit-of-rms = Grenze des Effektivwerts [µm]
+length-over-the-limit = Länge über der Grenze
+limit-of-bands = Grenze: { $edition } ({ $source })
+how-bands-are-filtered = Profil ohne Spitzen, Bandpass ohne Phasendrehung, jede Schiene für sich, die schlechteste zuerst
+needs-a-limit-of-rms = nötig ist eine Tabelle von Grenzen des Effektivwerts (--limit)
+no-band-over-its-limit = nichts: kein Band liegt irgendwo über seiner Grenze
+section-head = Abschnitt
+from-in-metres = von [m]
+to-in-metres = bis [m]
+length-in-metres = Länge [m]
+worst-band-in-millimetres = schlimmstes Band [mm]
+rms-over-limit = Effektivwert über Grenze [-]
+further-sections = { $count } weitere Abschnitte stehen in grind.csv von riffel roughness
+how-sections-are-ground = Abschnitte, die höchstens { $merge } m auseinanderliegen, werden als einer geschliffen, und keiner unter { $shortest } m
+no-length-over-rms-limits = nirgends ist eine Grenze des Effektivwerts überschritten: nichts zu schleifen
+sections-to-grind = { $count ->
+        [one] 1 Abschnitt zu schleifen, { $sums }
+       *[other] { $count } Abschnitte zu schleifen, { $sums }
+    }
+sections-at-defects = Abschnitte mit einer Schweißung, einem Stoß oder Squat darunter: { $count }
+railway = Bahn
+place-of-site = Ort
+measured-on = Gemessen am
+instrument = Messgerät
+author = Verfasser
+date-of-report = Datum
+caption-of-strip-map = Die Strecke: Rot liegt über der Grenze des RMS und ist zu schleifen; Blau ist eine vorherrschende Wellenlänge; Schwarz ist eine Schweißung, ein Stoß oder Squat.
+mechanism-growth-ridge = Wachstumsgrat
+mechanism-lateral-pinned-pinned = Pinned-Pinned, lateral
+mechanism-grinding-mark = Schleifspur
+mechanism-support-spacing = Schwellenfach-Überrollung
+mechanism-wheel-circumference = Radumfang
+mechanism-unlisted = nicht aufgeführte Ursache
+energy-mean = Energiemittel
+rail-roughness = Schienenrauheit
+caption-of-profile = { $file }: Terzpegel nach EN 15610:2009 (Verfahren A); höchster gleitender Effektivwert je { $block } m, seine Grenze gestrichelt.
+position-axis-in-metres = Ort entlang der Schiene [m]
+position-axis-in-kilometres = Ort entlang der Schiene [km]
+moving-rms-axis = gleitender Effektivwert [µm]
+caption-of-means = { $file }: Mittel über die Spektren jeder Gruppe.
+mean-of-energies = Mittel der Energien
+mean-of-levels = Pegelmittel
+worst-within = am schlechtesten ist { $rail }; jede Schiene hält die Grenzen ein
+worst-over = am schlechtesten ist { $rail }, über { $count } von { $all } Grenzen
+stretches-too-short-for-band = keine Statistik für { $band } mm: kein Abschnitt ist vier seiner längsten Wellen lang, { $length } m
+samples-too-far-for-band = keine Statistik für { $band } mm: die Messpunkte liegen { $step } mm auseinander
+rms-unlike-any-rail = ein Effektivwert von { $rms } µm zwischen 30 und 100 mm passt zu keiner Schiene: die Einheit der Höhen prüfen
+group-and-rail = { $group }, { $rail }
+peak-falls = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, fällt jedes Mal: eine feste Wellenlänge, die abklingt, wie es eine Schleifspur tut, und keine wachsende Riffel
+peak-rises = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt jedes Mal: sie wächst unter Verkehr
+peak-stays = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt und fällt nicht jedes Mal
+sections-over-levels = für sich liegen { $over } von { $all } Abschnitten von { $length } m darüber, am meisten { $from }–{ $to } m um { $decibels } dB bei { $wavelength } mm
+rail-named = Schiene { $name }
+verdict-within = { $edition }: innerhalb der Grenze, { $rest }
+verdict-over = { $edition }: über der Grenze, { $rest }
+all-bands-within = { $all } Bänder; bei { $wavelength } mm bleiben { $room } dB
+measured-bands-within = { $measured } gemessene Bänder von { $all }; bei { $wavelength } mm bleiben { $room } dB
+bands-over = { $count } von { $all } Bändern, am meisten um { $decibels } dB bei { $wavelength } mm
+measured-bands-over = { $count } von { $measured } gemessenen Bändern von { $all }, am meisten um { $decibels } dB bei { $wavelength } mm
+share-of-band = { $band } mm { $share } %
+length-may-be-over = auf { $allowed } % der Länge darf sie überschritten sein
+no-section-over = auf { $allowed } % von je { $length } m darf sie überschritten sein, und auf mehr ist sie es in keinem von { $all } Abschnitten
+sections-over = auf { $allowed } % von je { $length } m darf sie überschritten sein, und auf mehr ist sie es in { $over } von { $all } Abschnitten, am meisten von { $from } bis { $to } m mit { $share } % bei { $band } mm, bis zum { $ratio }-Fachen der Grenze
+no-header = kein Kopf
+header-of-one-line = ein Kopf von einer Zeile
+header-of-lines = ein Kopf von { $count } Zeilen
+no-position = kein Ort
+falling-position-in-column = Ort in Spalte { $column } [{ $unit }], fallend
+position-in-column = Ort in Spalte { $column } [{ $unit }]
+rail-in-column = { $name } in Spalte { $column } [{ $unit }]
+read-as = gelesen als: { $delimiter }, { $decimal }, { $header }; { $position }; { $rails }
+metres-of-rail = { $name } { $length } m
+line-of-rails-to-grind = zusammen { $length } m Strecke zu schleifen ({ $rails }), { $share } % der gemessenen Strecke
+line-to-grind = zusammen { $length } m Strecke zu schleifen, { $share } % der gemessenen Strecke
+low = innen
+high = außen
+idle-belongs-to-curve = er gehört zu `riffel curve` und `riffel profile`
+idle-amplitude = Wachstumsraten hängen nicht von der Amplitude ab
+idle-one-wheel = es gibt nur ein Rad, das mit keinem anderen interferiert
+idle-map = die Bänder sind die des Falls und die Geschwindigkeiten die des Verkehrs
+idle-inertia = wheel.rotation ist der Grenzfall ohne Trägheit oder unendlicher Trägheit
+idle-rotation = wheel.rotation hält den Schlupf oder die Kraft längs der Schiene fest
+idle-contact-angle = bei einem Kontaktwinkel von null hat das Rad überall denselben Radius
+idle-free-wheel = ein frei drehendes Rad nimmt jeden Radius an
+idle-belongs-to = er gehört zu { $keys }
+idle-patch = ein instationärer Kontakt löst seine Berührfläche auf
+idle-place-of-wear = ein instationärer Kontakt findet den Ort des Verschleißes selbst
+one-or-other = { $one } oder { $other }
+idle-belongs-to-wheelset = er gehört zu wheelset.model = { $models }
+idle-receptance-given = das Gleis ist eine Rezeptanz an Stelle des Modells
+idle-receptance-measured = das Gleis ist eine gemessene Rezeptanz, mit der Schiene und den Stützpunkten, die gemessen wurden
+idle-twist = ohne rail.torsion_constant verdreht sich die Schiene nicht
+idle-without-supports = track.model = "{ $model }" ist eine Schiene ohne Stützpunkte
+idle-sleepers = track.model = "{ $model }" hat ohne Schotter keine Schwellen
+idle-one-layer = track.model = "{ $model }" hat eine Schicht, die Zwischenlagen
+idle-mean-over-bay = das Wachstum ist das Mittel über das Schwellenfach
+idle-same-everywhere = track.model = "{ $model }" ist überall entlang der Schiene gleich
+lateral-pinned-pinned-is-no-candidate = die laterale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil (rail.section), dessen laterale Biegung und Schub bekannt sind
+vertical-pinned-pinned-is-no-candidate = die vertikale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil (rail.section), dessen vertikale Biegung und Schub bekannt sind
+no-least-sum-of-receptances = unter der ersten Spitze der Rezeptanz ({ $origin }) hat die Summe aus Schiene, Rad und Kontakt in ihren Frequenzen kein Minimum
+p2-is-no-candidate = P2 ist nicht unter den Kandidaten: { $reason }
+no-modes-of-receptance = Moden des Gleises sind nicht unter den Kandidaten: in der Rezeptanz ({ $origin }) ragt weder Spitze noch Senke aus Nachbarn und Rauschen
+rail-has-no-support = die Schiene dieses Falls liegt nirgends auf
+no-resonance-of-unsprung-mass = Dämpfung, oder Federung und Biegung der Achse, lassen keine Resonanz der ungefederten Masse auf dem Gleis
+track-has-no-layers = Moden von Zwischenlagen und Schwellen sind nicht unter den Kandidaten: das Gleis dieses Falls hat keine
+wheel-of-the-case = das Rad des Falls
+wheel-on-low-rail = Radsatz { $number }, innere Schiene
+wheel-on-high-rail = Radsatz { $number }, äußere Schiene
+wheel-on-left-rail = Radsatz { $number }, linke Schiene
+wheel-on-right-rail = Radsatz { $number }, rechte Schiene
+all-rails-grow-alike = alle Schienen haben das Wachstum { $of_rail } (contact.from); im Bogen wächst die andere mit eigener Rate, die contact.from.rail erfragt
+of-low = der inneren Schiene
+of-high = der äußeren Schiene
+flange-of-wheel = { $wheel }, Spurkranz
+traffic-word = Verkehr
+at-spread-speed = { $speed } km/h mit einer Standardabweichung von { $deviation } km/h
+neither-speed-nor-traffic = weder --speed noch --traffic angegeben
+not-fitted-without-passages = der Verschleißbeiwert ist nicht an die frühere Messung angepasst, weil die Überrollungen seither nicht bekannt sind: Sie folgen aus den Daten beider Messungen und aus einer Verkehrsdatei, die sagt, wie viel gefahren wird, oder werden angegeben (--passages-between)
+coefficient-not-fitted = der Verschleißbeiwert ist nicht angepasst: { $reason }
+input-roughness = Rauheit
+input-of-the-same-rail = von derselben Schiene
+input-earlier-record = frühere Messung
+a-case = ein Fall
+input-with = { $title }, mit { $values }
+input-case = Fall
+input-track-receptance = Rezeptanz des Gleises
+input-traffic = Verkehr
+input-vehicles = Fahrzeuge, Geschwindigkeiten, Lasten
+input-changes = Änderungen am Fall
+input-reader-profile = Leseprofil
+input-layout = Aufbau von Profilen
+input-limit-table = Grenzwerttabelle
+input-of-your-own = eigene
+input-site = Ort
+input-words-at-the-top = die Wörter oben
+standard-input = Standardeingabe
+one-third-octave-spectra = { $count ->
+        [one] 1 Terzspektrum
+       *[other] { $count } Terzspektren
+    }
+chosen-spectra = { $count } Terzspektren, die mit { $choices }
+needs-a-limit-of-levels = nötig ist eine Grenze von Pegeln (--limit)
+no-traffic-given = es wurde kein Verkehr angegeben (--traffic)
+no-variant-given = es wurde keine Variante angegeben (--with)
+spikes = { $count ->
+        [one] 1 Spitze
+       *[other] { $count } Spitzen
+    }
+pits = { $count ->
+        [one] 1 Grube
+       *[other] { $count } Gruben
+    }
+uneven-positions = die Orte weichen im Effektivwert { $off } mm von gleichen Schritten von { $step } mm ab: die Höhen sind kubisch auf gleiche Schritte interpoliert
+rows-without-position = { $count ->
+        [one] 1 Zeile ohne Ort weggelassen
+       *[other] { $count } Zeilen ohne Ort weggelassen
+    }
+rows-repeat-position = { $count ->
+        [one] 1 Zeile mit dem Ort der Zeile davor weggelassen
+       *[other] { $count } Zeilen mit dem Ort der Zeile davor weggelassen
+    }
+rows-after-gap = { $count ->
+        [one] 1 Zeile nach einer Lücke bis { $gap } mm, durch Geraden gefüllt
+       *[other] { $count } Zeilen nach einer Lücke bis { $gap } mm, durch Geraden gefüllt
+    }
+rows-after-jump = { $count ->
+        [one] 1 Zeile nach einer längeren Lücke oder einem Sprung, zusammen { $length } m, wo die Messung geteilt ist
+       *[other] { $count } Zeilen nach einer längeren Lücke oder einem Sprung, zusammen { $length } m, wo die Messung geteilt ist
+    }
+rows-go-back = { $count ->
+        [one] 1 Zeile, in der der Ort zurückspringt: dort ist die Messung geteilt
+       *[other] { $count } Zeilen, in denen der Ort zurückspringt: dort ist die Messung geteilt
+    }
+rows-behind = { $count ->
+        [one] 1 Zeile hinter der Zeile davor weggelassen
+       *[other] { $count } Zeilen hinter der Zeile davor weggelassen
+    }
+below-limit = { $decibels } dB unter { $edition }
+in-windows = , ganz und in Fenstern von { $window } m
+profile-of-rails = { $count ->
+        [one] Profil, 1 Schiene von { $length } m{ $windows }, { $segments } Abschnitte von { $segment } m gemittelt
+       *[other] Profil, { $count } Schienen von { $length } m{ $windows }, { $segments } Abschnitte von { $segment } m gemittelt
+    }
+record-lacks-rail = hat keine Schiene { $rail }, deren Verlauf also nicht bekannt ist
+record-lacks-rail-there = hat keine Schiene { $rail }, deren Verlauf dort also nicht bekannt ist
+rail-not-measured-there = Schiene { $rail } wurde von { $from } m bis { $to } m nicht gemessen, ihr Verlauf dort ist also nicht bekannt
+spectra-of-records = { $count ->
+        [one] { $spectra }, 1 Messung
+       *[other] { $spectra }, { $count } Messungen
+    }
+spectra-of-records-by-rail = { $count ->
+        [one] { $spectra }, 1 Messung, { $rails } Schienen einzeln beurteilt
+       *[other] { $spectra }, { $count } Messungen, { $rails } Schienen einzeln beurteilt
+    }
+earlier-records = { $count ->
+        [one] 1 frühere Messung
+       *[other] { $count } frühere Messungen
+    }
+its-unit-is-no-length = ihre Einheit ist keine Länge
+it-is-computed = sie ist aus anderen Spalten berechnet
+position-and-heights-in = Ort in { $unit } und Höhen in { $other }
+position-in = Ort in { $unit }
+heights-in = Höhen in { $unit }
+by-line = { $what } nach Zeile { $line }
+taken-for-granted = { $what } angenommen
+it-numbers-the-rows = sie zählt die Zeilen
+it-is-neither = sie ist weder ein Ort noch eine Höhe
+text-behind-left-out = der Text hinter Spalte { $column } bleibt weg
+text-columns-left-out = Text in Spalte { $columns } bleibt weg
+column-left-out = Spalte { $column } bleibt weg: { $reason }
+headed-column-left-out = Spalte { $column }, "{ $head }", bleibt weg: { $reason }
+it-is-geometry = das ist Gleisgeometrie
+it-is-a-statistic = das ist eine Grenze oder eine Statistik, keine gemessene Schiene
+marks-of-missing-values = { $count ->
+        [one] Spalte { $column } hat { $mark } in 1 Zeile, das gilt als fehlender Wert
+       *[other] Spalte { $column } hat { $mark } in { $count } Zeilen, das gilt als fehlender Wert
+    }
+first-at-line = { $sentence }; zuerst in Zeile { $line }
+coarse-sampling = alle { $step } mm ein Messpunkt; EN 15610 verlangt 1 mm oder weniger
+short-stretches-left-out = { $length } m in Abschnitten unter { $shortest } m weggelassen
+heights-missing = { $count ->
+        [one] 1 Höhe fehlt; bis zu { $longest } in Folge sind durch Geraden ersetzt, mehr bleiben weg
+       *[other] { $count } Höhen fehlen; bis zu { $longest } in Folge sind durch Geraden ersetzt, mehr bleiben weg
+    }
+heights-clipped = { $samples } Höhen stehen am Ende des Messbereichs, { $low } oder { $high } in der Einheit der Datei, über { $run } Messpunkte und mehr: der Aufnehmer ist übersteuert
+now-is-latest-of-each-rail = Spalte `{ $column }` hat { $count } Daten: jetzt ist das letzte jeder Schiene, { $last }
+commas = Kommas
+semicolons = Semikolons
+tabs = Tabulatoren
+blanks = Leerzeichen
+decimal-point = Dezimalpunkt
+decimal-comma = Dezimalkomma
+source-of-growth-ridge = Afferrante & Ciavarella (2009), mit Rezeptanzen, Kontakt und Verschleiß dieses Falls
+source-of-p2 = 50–100 Hz bei Afferrante & Ciavarella (2009); hier das Minimum der Summe der Rezeptanzen von Schiene, Rad und Kontakt dieses Falls
+source-of-full-track = Nahe 100 Hz (Bhaskar et al., bei Afferrante & Ciavarella 2009); hier die Spitze der Schienenrezeptanz des Falls
+source-of-sleeper-antiresonance = Kleine vertikale Rezeptanz nahe 300 Hz (Müller, bei Afferrante & Ciavarella 2009); hier √((k_p + k_b)/m_s) dieses Falls
+source-of-rail-on-pad = die Spitze der Schienenrezeptanz des Falls, sonst √(k_p/m)
+source-of-pinned-pinned = Nahe 800 Hz bei 0,75 m und 1200 Hz bei 0,6 m (Grassie & Kalousek, bei Afferrante & Ciavarella 2009); Nielsen (2003) zur kleinen Rezeptanz über Schwellen; hier der Timoshenko-Balken dieses Falls
+source-of-lateral-pinned-pinned = 513,7 Hz lateral neben 1050 Hz vertikal (Wang & Lei 2020); hier der Timoshenko-Balken dieses Falls, lateral
+source-of-measured-peak = die gemessene Rezeptanz der Schiene: welche Mode des Gleises es ist, sagt sie nicht
+source-of-given-peak = die mit dem Fall gegebene Rezeptanz der Schiene: welche Mode des Gleises es ist, sagt sie nicht
+source-of-wheelset-torsion = zweite Torsionsmode nahe 300 Hz (Elkins 1998, bei Afferrante & Ciavarella 2009); die Frequenz wie angegeben
+source-of-wheelset-bending = Biegung der führenden Welle (Torstensson & Nielsen 2013); die Frequenz wie angegeben
+source-of-grinding-mark = Schleifsteine, die sich 50- bis 60-mal in der Sekunde drehen, auf einem Zug mit 3 bis 15 km/h: 14 bis 83 mm; Spuren von 60 mm bei 60 Hz sind von einer chinesischen Schnellfahrstrecke bekannt (Shock and Vibration 2021, 5546809). Die Geschwindigkeiten nimmt Riffel an
+source-of-support-spacing = d und d/2 des Stützpunktabstands d dieses Falls: Kinematik
+source-of-wheel-circumference = 2πR/n, n = 1 bis 30, des Rollradius dieses Falls: Kinematik
+source-of-unlisted = jede Wellenlänge von 5 mm bis 2 m gleich wahrscheinlich, auf logarithmischer Skala
+validity-of-growth-ridge = ein Rad, linear, im Rahmen der Hinweise zu diesem Fall; Anteile folgen dem Wachstum in den gefragten Wellenlängen
+validity-of-p2 = starre unabgefederte Masse, gleichmäßig verteilte Stützpunkte; ±15 % für die Steifigkeit wirklicher Gleise
+validity-of-full-track = ungedämpfte Schichten; die Schottersteifigkeit ist auf einen Faktor zwei unsicher, die Frequenz auf ±15 %
+validity-of-rail-on-pad = Zwischenlagen werden mit Last, Frequenz und Kälte steifer: ±15 %
+validity-of-pinned-pinned = Timoshenko-Balken auf Stützpunkten in gleichen Abständen; ±5 % für Abstand und Schienenfuß
+validity-of-measured-peak = Ort und Last der Rezeptanz; ±5 % für anderen Ort, andere Temperatur und Radlast, und ihre Halbwertsbreite
+validity-of-wheelset-torsion = so gut wie die angegebene Frequenz; ±5 %
+validity-of-grinding-mark = die Wellenlänge einer Überfahrt eines Zugs; mehrere Überfahrten hinterlassen mehrere
+validity-of-support-spacing = Stützpunkte in gleichen Abständen; ±2 %
+validity-of-wheel-circumference = in einer Messung vom Fahrzeug aus: Räder anderer Durchmesser und Phasen prägen der Schiene kein gemeinsames Muster ein; ±3 % für verschlissene Durchmesser
+validity-of-unlisted = immer
+measurement-of-growth-ridge = Geschwindigkeit: wo Züge anders schnell fahren, wandert die Wellenlänge und die Frequenz bleibt; weiter gestreute Geschwindigkeiten senken sein Wachstum
+measurement-of-p2 = vertikale Achslagerbeschleunigung von Fahrzeugen anderer unabgefederter Masse: P2 wandert mit der Masse, Moden des Gleises nicht
+measurement-of-full-track = Rezeptanz des belasteten Gleises von 20 bis 200 Hz, mit und ohne Hohllagen unter den Schwellen
+measurement-of-sleeper-antiresonance = Impulshammer auf Schwelle und Schienenkopf: bei dieser Frequenz bewegt sich die Schwelle und die Schiene nicht
+measurement-of-rail-on-pad = Abklingrate des Gleises (EN 15461) und Rezeptanz mit dem Impulshammer: eine Spitze hier, die mit den Zwischenlagen wandert (Temperatur, neue Zwischenlagen auf einer Probestrecke)
+measurement-of-pinned-pinned = Rezeptanz mit dem Impulshammer über einer Schwelle und in Feldmitte, und das über die Schwellenfächer gemittelte Profil: die Amplitude folgt den Schwellen; ungleiche Abstände oder Schienendämpfer beseitigen sie
+measurement-of-lateral-pinned-pinned = laterale Rezeptanz des Schienenkopfs in Feldmitte und laterale Abklingrate des Gleises
+measurement-of-measured-peak = Rezeptanz mit dem Impulshammer über einer Schwelle, in Feldmitte und auf der Schwelle, mit einem Rad daneben: eine Mode der Zwischenlagen bewegt die Schwelle wenig und verschiebt sich mit neuen oder kälteren Zwischenlagen, eine Pinned-Pinned-Mode zeigt sich nur in Feldmitte
+measurement-of-measured-dip = Impulshammer auf Schwelle und Schienenkopf: bei dieser Frequenz bewegt sich etwas anderes und hält die Schiene
+measurement-of-wheelset-torsion = Dehnmessstreifen für das Drehmoment an einer angetriebenen Welle oder longitudinale Achslagerbeschleunigung durch den Abschnitt
+measurement-of-wheelset-bending = laterale und vertikale Achslagerbeschleunigung des führenden Radsatzes durch den Bogen; die bogeninnere Schiene sollte am schlechtesten sein
+measurement-of-grinding-mark = das Protokoll des Schleifzugs (Datum, Überfahrten, Geschwindigkeit, Drehzahl der Steine), ein Foto der Facetten und ein ungeschliffener Abschnitt
+measurement-of-support-spacing = die Orte der Schwellen auf der Stationierung der Messung: die Phase bleibt bei ihnen
+measurement-of-wheel-circumference = eine Messung derselben Schiene von Hand, und Rauheit oder Unrundheit der Räder: sieht die Schienenmessung die Wellenlänge nicht, ist sie auf dem Rad
+measurement-of-unlisted = eine Messung der Rezeptanz dieses Gleises anstelle des Modells (track.model = "measured")
+
 ## Ketten zu simulierten Daten
 
 truth-among-draws = { $runs } Simulationen mit dem Vorwissen und der Likelihood des Plans: wie oft Bereiche die Wahrheit enthalten, und ob sie beliebig unter den Ziehungen liegt

@@ -584,6 +584,563 @@ one-group-left-out = only { $held } was left out: another date, place or kind ma
 log-evidence = ln evidence { $value }, { $low } to { $high } by { $runs } runs; it moves with the width of the priors, so that it compares only models with the same
 models-on-doubtful-chains = { $model }: its chains leave { $doubts } doubts, and its score may change with more draws
 
+## The report
+
+keys-have-no-effect = { $count ->
+        [one] { $keys } has no effect, for { $reason }
+       *[other] { $keys } have no effect, for { $reason }
+    }
+variant-cannot-act = "{ $title }" cannot act on this case: { $reasons }
+variant-changes-nothing = "{ $title }" changes nothing: growth is that of the case to the last digit
+variant-acts-in-part = of "{ $title }" only a part acts: { $reasons }
+growth-of-the-level = growth of the level by wavelength, positive where corrugation grows
+after-grinding = after grinding
+now = now
+rail-when = { $rail } { $time }
+in-quotes = “{ $words }”
+levels-after = levels after { $passages } axle passages, { $tonnes } MGT as it is
+levels-of-rail-as-it-is = the levels are those of { $rail }, which leads as it is
+forecast-ends-before = before, where the wheel leaves the rail and the forecast ends: { $titles }
+comparison = Comparison
+keeps-tractive-ratio = "{ $title }" keeps the tractive ratio: the traction force changes with friction and load; --hold force keeps the force
+fastest-in-millimetres = fastest mm
+decibels-per-million-passages = dB per 10⁶ passages
+change-head = change
+held-head = held
+ridge-in-hertz = ridge Hz
+passages-to-limit-head = passages to limit
+tonnes-to-limit-head = MGT to limit
+months-to-limit-head = months to limit
+at-edge-of-lines = { $wavelength } (edge)
+cannot-act = cannot act
+changes-nothing = changes nothing
+held-mixed = mixed
+held-force = force
+held-ratio = ratio
+held-creepage = creepage
+as-it-is = as it is
+growth-ridge-is-no-candidate = the growth ridge is not among the candidates: { $reason }
+track-known-up-to = at { $slowest } to { $fastest } km/h the track is known up to { $longest } mm, and waves shorter than 1.5 contact lengths, { $shortest } mm, pass unseen
+share-of-belief = share of the belief when every mechanism of the list, and one not in it, is equally likely beforehand; it compares candidates on the evidence named and is no probability that a finding is right
+measured-word = measured
+given-word = given
+trend-of-neighbours = trend of the neighbours
+fine-level-axis = level in 1/24 octave [dB re 1 µm]
+how-fine-bands-are = Bands of 1/24 octave, at least one line of the transform wide; trend of the first curve.
+level-axis = level [dB re 1 µm]
+means-of-levels = Means of one-third-octave levels.
+perhaps-made-by = { $wavelength } mm: { $mechanism }?
+dominant-wavelengths = Dominant wavelengths
+caption-of-diagnosis = { $file }: { $record }. { $bands } Named at each wavelength is the candidate that leads; the list has the others and the reasons.
+dominant-wavelength-at = dominant wavelength { $wavelength } mm ({ $from }–{ $to } mm), { $place }, { $frequency } Hz at { $speeds }
+dominant-wavelength = dominant wavelength { $wavelength } mm ({ $from }–{ $to } mm), { $frequency } Hz at { $speeds }
+rail-all-along = { $rail }, all along
+rail-from-to = { $rail }, { $from }–{ $to } m
+and-more-places = { $count ->
+        [one] { $place } and one more place
+       *[other] { $place } and { $count } more places
+    }
+scatter-of = scatter { $scatter } dB
+scatter-unknown = scatter unknown, one spectrum only
+level-of-record = level { $level } dB re 1 µm, record { $record }
+level-of-peak = level { $level } dB re 1 µm
+level-of-rail = { $name } { $level }
+with-levels-of-rails = { $level } ({ $rails })
+stands-over-its-trend = { $level }, { $prominence } dB over the trend of its neighbours ({ $scatter })
+by-chance-in-a-million = by chance in less than one spectrum of a million
+by-chance = by chance in one spectrum of { $spectra }
+harmonic-of = harmonic { $order } of { $wavelength } mm
+means-of-energies = means of energies { $levels }
+candidate-leads = { $first } leads with a share of { $share }, next is { $second } with { $other }.
+level-falls-as-grinding-mark = The level falls with a probability of { $percent }, as a fading grinding mark does and growing corrugation does not. Best read as a fading grinding mark and not growing corrugation.
+level-falls = The level falls with a probability of { $percent }, as a fading mark does and growing corrugation does not.
+level-rises = The level rises with a probability of { $percent }, as corrugation under traffic does and a grinding mark does not.
+rise-is-open = Whether the level rises is open (probability { $percent } %).
+one-record-only = There is one record only: whether it grows is not known.
+two-sentences = { $one } { $other }
+mechanism-of = { $mechanism }, { $wheel }
+more-than-999-per-mille = more than 99.9 %
+percent-of = { $percent } %
+speeds-of-the-map = all speeds of the case's map, { $slowest }–{ $fastest } km/h, are taken to be equally common, which tells constant frequencies apart badly
+explains-any-wavelength = It explains any wavelength and any course, none of them well.
+patch-averages = The contact patch averages over waves this short: of { $wavelength } it passes { $percent } %.
+trolley-measures-rail-alone = A trolley measures the rail alone, and wheels of many diameters do not print one pattern on it.
+known-with-damping = damping { $ratio } %, ±{ $spread } %
+known-to = ±{ $spread } %
+frequency-makes = { $frequency } Hz ({ $known }) makes { $range } at { $speeds }; measured { $measured }, which is { $frequencies }.
+case-grows-at-measured = At { $speeds } the case grows fastest at { $wavelength } ({ $rate } per passage); at { $measured } it grows by { $own }, { $percent } % of that.
+case-decays-at-measured = At { $speeds } the case grows fastest at { $wavelength } ({ $rate } per passage); at { $measured } it decays by { $own }.
+case-lets-nothing-grow = At { $speeds } the case lets no wavelength grow, { $measured } included.
+measured-outside-growth = { $measured } lies outside the wavelengths at which the case can grow: those of its map, and not below 1.5 contact lengths.
+wavelengths-at-any-speed = Its wavelengths are { $range }, whatever the speed of the traffic; measured { $measured }.
+order-of-length = { $length } over { $order } is { $nearest }, { $ratio } times the measured { $measured }, whatever the speed of the traffic.
+marks-fade-under-traffic = A mark of machining fades under traffic; this level is { $course }.
+corrugation-grows-under-traffic = Corrugation grows under traffic; this level is { $course }.
+measure-at-other-speed = Speed: measure where the same trains run a fifth slower. A constant frequency ({ $frequencies }) would stand at { $moved } mm there, a mark or an order of length at { $wavelength } mm as here
+in-weeks-moves = in { $weeks } weeks the present course moves the level by three times its scatter
+intervals-move = { $records } of the intervals between these records move the level by three times its scatter
+after-three-months = after three months, and again after six, at the same chainage
+measure-again = Time: repeat this record ({ $when }). Corrugation rises, a grinding mark falls
+year = year
+record = record
+course-falls = { $levels } dB re 1 µm: falls every time, { $slope } ± { $scatter } dB a { $unit }
+course-rises = { $levels } dB re 1 µm: rises every time, { $slope } ± { $scatter } dB a { $unit }
+course-is-open = { $levels } dB re 1 µm: neither rises nor falls every time, { $slope } ± { $scatter } dB a { $unit }
+after-tonnes = after { $tonnes } MGT
+after-tonnes-at-end = after { $tonnes } MGT, where the forecast ends
+by-vehicle = by { $vehicle }, { $percent } %
+mix-of-vehicles = mix
+caption-of-forecast = After { $amount }. One-third-octave levels; growth of the level by wavelength, positive where corrugation grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.
+levels-of-leading-rail = Levels are those of { $rail }, which leads.
+growth-forecast = Growth forecast
+months-axis = months
+million-passages-axis = 10⁶ axle passages
+crest = crest
+falling-flank = falling flank
+trough = trough
+rising-flank = rising flank
+cracks-at = cracks at { $wavelength } mm
+crack-axis = length of a crack [mm]
+growth-axis = growth [dB per 10⁶ passages]
+rail-leads = { $rail } leads: { $sentence }
+bands-not-forecast = not forecast: { $count } bands from { $first } to { $last } mm that lie outside map.wavelength of the case
+grinding-interval-from = grinding interval from { $ground }
+grinding-interval = grinding interval
+over-the-limit-now = over the limit now: { $edition } at { $wavelength } mm by { $decibels } dB
+limit-reached-after = { $edition } is reached at { $wavelength } mm after { $amount }
+no-band-reaches = no band forecast ever reaches { $edition }
+limit-not-reached-before = { $edition } is not reached before the wheel leaves the rail, where the forecast ends
+beyond-linear-range-now = beyond the linear range now: |P₁| is { $ratio } P₀ under "{ $vehicle }", so that wheel and rail part; corrugation then grows otherwise than the linear loop says, and nothing is forecast
+linear-range-ends = linear range: |P₁| is { $ratio } P₀ now and reaches P₀ under "{ $vehicle }" after { $amount }; there the wheel leaves the rail, and the forecast ends
+linear-range-never-ends = linear range: |P₁| is { $ratio } P₀ now under "{ $vehicle }" and never reaches P₀
+amount-with-date = { $passages } axle passages = { $tonnes } MGT = { $months } months ({ $date })
+amount-with-months = { $passages } axle passages = { $tonnes } MGT = { $months } months
+amount-of-traffic = { $passages } axle passages = { $tonnes } MGT
+rail-not-forecast = { $rail } has no band between { $from } and { $to } mm, map.wavelength of the case, and is left out
+wavelength-in-millimetres = wavelength [mm]
+median = median
+forecast = Forecast
+caption-of-posterior-forecast = { $draws } draws of the posterior; months to the limit: { $months }.
+at-the-last-date = at the last date
+months-later = { $months } months later
+growth-goes-by-this-rail = growth goes by the wear coefficient of this rail, { $coefficient } kg/J, { $interval }: it is fitted to what has changed over { $passages } axle passages, and the case says { $given } kg/J
+interval-of-coefficient = 95 % interval { $low } to { $high } kg/J
+coefficient-is-fitted = wear coefficient { $coefficient } kg/J, { $interval }: forecast with it by --set wear.coefficient={ $value }
+no-coefficient-nothing-grows = no wear coefficient: the model says of no band measured that it grows
+no-coefficient-nothing-moved = no wear coefficient: the bands that should grow by the model have not moved
+no-coefficient-bands-fell = no wear coefficient: the bands that should grow by the model have fallen, so what is on this rail is not the corrugation of this model
+no-coefficient-indistinct = no wear coefficient: growth cannot be told from none, { $interval }
+no-coefficient-claimed = no wear coefficient is claimed: an interval takes three records of each date, or 30 m of profile; the best fit is { $coefficient } kg/J
+band-fades-against-model = { $wavelength } mm does not grow as the model says: { $measured } dB measured, { $predicted } dB predicted; it fades, as a grinding mark does
+band-grows-against-model = { $wavelength } mm grows where the model says that it decays: { $measured } dB measured, { $predicted } dB predicted
+band-fades-as-in-model = { $wavelength } mm fades, { $measured } dB measured, and decays in the model, too, { $predicted } dB: what fades, as a grinding mark does, is not growing corrugation
+band-grows-unlike-fit = { $wavelength } mm does not grow as the fit says: { $measured } dB measured, { $fitted } dB fitted
+beyond-linear-range = beyond the linear range
+never = never
+number-alone = { $number }
+noise-beside-the-track = Rolling noise beside the track
+caption-of-noise = Equivalent level over the passage at { $speed } km/h, { $distance } m from the middle of the track and { $height } m above the rail, re 20 µPa, one-third octaves without weighting. { $parameters }
+level-a-weighted = { $level } dB(A)
+part-and-level = { $part } { $level }
+what-would-help = what would help, each alone
+limit-word = limit
+under-traffic = under traffic
+time-axis-in-months = time [months]
+level-axis-a-weighted = level [dB(A)]
+level-axis-in-decibels = level [dB]
+grinding-shifts = { $count ->
+        [one] 1 grinding shift
+       *[other] { $count } grinding shifts
+    }
+grinding-costs-a-year = to grind { $length } m of line takes { $shifts } and { $cost } { $currency }, { $yearly } { $currency } a year if repeated every { $months } months
+grinding-costs = to grind { $length } m of line takes { $shifts } and { $cost } { $currency }
+input-head = input
+file-head = file
+what-it-is-head = what it is
+growth-map = Growth map
+speed-axis-in-kilometres-per-hour = speed V [km/h]
+strongest-growth-at-each-speed = strongest growth at each speed
+strongest-at-edge = strongest at the edge of the window
+frequency-of-strongest-branch = constant frequency of the strongest branch
+branches-of-growth = branches of growth
+constant-frequency = constant frequency V = fλ
+neither-growth-nor-decay = neither growth nor decay
+not-computed = not computed
+rail-and-group = { $rail }, { $group }
+measured-wavelength = measured { $wavelength } mm
+where-measured-wavelengths-stand = measured wavelengths at the slowest, mean and fastest of { $speeds }
+outside-the-map = outside the map: { $wavelengths }
+nothing-stands-out = no dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance
+diagnosis = Diagnosis
+share-capital = Share
+mechanism-head = mechanism
+source-head = source
+valid-for-head = valid for
+sources-and-validity = Sources and validity
+course-capital = Course
+candidate-head = candidate
+share-head = share
+frequency-in-hertz-head = frequency [Hz]
+predicts-in-millimetres = predicts [mm]
+to-tell-them-apart = To tell them apart
+profile = Profile
+moving-rms-along-the-line = Moving RMS along the line
+spectrum-and-limits = Spectrum and limits
+wavelength-bands = Wavelength bands
+what-to-grind = What to grind
+what-if = What-if
+since-when = Since when
+why-and-how-sure = Why, and how sure
+no-dates-are-told = dates, times and what measures would save are therefore left out here; below they stand as the model has them
+not-plausible = Not plausible
+model-does-not-explain-growth = the model does not explain the growth that was measured, so that it cannot tell what would lower it
+what-comes = What comes
+what-helps = What helps
+what-is-heard = What is heard
+no-roughness-given = no roughness was given
+roughness-not-diagnosed = the roughness was not diagnosed
+how-bad-and-where = How bad, and where
+forecast-over-calibration = Forecast over the calibration
+no-case-given = no case was given
+what-it-costs = What it costs
+rail-roughness-and-corrugation = Rail roughness and corrugation
+levels-are-no-profile = the record is a table of levels; it needs a profile
+course-of-wavelength = { $wavelength }, { $first } to { $last }: { $course }
+no-wavelength-stands-out = no dominant wavelength stands out of the roughness
+wavelength-stands-out-at = { $wavelength } stands out on { $place }, { $level } dB
+wavelength-stands-out = { $wavelength } stands out, { $level } dB
+limit-of-name = limit { $name }
+preset-of-name = preset { $name }
+built-in-head = built in
+made-by = made by riffel { $version }. The same files and the same version give the same report
+inputs-and-versions = Inputs and versions
+no-warnings = none
+warnings-and-limits-of-models = Warnings and limits of the models
+no-level = none
+train-is-heard = at { $speed } km/h a train of { $wheels } wheels on each rail, { $length } m long, is heard at { $level }, { $distance } m from the middle of the track
+level-is-of = of it: { $parts }
+measure-saves = { $title } { $saved } dB
+each-alone-would-save = each alone would save: { $savings }
+noise = noise
+now-in-decibels = now [dB]
+then-in-decibels = then [dB]
+limit-in-decibels = limit [dB]
+wheel-leaves-the-rail-after = wheel leaves the rail after
+the-traffic = the traffic
+levels-after-grinding = one-third-octave levels under { $traffic }; now is after grinding to { $ground }; then is after { $amount }
+levels-under-traffic = one-third-octave levels under { $traffic }; then is after { $amount }
+growth-is-uncertain = forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two and more until it is fitted to two dated records (--earlier, --dates)
+variant-head = variant
+case-and-variants = the case and its variants at { $speeds }
+limit-is = limit: { $edition }
+from-ground = from { $ground }
+held-is = held is what a change of friction or load leaves as it is: the traction force, the tractive ratio Q₀/μP₀ or the creepage
+no-variant-can-act = none of the variants can act on this case
+variant-lowers-most = of the variants “{ $title }” lowers the fastest growth most, by { $percent } %
+no-variant-lowers = none of the variants lowers the fastest growth
+with-held = { $sentence } (held: { $held })
+without-any-effect = without any effect: { $titles }
+limit-is-passed-on = the limit ({ $edition }) is passed already on { $rail }; --ground or --from-limit says how long each variant lasts after grinding
+limit-is-passed = the limit ({ $edition }) is passed already; --ground or --from-limit says how long each variant lasts after grinding
+with-variant = with “{ $title }”
+gross-tonnes = { $tonnes } MGT
+reached-after = after { $time } { $variant }
+reached-beyond-linear-range = not before the wheel leaves the rail { $variant }
+never-reached = never { $variant }
+on-rail = { $sentence } on { $rail }
+limit-is-reached-from = from { $ground } the limit ({ $edition }) is reached { $times }
+limit-is-reached = the limit ({ $edition }) is reached { $times }
+in-brief = In brief
+not-in-this-report = Not in this report
+line-of-site = Line
+height-axis = height [µm]
+caption-of-heights = Heights as read, positive upward, { $from } m to { $to } m. Lowest and highest of { $columns } lengths each; gaps are gaps.
+caption-of-moving-rms = Highest moving RMS of each { $block } m, by band of wavelengths; dashed in the same colour: the limit of the band. The worst rail is first.
+caption-of-levels = One-third-octave levels after EN 15610:2009, method A, without { $spikes } and { $pits }; base-ten bands
+group-of-spectra = { $name } ({ $count })
+caption-of-group-means = Means of energies over the spectra of each group: { $groups }
+dashed-limit = Dashed: { $edition } ({ $source })
+within-the-limit = within the limit
+over-the-limit = over the limit
+band-in-millimetres = band [mm]
+rms-in-micrometres = RMS [µm]
+highest-moving-rms = highest moving RMS [µm]
+highest-peak-to-peak = highest peak-to-peak [µm]
+window-in-metres = window [m]
+limit-of-rms = limit of the RMS [µm]
+length-over-the-limit = length over the limit
+limit-of-bands = limit: { $edition } ({ $source })
+how-bands-are-filtered = profile without spikes, zero-phase band-pass, each rail on its own, the worst first
+needs-a-limit-of-rms = it needs a table of RMS limits (--limit)
+no-band-over-its-limit = nothing: no band is over its limit anywhere
+section-head = section
+from-in-metres = from [m]
+to-in-metres = to [m]
+length-in-metres = length [m]
+worst-band-in-millimetres = worst band [mm]
+rms-over-limit = RMS over limit [-]
+further-sections = { $count } further sections are in grind.csv of riffel roughness
+how-sections-are-ground = sections no further apart than { $merge } m are ground as one, and none shorter than { $shortest } m
+no-length-over-rms-limits = no length is over the RMS limits: nothing to grind
+sections-to-grind = { $count ->
+        [one] 1 section to grind, { $sums }
+       *[other] { $count } sections to grind, { $sums }
+    }
+sections-at-defects = sections with a weld, joint or squat among them: { $count }
+railway = Railway
+place-of-site = Place
+measured-on = Measured on
+instrument = Instrument
+author = Author
+date-of-report = Date
+caption-of-strip-map = The line: red is over the limit of the RMS, and to be ground; blue is a dominant wavelength; black is a weld, joint or squat.
+mechanism-growth-ridge = growth ridge
+mechanism-lateral-pinned-pinned = pinned-pinned, lateral
+mechanism-grinding-mark = grinding mark
+mechanism-support-spacing = sleeper passing
+mechanism-wheel-circumference = wheel circumference
+mechanism-unlisted = a cause not listed
+energy-mean = energy mean
+rail-roughness = Rail roughness
+caption-of-profile = { $file }: one-third-octave levels after EN 15610:2009 (method A); highest moving RMS in blocks of { $block } m, its limit dashed.
+position-axis-in-metres = position along the rail [m]
+position-axis-in-kilometres = position along the rail [km]
+moving-rms-axis = moving RMS [µm]
+caption-of-means = { $file }: means over the spectra of each group.
+mean-of-energies = mean of energies
+mean-of-levels = mean of levels
+worst-within = worst is { $rail }; every rail is within the limits
+worst-over = worst is { $rail }, over { $count } of { $all } limits
+stretches-too-short-for-band = no statistics of { $band } mm: no stretch is four of its longest waves long, { $length } m
+samples-too-far-for-band = no statistics of { $band } mm: samples are { $step } mm apart
+rms-unlike-any-rail = an rms of { $rms } µm between 30 and 100 mm is unlike any rail: check the unit of the heights
+group-and-rail = { $group }, { $rail }
+peak-falls = the peak at { $wavelength } mm, { $levels } dB re 1 µm, falls every time: a fixed wavelength that fades, as a grinding mark does, and not growing corrugation
+peak-rises = the peak at { $wavelength } mm, { $levels } dB re 1 µm, rises every time: it grows under traffic
+peak-stays = the peak at { $wavelength } mm, { $levels } dB re 1 µm, neither rises nor falls every time
+sections-over-levels = by themselves { $over } of { $all } sections of { $length } m are over it, at worst { $from }–{ $to } m by { $decibels } dB at { $wavelength } mm
+rail-named = rail { $name }
+verdict-within = { $edition }: within the limit, { $rest }
+verdict-over = { $edition }: over the limit, { $rest }
+all-bands-within = { $all } bands; { $room } dB are left at { $wavelength } mm
+measured-bands-within = { $measured } bands that were measured, of { $all }; { $room } dB are left at { $wavelength } mm
+bands-over = { $count } of { $all } bands, at worst by { $decibels } dB at { $wavelength } mm
+measured-bands-over = { $count } of { $measured } bands that were measured, of { $all }, at worst by { $decibels } dB at { $wavelength } mm
+share-of-band = { $band } mm { $share } %
+length-may-be-over = { $allowed } % of the length may be over
+no-section-over = { $allowed } % of any { $length } m may be over, and none of { $all } sections is more
+sections-over = { $allowed } % of any { $length } m may be over, and { $over } of { $all } sections are more, at worst { $from }–{ $to } m with { $share } % at { $band } mm, up to { $ratio } times the limit
+no-header = no header
+header-of-one-line = a header of one line
+header-of-lines = a header of { $count } lines
+no-position = no position
+falling-position-in-column = position in column { $column } [{ $unit }], falling
+position-in-column = position in column { $column } [{ $unit }]
+rail-in-column = { $name } in column { $column } [{ $unit }]
+read-as = read as: { $delimiter }, { $decimal }, { $header }; { $position }; { $rails }
+metres-of-rail = { $name } { $length } m
+line-of-rails-to-grind = in all { $length } m of line to grind ({ $rails }), { $share } % of the line measured
+line-to-grind = in all { $length } m of line to grind, { $share } % of the line measured
+low = low
+high = high
+idle-belongs-to-curve = it belongs to `riffel curve` and `riffel profile`
+idle-amplitude = growth rates do not depend on the amplitude
+idle-one-wheel = there is one wheel, which interferes with no other
+idle-map = the bands are those of the case, and the speeds those of the traffic
+idle-inertia = wheel.rotation is the limit of no inertia or of infinite inertia
+idle-rotation = wheel.rotation holds the creepage or the force along the rail
+idle-contact-angle = under a contact angle of zero the wheel has the same radius everywhere
+idle-free-wheel = a wheel that turns freely takes any radius
+idle-belongs-to = it belongs to { $keys }
+idle-patch = a non-steady contact resolves its patch
+idle-place-of-wear = a non-steady contact finds the place of wear itself
+one-or-other = { $one } or { $other }
+idle-belongs-to-wheelset = it belongs to wheelset.model = { $models }
+idle-receptance-given = the track is a receptance given in place of the model
+idle-receptance-measured = the track is a measured receptance, with the rail and the supports that were measured
+idle-twist = without rail.torsion_constant the rail does not twist
+idle-without-supports = track.model = "{ $model }" is a rail without supports
+idle-sleepers = track.model = "{ $model }" has no sleepers without ballast
+idle-one-layer = track.model = "{ $model }" has one layer, the pads
+idle-mean-over-bay = growth is the mean over the bay
+idle-same-everywhere = track.model = "{ $model }" is the same everywhere along the rail
+lateral-pinned-pinned-is-no-candidate = the lateral pinned-pinned mode is not among the candidates: it needs supports at a spacing and a rail.section whose lateral bending and shear are known
+vertical-pinned-pinned-is-no-candidate = the vertical pinned-pinned mode is not among the candidates: it needs supports at a spacing and a rail.section whose vertical bending and shear are known
+no-least-sum-of-receptances = below the first peak of the { $origin } receptance the sum of rail, wheel and contact has no least value within its frequencies
+p2-is-no-candidate = P2 is not among the candidates: { $reason }
+no-modes-of-receptance = modes of the track are not among the candidates: no peak or dip of the { $origin } receptance stands out of its neighbours and its noise
+rail-has-no-support = the rail of this case has no support
+no-resonance-of-unsprung-mass = damping, or the suspension and the bending of the axle, leave no resonance of the unsprung mass on the track
+track-has-no-layers = modes of pads and sleepers are not among the candidates: the track of this case has none
+wheel-of-the-case = the wheel of the case
+wheel-on-low-rail = wheelset { $number }, low rail
+wheel-on-high-rail = wheelset { $number }, high rail
+wheel-on-left-rail = wheelset { $number }, left rail
+wheel-on-right-rail = wheelset { $number }, right rail
+all-rails-grow-alike = all rails are given the growth { $of_rail } (contact.from); in a curve the other one grows at its own rate, which contact.from.rail asks for
+of-low = of the low rail
+of-high = of the high rail
+flange-of-wheel = { $wheel }, flange
+traffic-word = traffic
+at-spread-speed = { $speed } km/h with a standard deviation of { $deviation } km/h
+neither-speed-nor-traffic = neither --speed nor --traffic given
+not-fitted-without-passages = the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: they follow from the dates of both records and from a traffic file that says how much traffic there is, or are given (--passages-between)
+coefficient-not-fitted = the wear coefficient is not fitted: { $reason }
+input-roughness = roughness
+input-of-the-same-rail = of the same rail
+input-earlier-record = earlier record
+a-case = a case
+input-with = { $title }, with { $values }
+input-case = case
+input-track-receptance = track receptance
+input-traffic = traffic
+input-vehicles = vehicles, speeds, loads
+input-changes = changes to the case
+input-reader-profile = reader profile
+input-layout = how profiles are laid out
+input-limit-table = limit table
+input-of-your-own = of your own
+input-site = site
+input-words-at-the-top = the words at the top
+standard-input = standard input
+one-third-octave-spectra = { $count ->
+        [one] 1 one-third-octave spectrum
+       *[other] { $count } one-third-octave spectra
+    }
+chosen-spectra = { $count } one-third-octave spectra, those with { $choices }
+needs-a-limit-of-levels = it needs a limit of levels (--limit)
+no-traffic-given = no traffic was given (--traffic)
+no-variant-given = no variant was given (--with)
+spikes = { $count ->
+        [one] 1 spike
+       *[other] { $count } spikes
+    }
+pits = { $count ->
+        [one] 1 pit
+       *[other] { $count } pits
+    }
+uneven-positions = positions are { $off } mm rms off even steps of { $step } mm: heights are brought to even steps by cubic interpolation
+rows-without-position = { $count ->
+        [one] 1 row without a position left out
+       *[other] { $count } rows without a position left out
+    }
+rows-repeat-position = { $count ->
+        [one] 1 row with the position of the row before left out
+       *[other] { $count } rows with the position of the row before left out
+    }
+rows-after-gap = { $count ->
+        [one] 1 row after a gap of up to { $gap } mm, filled by straight lines
+       *[other] { $count } rows after a gap of up to { $gap } mm, filled by straight lines
+    }
+rows-after-jump = { $count ->
+        [one] 1 row after a longer gap or jump, { $length } m in all, where the record is divided
+       *[other] { $count } rows after a longer gap or jump, { $length } m in all, where the record is divided
+    }
+rows-go-back = { $count ->
+        [one] 1 row where the position goes back, at which the record is divided
+       *[other] { $count } rows where the position goes back, at which the record is divided
+    }
+rows-behind = { $count ->
+        [one] 1 row behind the row before left out
+       *[other] { $count } rows behind the row before left out
+    }
+below-limit = { $decibels } dB below { $edition }
+in-windows = , whole and in windows of { $window } m
+profile-of-rails = { $count ->
+        [one] profile, 1 rail of { $length } m{ $windows }, { $segments } segments of { $segment } m averaged
+       *[other] profile, { $count } rails of { $length } m{ $windows }, { $segments } segments of { $segment } m averaged
+    }
+record-lacks-rail = has no rail { $rail }, whose course is not known
+record-lacks-rail-there = has no rail { $rail }, whose course is not known there
+rail-not-measured-there = rail { $rail } was not measured from { $from } m to { $to } m, so that its course there is not known
+spectra-of-records = { $count ->
+        [one] { $spectra }, 1 record
+       *[other] { $spectra }, { $count } records
+    }
+spectra-of-records-by-rail = { $count ->
+        [one] { $spectra }, 1 record, { $rails } rails judged one by one
+       *[other] { $spectra }, { $count } records, { $rails } rails judged one by one
+    }
+earlier-records = { $count ->
+        [one] 1 earlier record
+       *[other] { $count } earlier records
+    }
+its-unit-is-no-length = its unit is no length
+it-is-computed = it is computed from other columns
+position-and-heights-in = position in { $unit } and heights in { $other }
+position-in = position in { $unit }
+heights-in = heights in { $unit }
+by-line = { $what } by line { $line }
+taken-for-granted = { $what } taken for granted
+it-numbers-the-rows = it numbers the rows
+it-is-neither = it is neither a position nor a height
+text-behind-left-out = the text behind column { $column } is left out
+text-columns-left-out = text in column { $columns } is left out
+column-left-out = column { $column } is left out: { $reason }
+headed-column-left-out = column { $column }, "{ $head }", is left out: { $reason }
+it-is-geometry = it is geometry of the track
+it-is-a-statistic = it is a limit or a statistic, no measured rail
+marks-of-missing-values = { $count ->
+        [one] column { $column } has { $mark } in 1 row, taken for a missing value
+       *[other] column { $column } has { $mark } in { $count } rows, taken for a missing value
+    }
+first-at-line = { $sentence }; the first is line { $line }
+coarse-sampling = sampled every { $step } mm; EN 15610 asks for 1 mm or less
+short-stretches-left-out = { $length } m left out in stretches shorter than { $shortest } m
+heights-missing = { $count ->
+        [one] 1 height missing, filled by straight lines where no more than { $longest } follow each other, else left out
+       *[other] { $count } heights missing, filled by straight lines where no more than { $longest } follow each other, else left out
+    }
+heights-clipped = { $samples } heights stand at the end of the range, { $low } or { $high } in the unit of the file, for { $run } samples and more: the sensor is clipped
+now-is-latest-of-each-rail = column `{ $column }` has { $count } dates: now is the latest of each rail, { $last }
+commas = commas
+semicolons = semicolons
+tabs = tabs
+blanks = blanks
+decimal-point = decimal point
+decimal-comma = decimal comma
+source-of-growth-ridge = Afferrante & Ciavarella (2009), with the receptances, contact and wear of this case
+source-of-p2 = 50–100 Hz in Afferrante & Ciavarella (2009); here the least sum of the receptances of rail, wheel and contact of this case
+source-of-full-track = Near 100 Hz (Bhaskar et al., in Afferrante & Ciavarella 2009); here the peak of the case's rail receptance
+source-of-sleeper-antiresonance = Low vertical receptance near 300 Hz (Müller, in Afferrante & Ciavarella 2009); here √((k_p + k_b)/m_s) of this case
+source-of-rail-on-pad = the peak of the case's rail receptance, else √(k_p/m)
+source-of-pinned-pinned = Near 800 Hz at 0.75 m and 1200 Hz at 0.6 m (Grassie & Kalousek, in Afferrante & Ciavarella 2009); Nielsen (2003) for low receptance above sleepers; here Timoshenko's beam of this case
+source-of-lateral-pinned-pinned = 513.7 Hz lateral beside 1050 Hz vertical (Wang & Lei 2020); here Timoshenko's beam of this case, lateral
+source-of-measured-peak = the measured receptance of the rail: which mode of the track this is, it does not say
+source-of-given-peak = the receptance of the rail given with the case: which mode of the track this is, it does not say
+source-of-wheelset-torsion = second torsional mode near 300 Hz (Elkins 1998, in Afferrante & Ciavarella 2009); the frequency as given
+source-of-wheelset-bending = bending of the leading axle (Torstensson & Nielsen 2013); the frequency as given
+source-of-grinding-mark = stones that turn 50 to 60 times a second on a train at 3 to 15 km/h: 14 to 83 mm; marks of 60 mm with 60 Hz are reported from a Chinese high-speed line (Shock and Vibration 2021, 5546809). The speeds are Riffel's assumption
+source-of-support-spacing = d and d/2 of this case's support spacing d: kinematics
+source-of-wheel-circumference = 2πR/n, n = 1 to 30, of this case's rolling radius: kinematics
+source-of-unlisted = every wavelength from 5 mm to 2 m equally likely on a logarithmic scale
+validity-of-growth-ridge = one wheel, linear, within the remarks on this case; shares follow growth inside the wavelengths asked for
+validity-of-p2 = rigid unsprung mass, evenly spread supports; ±15 % for the stiffness of real track
+validity-of-full-track = undamped layers; ballast stiffness is uncertain by a factor of two, the frequency by ±15 %
+validity-of-rail-on-pad = pads stiffen with load and frequency and in the cold: ±15 %
+validity-of-pinned-pinned = Timoshenko's beam on supports at equal distances; ±5 % for spacing and foot of the rail
+validity-of-measured-peak = the place and the load of the receptance; ±5 % for another place, temperature and wheel load, and its width at half power
+validity-of-wheelset-torsion = as good as the frequency given; ±5 %
+validity-of-grinding-mark = the wavelength of one pass of one train; several passes leave several
+validity-of-support-spacing = supports at equal distances; ±2 %
+validity-of-wheel-circumference = in a record taken from a vehicle: wheels of other diameters and phases do not print one pattern on the rail; ±3 % for worn diameters
+validity-of-unlisted = always
+measurement-of-growth-ridge = speed: where trains run at another speed the wavelength moves and the frequency stays; speeds spread more widely lower its growth
+measurement-of-p2 = vertical axle-box acceleration of vehicles with another unsprung mass: P2 moves with the mass, modes of the track do not
+measurement-of-full-track = receptance of the loaded track from 20 to 200 Hz, with and without voids under the sleepers
+measurement-of-sleeper-antiresonance = impact hammer on sleeper and rail head: at this frequency the sleeper moves and the rail does not
+measurement-of-rail-on-pad = track decay rate (EN 15461) and hammer receptance: a peak here that moves with the pads (temperature, new pads over a trial length)
+measurement-of-pinned-pinned = hammer receptance above a sleeper and in mid-span, and the profile averaged over sleeper bays: the amplitude follows the sleepers; an irregular spacing or rail dampers remove it
+measurement-of-lateral-pinned-pinned = lateral hammer receptance of the rail head in mid-span and lateral track decay rate
+measurement-of-measured-peak = hammer receptance above a sleeper, in mid-span and on the sleeper, with a wheel beside it: a mode of the pads moves the sleeper little and shifts with new or colder pads, a pinned-pinned mode is seen in mid-span alone
+measurement-of-measured-dip = impact hammer on sleeper and rail head: at this frequency something else moves and holds the rail
+measurement-of-wheelset-torsion = strain gauges for torque on a driven axle, or longitudinal axle-box acceleration, through the section
+measurement-of-wheelset-bending = lateral and vertical axle-box acceleration of the leading axle through the curve; the low rail should be worst
+measurement-of-grinding-mark = the log of the grinding train (date, passes, speed, turns of the stones), a photograph of the facets, and a section that was not ground
+measurement-of-support-spacing = sleeper positions on the chainage of the record: the phase stays with them
+measurement-of-wheel-circumference = a trolley record of the same rail, and wheel roughness or out-of-roundness: if the trolley does not see the wavelength it is on the wheel
+measurement-of-unlisted = a receptance measurement of this track in place of the model (track.model = "measured")
+
 ## Chains on simulated data
 
 truth-among-draws = { $runs } simulations with the priors and the likelihood of the plan: how often intervals hold the truth, and whether it lies anywhere among the draws

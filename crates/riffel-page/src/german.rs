@@ -11,7 +11,6 @@ const GERMAN: &str = "german";
 /// language without asking anew. What is an answer itself may have brought such a table, which goes into this one.
 pub(crate) fn beside(mut answer: Value, mut german: BTreeMap<String, String>) -> Value {
     take(&mut answer, &mut german);
-    log_missing(&answer, &german); // TEMPORARY
     if let (Value::Object(answer), false) = (&mut answer, german.is_empty()) {
         answer.insert(GERMAN.to_owned(), serde_json::json!(german));
     }
@@ -30,30 +29,6 @@ fn take(value: &mut Value, german: &mut BTreeMap<String, String>) {
             table.values_mut().for_each(|value| take(value, german));
         }
         Value::Array(list) => list.iter_mut().for_each(|value| take(value, german)),
-        _ => {}
-    }
-}
-
-// TEMPORARY
-fn log_missing(value: &Value, german: &BTreeMap<String, String>) {
-    use std::io::Write;
-    match value {
-        Value::Object(note) if note.contains_key("en") && note.contains_key("de") => {}
-        Value::Object(table) => table.values().for_each(|value| log_missing(value, german)),
-        Value::Array(list) => list.iter().for_each(|value| log_missing(value, german)),
-        Value::String(text) => {
-            let text = text.trim().replace('\n', " ");
-            if !german.contains_key(&text)
-                && let Some(words) = riffel_words::in_german(&text)
-                && words != text
-            {
-                let file = std::fs::OpenOptions::new()
-                    .create(true)
-                    .append(true)
-                    .open("/tmp/missing-german.txt");
-                let _ = writeln!(file.unwrap(), "{text}\t{words}");
-            }
-        }
         _ => {}
     }
 }

@@ -3,6 +3,7 @@
 use riffel_case::Case;
 use riffel_case::traffic::{
     CurveOfVehicle, Line, Traffic as CheckedTraffic, TrafficFile, Vehicle as VehicleKeys,
+    WHEEL_OF_THE_CASE,
 };
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{number, say};
@@ -109,7 +110,7 @@ impl Traffic {
 
     fn keys(&self) -> TrafficFile {
         let own = [self.slowest_m_per_s, self.fastest_m_per_s];
-        let of_the_case = || VehicleKeys::named("the wheel of the case").at_even_speeds(own);
+        let of_the_case = || VehicleKeys::named(WHEEL_OF_THE_CASE).at_even_speeds(own);
         let mut vehicle: Vec<VehicleKeys> = self.vehicles.iter().map(Vehicle::keys).collect();
         if vehicle.is_empty() {
             vehicle.push(of_the_case());
@@ -120,7 +121,7 @@ impl Traffic {
             }
         }
         TrafficFile {
-            title: Some("traffic of the page".to_owned()),
+            title: None,
             line: Line {
                 passages_per_day: Some(self.passages_per_day),
                 ..Line::default()

@@ -56,6 +56,7 @@ mod error;
 mod grid;
 mod line_figure;
 mod map_figure;
+mod map_words;
 #[cfg(not(target_family = "wasm"))]
 mod page;
 mod rays;
@@ -71,6 +72,7 @@ pub use drawing::{DEFAULT_PNG_SCALE, Picture, collisions};
 pub use error::PlotError;
 pub use line_figure::{Area, Arrangement, LineFigure, LinePanel, LineStyle, Mark, Series};
 pub use map_figure::{BranchLine, MapFigure, MapPanel, Observation, RidgeMark};
+pub use map_words::MapWords;
 #[cfg(not(target_family = "wasm"))]
 pub use page::{html_of_stages, plotly_js};
 pub use rays::constant_frequency_rays;

@@ -47,7 +47,7 @@ pub(crate) fn diagnose<'py>(
         None => match Diagnosis::speeds_of_map(&case.case) {
             Ok((speeds, sentence)) => (
                 Ok(speeds),
-                Some(format!("neither speed nor traffic given: {sentence}")),
+                Some(sentence.about("neither speed nor traffic given")),
             ),
             Err(error) => (Err(error), None),
         },

@@ -310,7 +310,8 @@ pub(crate) fn compare<'py>(
             "acts",
             outcome.effect == Effect::None || outcome.effect.acts(),
         )?;
-        result.set_item("no_effect", outcome.effect.sentence())?;
+        let no_effect = outcome.effect.sentence().map(ToString::to_string);
+        result.set_item("no_effect", no_effect)?;
         result.set_item("title", outcome.title)?;
         result.set_item("remarks", in_words(&outcome.remarks))?;
         Ok(result)

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 
 use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
+use riffel_keys::Message;
 use riffel_keys::quantity::Quantity;
 use riffel_rail::{
     LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat,
@@ -72,7 +73,7 @@ pub(crate) struct Record {
 }
 
 enum Roughness {
-    Profile(Vec<Rail>, Vec<String>),
+    Profile(Vec<Rail>, Vec<Message>),
     Spectra(Vec<LabelledSpectrum>),
 }
 

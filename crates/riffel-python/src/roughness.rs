@@ -11,6 +11,7 @@ use riffel::roughness::{
     AnalysisSettings, BandPass, GrindSettings, PIT_DEPTH, Profile, RailAnalysis, RmsLimit,
     Spectrum, SpikeCriterion, WHEEL_RADIUS, WavelengthBand,
 };
+use riffel_keys::Message;
 use riffel_rail::{DEFAULT_RECIPE, Limit, LimitTable, RecipeFile, RoughnessFile};
 
 use crate::array::owned;
@@ -374,6 +375,10 @@ pub(crate) fn dominant_of_spectra(
     )))
 }
 
+fn in_english(messages: &[Message]) -> Vec<String> {
+    messages.iter().map(ToString::to_string).collect()
+}
+
 /// A file: its spacing and rails where it holds profiles, else its labelled spectra; and warnings.
 #[pyfunction]
 pub(crate) fn read_roughness<'py>(
@@ -397,7 +402,7 @@ pub(crate) fn read_roughness<'py>(
             (
                 Some((record.spacing, rails.collect())),
                 Vec::new(),
-                record.warnings,
+                in_english(&record.warnings),
             )
         }
         RoughnessFile::Spectra(spectra, warnings) => {
@@ -405,7 +410,7 @@ pub(crate) fn read_roughness<'py>(
                 let levels = levels(py, &record.spectrum);
                 (record.labels, levels)
             });
-            (None, spectra.collect(), warnings)
+            (None, spectra.collect(), in_english(&warnings))
         }
     })
 }

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use riffel_keys::{Message, fixed, say};
+
 /// Longest run of missing samples that is filled \[m\].
 pub(super) const LONGEST_FILLED: f64 = 0.010;
 /// Share of rows that may be defective before the file is refused.
@@ -40,7 +42,8 @@ pub(super) struct Chainage {
     pub(super) stretches: Vec<Stretch>,
     /// Positions of the rows \[m\], where they are so uneven that heights must be resampled.
     pub(super) uneven: Option<Vec<f64>>,
-    pub(super) warnings: Vec<Defect>,
+    /// What was put right, each with the first row.
+    pub(super) warnings: Vec<(usize, Message)>,
 }
 
 /// Something wrong with some rows.
@@ -94,15 +97,9 @@ impl Chainage {
         }
         let mut warnings = builder.warnings(spacing);
         if uneven {
-            warnings.push(Defect {
-                row: 0,
-                message: format!(
-                    "positions are {:.2} mm rms off even steps of {:.3} mm: heights are brought to even steps by cubic \
-                     interpolation",
-                    1e3 * unevenness.deviation * median,
-                    1e3 * spacing
-                ),
-            });
+            let off = fixed(1e3 * unevenness.deviation * median, 2);
+            let said = say!(uneven_positions, off = off, step = fixed(1e3 * spacing, 3));
+            warnings.push((0, said));
         }
         Ok(Self {
             spacing,
@@ -344,40 +341,36 @@ impl Builder {
         }
     }
 
-    fn warnings(&self, spacing: f64) -> Vec<Defect> {
-        let millimetres = 1e3 * LONGEST_FILLED;
+    fn warnings(&self, spacing: f64) -> Vec<(usize, Message)> {
+        let gap = fixed(1e3 * LONGEST_FILLED, 0);
+        let length = fixed(self.gap_length.max(spacing), 3);
+        let rows = |defects: &Count| defects.rows;
         [
-            (&self.missing, "without a position left out".to_owned()),
+            (
+                &self.missing,
+                say!(rows_without_position, count = rows(&self.missing)),
+            ),
             (
                 &self.repeated,
-                "with the position of the row before left out".to_owned(),
+                say!(rows_repeat_position, count = rows(&self.repeated)),
             ),
             (
                 &self.filled,
-                format!("after a gap of up to {millimetres:.0} mm, filled by straight lines"),
+                say!(rows_after_gap, count = rows(&self.filled), gap = gap),
             ),
             (
                 &self.gaps,
-                format!(
-                    "after a longer gap or jump, {:.3} m in all, where the record is divided",
-                    self.gap_length.max(spacing)
-                ),
+                say!(rows_after_jump, count = rows(&self.gaps), length = length),
             ),
+            (&self.back, say!(rows_go_back, count = rows(&self.back))),
             (
-                &self.back,
-                "where the position goes back, at which the record is divided".to_owned(),
+                &self.overtaken,
+                say!(rows_behind, count = rows(&self.overtaken)),
             ),
-            (&self.overtaken, "behind the row before left out".to_owned()),
         ]
         .into_iter()
         .filter(|(defects, _)| defects.rows > 0)
-        .map(|(defects, what)| {
-            let rows = if defects.rows == 1 { "row" } else { "rows" };
-            Defect {
-                row: defects.first,
-                message: format!("{} {rows} {what}", defects.rows),
-            }
-        })
+        .map(|(defects, said)| (defects.first, said))
         .collect()
     }
 }
@@ -444,7 +437,7 @@ mod tests {
         );
         assert_eq!(chainage.stretches.len(), 2);
         assert_eq!(chainage.uneven.as_deref(), Some(&some[..]));
-        let words = &chainage.warnings.last().unwrap().message;
+        let words = chainage.warnings.last().unwrap().1.to_string();
         assert!(
             words.starts_with("positions are 0.20 mm rms off even steps of 1.000 mm"),
             "{words}"

@@ -69,7 +69,7 @@ impl Record {
         for rail in &mut self.rails {
             let clean = CleanRail::new(std::mem::take(&mut rail.stretches));
             let said = defects_in_words(&rail.name, clean.defects(), DefectsAre::LeftOut);
-            self.warnings.extend(said.map(|said| said.to_string()));
+            self.warnings.extend(said);
             rail.stretches = clean.into_stretches();
         }
         self
@@ -109,7 +109,11 @@ mod tests {
                 let far = |one: &riffel::roughness::BandLevel| (one.band.wavelength() - 0.16).abs();
                 far(a).total_cmp(&far(b))
             });
-            (near.unwrap().level, survey.warnings.join("\n"))
+            let warnings = survey.warnings.iter().map(ToString::to_string);
+            (
+                near.unwrap().level,
+                warnings.collect::<Vec<String>>().join("\n"),
+            )
         };
         let (smooth, none) = level("smooth.csv", 0.0, false);
         let (kept, silent) = level("kept.csv", 300.0, true);

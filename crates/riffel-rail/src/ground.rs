@@ -1,7 +1,7 @@
 //! The rail right after grinding, in place of a measured one.
 
 use riffel::roughness::{LevelLimit, Spectrum};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 
 use crate::{Limit, LimitTable};
 
@@ -11,7 +11,7 @@ pub struct GroundRail {
     /// Its levels.
     pub spectrum: Spectrum,
     /// What it is, after "from".
-    pub words: String,
+    pub words: Message,
 }
 
 impl GroundRail {
@@ -25,7 +25,7 @@ impl GroundRail {
         let levels = limit.spectrum().map(|band| band.level + change);
         Ok(Self {
             spectrum: levels.map_err(wrong)?,
-            words: format!("{} dB below {edition}", -change),
+            words: say!(below_limit, decibels = -change, edition = edition),
         })
     }
 
@@ -38,7 +38,7 @@ impl GroundRail {
         match table.limit {
             Limit::Levels(limit) => Ok(Self {
                 spectrum: limit.spectrum().clone(),
-                words: table.edition,
+                words: Message::verbatim(table.edition),
             }),
             Limit::Rms(_) => Err(CaseError::data(
                 name,
@@ -78,7 +78,7 @@ mod tests {
         for text in ["-6 dB", "-6", " -6.0dB", "\u{2212}6 dB"] {
             let ground = GroundRail::below("ISO", &limit, text).unwrap();
             assert!((ground.spectrum.level(band).unwrap() + 7.1).abs() < 1e-12);
-            assert_eq!(ground.words, "6 dB below ISO");
+            assert_eq!(ground.words.to_string(), "6 dB below ISO");
         }
         for text in ["6 dB", "0", "six", "-6 mm", "-inf", ""] {
             let refusal = GroundRail::below("ISO", &limit, text).unwrap_err();

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use jiff::civil::Date;
+use riffel_keys::Message;
 
 use crate::{LabelledSpectrum, Rail, RoughnessFile};
 
@@ -25,7 +26,7 @@ pub enum RailRoughness<'a> {
         /// Its rails.
         rails: &'a [Rail],
         /// What was put right in it.
-        warnings: &'a [String],
+        warnings: &'a [Message],
     },
     /// One-third-octave spectra.
     Spectra(&'a [LabelledSpectrum]),

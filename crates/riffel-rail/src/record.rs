@@ -2,11 +2,13 @@
 
 use riffel::roughness::Profile;
 use riffel_keys::table::NumberRows;
+use riffel_keys::{Message, fixed, number, say};
 
 use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
 use crate::format::{Column, ReaderFormat};
 use crate::plausibility;
 use crate::rail::Rail;
+use crate::rail_name::name_in_words;
 use crate::refusal::Refusal;
 use crate::resampling::resampled;
 
@@ -39,7 +41,7 @@ pub struct Record {
     /// The rails, in the order of the format, for one record after the other.
     pub rails: Vec<Rail>,
     /// Defects of the file that were put right, each counted.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Record {
@@ -47,21 +49,21 @@ impl Record {
     pub(super) fn new(
         format: ReaderFormat,
         rows: NumberRows,
-        assumptions: Vec<String>,
+        assumptions: Vec<Message>,
         insisted: bool,
     ) -> Result<Self, Refusal> {
         let mut warnings = assumptions;
         let columns = format.position.iter().chain(&format.rails);
         for (column, marked) in columns.zip(&rows.marked) {
             warnings.extend(marked.map(|marked| {
-                let rows_of = if marked.count == 1 { "row" } else { "rows" };
-                format!(
-                    "column {} has {} in {} {rows_of}, taken for a missing value; the first is line {}",
-                    column.column,
-                    marked.mark,
-                    marked.count,
-                    rows.line(marked.first)
-                )
+                let line = number(rows.line(marked.first));
+                let said = say!(
+                    marks_of_missing_values,
+                    column = number(column.column),
+                    mark = number(marked.mark),
+                    count = marked.count
+                );
+                say!(first_at_line, sentence = said, line = line)
             }));
         }
         let records = rows.by_label();
@@ -91,7 +93,7 @@ impl Record {
             .map(|(rail, column)| (rail, column.unit.as_str(), size(column)))
             .collect();
         match plausibility::check_heights(&checked) {
-            Err(refusal) if insisted => warnings.push(refusal.message),
+            Err(refusal) if insisted => warnings.push(Message::verbatim(refusal.message)),
             checked => checked?,
         }
         warnings.extend(coarse_sampling(spacing));
@@ -127,7 +129,7 @@ fn read_record(
     rows: &NumberRows,
     label: &str,
     rails: &mut Vec<Rail>,
-    warnings: &mut Vec<String>,
+    warnings: &mut Vec<Message>,
 ) -> Result<Chainage, Refusal> {
     let count = rows.columns.first().map_or(0, Vec::len);
     if count < 2 {
@@ -167,9 +169,13 @@ fn read_record(
     if let Some(column) = &format.position {
         plausibility::check_spacing(chainage.spacing, Some((&column.unit, size(column))))?;
     }
-    warnings.extend(chainage.warnings.iter().map(|defect| {
-        let line = rows.line(defect.row);
-        format!("{of_label}{}; the first is line {line}", defect.message)
+    warnings.extend(chainage.warnings.iter().map(|(row, defect)| {
+        let line = number(rows.line(*row));
+        let said = say!(first_at_line, sentence = defect.clone(), line = line);
+        match label {
+            "" => said,
+            label => said.about(Message::verbatim(label)),
+        }
     }));
     for (column, heights) in format.rails.iter().zip(columns) {
         let name = match (&column.name[..], label) {
@@ -193,13 +199,8 @@ fn read_record(
 }
 
 /// What to say of samples too far apart \[m\] for EN 15610.
-pub fn coarse_sampling(spacing: f64) -> Option<String> {
-    (spacing > 1.001e-3).then(|| {
-        format!(
-            "sampled every {:.3} mm; EN 15610 asks for 1 mm or less",
-            1e3 * spacing
-        )
-    })
+pub fn coarse_sampling(spacing: f64) -> Option<Message> {
+    (spacing > 1.001e-3).then(|| say!(coarse_sampling, step = fixed(1e3 * spacing, 3)))
 }
 
 /// One column of heights on its way to stretches.
@@ -212,7 +213,7 @@ struct RailReader<'a> {
 }
 
 impl RailReader<'_> {
-    fn read(&self) -> Result<(Vec<Profile>, Vec<String>), Refusal> {
+    fn read(&self) -> Result<(Vec<Profile>, Vec<Message>), Refusal> {
         let mut remarks = Vec::new();
         self.check_range(&mut remarks)?;
         let spacing = self.chainage.spacing;
@@ -246,10 +247,12 @@ impl RailReader<'_> {
             ));
         }
         if dropped > 0.0 {
-            remarks.push(format!(
-                "rail {}: {dropped:.3} m left out in stretches shorter than {SHORTEST} m",
-                self.name
-            ));
+            let said = say!(
+                short_stretches_left_out,
+                length = fixed(dropped, 3),
+                shortest = number(SHORTEST)
+            );
+            remarks.push(self.about(said));
         }
         self.remark_missing(longest_fill, &mut remarks);
         profiles.sort_by(|a, b| a.start().total_cmp(&b.start()));
@@ -297,26 +300,31 @@ impl RailReader<'_> {
         )
     }
 
-    fn remark_missing(&self, longest_fill: usize, remarks: &mut Vec<String>) {
+    /// What is said of this rail.
+    fn about(&self, said: Message) -> Message {
+        said.about(say!(rail_named, name = name_in_words(self.name)))
+    }
+
+    fn remark_missing(&self, longest_fill: usize, remarks: &mut Vec<Message>) {
         let mut missing = self
             .heights
             .iter()
             .enumerate()
             .filter(|(_, height)| height.is_nan());
         if let Some((first, _)) = missing.next() {
-            let count = missing.count() + 1;
-            let heights = if count == 1 { "height" } else { "heights" };
-            remarks.push(format!(
-                "rail {}: {count} {heights} missing, filled by straight lines where no more than {longest_fill} \
-                 follow each other, else left out; the first is line {}",
-                self.name,
-                self.rows.line(first)
-            ));
+            let longest = number(longest_fill);
+            let said = say!(
+                heights_missing,
+                count = missing.count() + 1,
+                longest = longest
+            );
+            let line = number(self.rows.line(first));
+            remarks.push(self.about(say!(first_at_line, sentence = said, line = line)));
         }
     }
 
     /// A sensor that says nothing, or that is at its end.
-    fn check_range(&self, remarks: &mut Vec<String>) -> Result<(), Refusal> {
+    fn check_range(&self, remarks: &mut Vec<Message>) -> Result<(), Refusal> {
         let finite = || {
             self.heights
                 .iter()
@@ -368,9 +376,12 @@ impl RailReader<'_> {
         };
         let line = self.rows.line(first);
         let share = samples as f64 / self.heights.len() as f64;
-        let what = format!(
-            "{samples} heights stand at the end of the range, {low} or {high} in the unit of the file, for \
-             {CLIPPED_RUN} samples and more: the sensor is clipped"
+        let what = say!(
+            heights_clipped,
+            samples = number(samples),
+            low = low,
+            high = high,
+            run = number(CLIPPED_RUN)
         );
         if share > MOST_CLIPPED {
             let share = 100.0 * share;
@@ -380,10 +391,8 @@ impl RailReader<'_> {
             );
             return Err(Refusal::new(Some(line), message));
         }
-        remarks.push(format!(
-            "rail {}: {what}; the first is line {line}",
-            self.name
-        ));
+        let line = number(line);
+        remarks.push(self.about(say!(first_at_line, sentence = what, line = line)));
         Ok(())
     }
 

@@ -6,6 +6,7 @@ use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_keys::table::{
     DecimalMark, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words,
 };
+use riffel_keys::{Message, say};
 
 use crate::date::{is_date, read_dates};
 use crate::labelled_spectrum::LabelledSpectrum;
@@ -97,14 +98,14 @@ impl Columns {
     }
 
     /// Columns of numbers that were left out, a sentence for each.
-    pub(super) fn left_out(&self, rows: &Rows<'_>) -> Vec<String> {
+    pub(super) fn left_out(&self, rows: &Rows<'_>) -> Vec<Message> {
         let Self::Long { others, .. } = self else {
             return Vec::new();
         };
         let sentences = others.iter().map(|&column| {
             let why = match rows.table.is_index(column) {
-                true => "it numbers the rows",
-                false => "it is a limit or a statistic, no measured rail",
+                true => say!(it_numbers_the_rows),
+                false => say!(it_is_a_statistic),
             };
             left_out_sentence(column, &rows.header[column], why)
         });

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, number, say};
 
 use crate::date::{is_date, read_date, read_dates};
 use crate::rail_spectrum::RailSpectrum;
@@ -34,7 +34,7 @@ pub struct Survey {
     /// The spectra.
     pub records: Vec<LabelledSpectrum>,
     /// What was put right in a profile.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Survey {
@@ -45,7 +45,7 @@ impl Survey {
     pub fn new(
         path: &Path,
         records: Vec<LabelledSpectrum>,
-        warnings: Vec<String>,
+        warnings: Vec<Message>,
     ) -> Result<Self, CaseError> {
         if records.is_empty() {
             return Err(CaseError::data(path, "there is no spectrum in the file"));
@@ -225,9 +225,11 @@ impl Survey {
         let records: Vec<LabelledSpectrum> = records.flatten().collect();
         let mut warnings = self.warnings;
         if records.len() < self.records.len() {
-            warnings.push(format!(
-                "column `{column}` has {} dates: now is the latest of each rail, {last}",
-                dates.len()
+            warnings.push(say!(
+                now_is_latest_of_each_rail,
+                column = column,
+                count = number(dates.len()),
+                last = last.to_string()
             ));
         }
         let latest = Self {

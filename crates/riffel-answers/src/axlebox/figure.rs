@@ -1,6 +1,7 @@
 //! Roughness felt by axle boxes as a picture.
 
 use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::{Area, Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 use riffel_rail::LimitTable;
 
@@ -12,7 +13,7 @@ pub(super) fn figure(answer: &AxleBoxAnswer, case: &Case, limits: &[LimitTable])
     let mut panels = vec![spectra(answer, limits)];
     let ends = answer.ends();
     let along = answer.rails.iter();
-    panels.extend(along.map(|rail| moving_rms(&rail.rail, ends)));
+    panels.extend(along.map(|rail| moving_rms(&rail.rail, ends, Language::English)));
     LineFigure {
         title: "Roughness felt by axle boxes".to_owned(),
         caption: format!(
@@ -43,7 +44,7 @@ fn spectra(answer: &AxleBoxAnswer, limits: &[LimitTable]) -> LinePanel {
     series.extend(limit_curves(limits));
     LinePanel {
         areas: answer.rails.first().map(pads).into_iter().collect(),
-        ..level_panel(series)
+        ..level_panel(series, Language::English)
     }
 }
 

@@ -14,12 +14,14 @@ use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::LineFigure;
-use riffel_rail::{AxleBoxFile, DefectsAre, LimitTable, check_felt, defects_in_words};
+use riffel_rail::{
+    AxleBoxFile, DefectsAre, LimitTable, check_felt, defects_in_words, rail_in_words,
+};
 
 pub use document::AxleBoxDocument;
 
 use crate::AnswerError;
-use crate::roughness::{Judged, RailAnswer, Verdict, rail_in_words, tables, worst_first};
+use crate::roughness::{Judged, RailAnswer, Verdict, tables, worst_first};
 use listening::{Heard, Longest, listen};
 
 /// What is asked of axle boxes.
@@ -163,11 +165,7 @@ impl AxleBoxAnswer {
             if let (Err(message), Some((path, _))) = (sound, files.first()) {
                 return Err(CaseError::data(path, message).into());
             }
-            let words = if several {
-                rail_in_words(&name)
-            } else {
-                String::new()
-            };
+            let words = several.then(|| rail_in_words(&name));
             let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
             rails.push(AxleBoxRail {
                 levels: pads::ranges(case, &analysis.spectrum, speeds[1])?,
@@ -176,7 +174,7 @@ impl AxleBoxAnswer {
                 rail: RailAnswer {
                     sections: analysis.grind(&request.grinding),
                     verdicts: verdicts
-                        .map(|verdict| verdict.on_rail(&name).of(&words))
+                        .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
                         .collect(),
                     name,
                     analysis,

@@ -5,7 +5,7 @@ use riffel::growth::RidgePoint;
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, Value, say};
 use riffel_rail::RailSpectrum;
 
 use crate::forecast::RailForecast;
@@ -52,11 +52,11 @@ pub enum Effect {
     /// It is the case as it is.
     None,
     /// It changes growth; the sentence is on keys that have no part in that, where there are any.
-    Acts(Option<String>),
+    Acts(Option<Message>),
     /// No key of it can change growth in this case, and none does: the sentence says why.
-    CannotAct(String),
+    CannotAct(Message),
     /// Growth is the same to the last digit, as where a file gives the values of the case.
-    ChangesNothing(String),
+    ChangesNothing(Message),
 }
 
 impl Effect {
@@ -67,44 +67,43 @@ impl Effect {
         before: &TrafficGrowth,
         after: &TrafficGrowth,
     ) -> Self {
-        let idle: Vec<(&str, String)> = variant
+        let idle: Vec<(&str, Message)> = variant
             .keys()
             .filter_map(|key| Some((key, changed.idle_because(key)?)))
             .collect();
         let all = idle.len() == variant.settings.len() && variant.speed == SpeedChange::default();
-        let mut reasons: Vec<(Vec<String>, &str)> = Vec::new();
+        let mut reasons: Vec<(Vec<Message>, &Message)> = Vec::new();
         for (key, reason) in &idle {
-            let key = format!("`{key}`");
+            let key = Message::verbatim(format!("`{key}`"));
             match reasons.iter_mut().find(|known| known.1 == reason) {
                 Some(known) => known.0.push(key),
                 None => reasons.push((vec![key], reason)),
             }
         }
         let title = &variant.title;
-        let reasons = reasons.iter();
-        let reasons: Vec<String> = reasons
-            .map(|(keys, reason)| {
-                let verb = if keys.len() == 1 { "has" } else { "have" };
-                format!("{} {verb} no effect, for {reason}", keys.join(", "))
-            })
-            .collect();
-        let reasons = reasons.join("; ");
+        let reasons = reasons.into_iter().map(|(keys, reason)| {
+            let (count, keys) = (keys.len(), keys.into_iter().collect::<Value>());
+            say!(
+                keys_have_no_effect,
+                keys = keys,
+                count = count,
+                reason = reason.clone()
+            )
+        });
+        let reasons = reasons.reduce(|one, other| say!(one_after_other, one = one, other = other));
         let same = before.vehicles().len() == after.vehicles().len()
             && before
                 .vehicles()
                 .iter()
                 .zip(after.vehicles())
                 .all(|(before, after)| before.growth == after.growth);
-        match (same, all) {
-            (true, true) => {
-                Self::CannotAct(format!("\"{title}\" cannot act on this case: {reasons}"))
+        match (same, all, reasons) {
+            (true, true, Some(reasons)) => {
+                Self::CannotAct(say!(variant_cannot_act, title = title, reasons = reasons))
             }
-            (true, false) => Self::ChangesNothing(format!(
-                "\"{title}\" changes nothing: growth is that of the case to the last digit"
-            )),
-            (false, _) => Self::Acts(
-                (!reasons.is_empty())
-                    .then(|| format!("of \"{title}\" only a part acts: {reasons}")),
+            (true, ..) => Self::ChangesNothing(say!(variant_changes_nothing, title = title)),
+            (false, _, reasons) => Self::Acts(
+                reasons.map(|reasons| say!(variant_acts_in_part, title = title, reasons = reasons)),
             ),
         }
     }
@@ -115,10 +114,10 @@ impl Effect {
     }
 
     /// What the reader should know of it.
-    pub fn sentence(&self) -> Option<&str> {
+    pub fn sentence(&self) -> Option<&Message> {
         match self {
             Self::None => None,
-            Self::Acts(sentence) => sentence.as_deref(),
+            Self::Acts(sentence) => sentence.as_ref(),
             Self::CannotAct(sentence) | Self::ChangesNothing(sentence) => Some(sentence),
         }
     }

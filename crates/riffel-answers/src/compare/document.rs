@@ -19,11 +19,11 @@ use crate::{OverPosterior, WearLimitDocument};
 pub struct CompareDocument<'a> {
     riffel_version: &'static str,
     case: &'a CaseFile,
-    speeds: &'a str,
+    speeds: &'a Message,
     /// Of the rail that leads in the case as it is.
     spectrum_now: Option<Vec<Level>>,
     /// What the rail will be ground to, if that is where the months to the limit begin.
-    ground: Option<&'a str>,
+    ground: Option<&'a Message>,
     limit: Option<&'a str>,
     /// The case as it is first.
     outcomes: Vec<OutcomeDocument<'a>>,
@@ -40,7 +40,7 @@ struct OutcomeDocument<'a> {
     /// Whether it changes growth; null for the case as it is.
     acts: Option<bool>,
     /// Why it does not, or which of its keys do not.
-    no_effect: Option<&'a str>,
+    no_effect: Option<&'a Message>,
     fastest_wavelength_m: f64,
     fastest_growth_rate_per_passage: f64,
     /// It sits at the end of the bands: another wavelength may grow faster.
@@ -96,7 +96,7 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
         case: &case.file,
         speeds: &answer.speeds,
         spectrum_now: rail.map(|rail| levels(&rail.measured.spectrum)),
-        ground: answer.ground.as_ref().map(|ground| ground.words.as_str()),
+        ground: answer.ground.as_ref().map(|ground| &ground.words),
         limit: rail.map(|_| answer.table.edition.as_str()),
         outcomes: answer
             .comparison

@@ -2,20 +2,21 @@
 
 use riffel_case::Case;
 use riffel_case::traffic::DAYS_PER_YEAR;
+use riffel_keys::{Language, Value, say};
 use riffel_plot::{Arrangement, LineFigure, LineStyle, OKABE_ITO, Rgb, Series};
 
-use super::CompareAnswer;
-use crate::capital;
+use super::{CompareAnswer, title_of};
 use crate::forecast::{number, per_million, rate_panel, when, zero};
 use crate::roughness::figure::{level_panel, levels as curve};
+use crate::sentence;
 
-pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
+pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) -> LineFigure {
     let base = answer.comparison.base();
     let wavelengths: Vec<f64> = base.growth.wavelengths().iter().map(|w| 1e3 * w).collect();
     let outcomes = || answer.comparison.outcomes.iter().enumerate();
     let mut rates: Vec<Series> = outcomes()
         .map(|(index, outcome)| Series {
-            label: outcome.title.clone(),
+            label: title_of(outcome).text(language),
             x: wavelengths.clone(),
             y: outcome
                 .growth
@@ -28,11 +29,8 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
         })
         .collect();
     rates.push(zero(&wavelengths));
-    let mut panels = vec![rate_panel(rates)];
-    let mut caption = format!(
-        "{}. Growth of the level by wavelength, positive where corrugation grows.",
-        capital(&answer.speeds)
-    );
+    let mut panels = vec![rate_panel(rates, language)];
+    let mut caption = vec![answer.speeds.clone(), say!(growth_of_the_level)];
     if let Some(leading) = answer.leading() {
         // All at one date: when the case as it is reaches its limit, else when the first variant does, else
         // after a year.
@@ -43,13 +41,21 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
             .or(base.passages_per_day.map(|per_day| DAYS_PER_YEAR * per_day))
             .unwrap_or(1e6);
         let now = match &answer.ground {
-            Some(_) => "after grinding",
-            None => "now",
+            Some(_) => say!(after_grinding),
+            None => say!(now),
+        };
+        let now = match answer.rail(leading) {
+            Some(rail) => say!(rail_when, rail = rail, time = now),
+            None => now,
         };
         let mut ended = Vec::new();
-        let now = format!("{}{now}", answer.prefix(leading));
         let spectrum = &leading.measured.spectrum;
-        let mut levels = vec![curve(&now, spectrum, LineStyle::Dotted, Rgb::BLACK)];
+        let mut levels = vec![curve(
+            &now.text(language),
+            spectrum,
+            LineStyle::Dotted,
+            Rgb::BLACK,
+        )];
         levels.extend(outcomes().filter_map(|(index, outcome)| {
             // All of one rail, the one that leads in the case as it is.
             let mut rails = outcome.rails.iter();
@@ -57,12 +63,12 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
             let forecast = &rail.forecast;
             let until = passages.min(forecast.valid_to());
             if until < passages {
-                ended.push(format!("\u{201c}{}\u{201d}", outcome.title));
+                ended.push(say!(in_quotes, words = title_of(outcome)));
             }
             let bands = forecast.bands().iter();
             // Where the wheel leaves the rail now, there is nothing but the spectrum now.
             (until > 0.0).then(|| Series {
-                label: outcome.title.clone(),
+                label: title_of(outcome).text(language),
                 x: bands
                     .clone()
                     .map(|band| 1e3 * band.now.band.wavelength())
@@ -78,32 +84,28 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case) -> LineFigure {
             LineStyle::Dashed,
             Rgb::BLACK,
         ));
-        panels.push(level_panel(levels));
-        caption += &format!(
-            " Levels after {} axle passages, {} MGT as it is.",
-            when(Some(passages)),
-            number(base.growth.mgt(passages))
-        );
-        if answer.names_rails() {
-            caption += &format!(
-                " The levels are those of {}, which leads as it is.",
-                answer.prefix(leading).trim_end()
-            );
+        panels.push(level_panel(levels, language));
+        caption.push(say!(
+            levels_after,
+            passages = when(Some(passages)),
+            tonnes = number(base.growth.mgt(passages))
+        ));
+        if let Some(rail) = answer.rail(leading) {
+            caption.push(say!(levels_of_rail_as_it_is, rail = rail));
         }
         if !ended.is_empty() {
-            caption += &format!(
-                " Before, where the wheel leaves the rail and the forecast ends: {}.",
-                ended.join(", ")
-            );
+            let titles: Value = ended.into_iter().collect();
+            caption.push(say!(forecast_ends_before, titles = titles));
         }
     }
+    let caption: Vec<String> = caption.iter().map(|one| sentence(one, language)).collect();
     LineFigure {
         title: case
             .file
             .title
             .clone()
-            .unwrap_or_else(|| "Comparison".to_owned()),
-        caption,
+            .unwrap_or_else(|| say!(comparison).text(language)),
+        caption: caption.join(" "),
         panels,
         arrangement: Arrangement::Stacked,
     }

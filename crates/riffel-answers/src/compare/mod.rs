@@ -11,16 +11,17 @@ use riffel::forecast::WearSpread;
 use riffel::roughness::LevelLimit;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
+use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey, name_in_words, rail_in_words};
 
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use document::CompareDocument;
 pub use over_posterior::compare_over;
 
-use crate::forecast::{RailForecast, not_forecast, number, per_million, reached};
-use crate::roughness::rail_in_words;
+use crate::forecast::{
+    RailForecast, not_forecast, number_alone, per_million, reached, three_digits,
+};
 use crate::{AnswerError, OverPosterior, wear_spread};
 
 /// What is asked of variants.
@@ -31,7 +32,7 @@ pub struct CompareRequest {
     /// The traffic.
     pub traffic: Traffic,
     /// Its speeds, or its title, in words.
-    pub speeds: String,
+    pub speeds: Message,
     /// What was asked to be held.
     pub hold: Option<Hold>,
     /// The records of what was measured, if anything was.
@@ -49,13 +50,13 @@ pub struct CompareAnswer {
     /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
     wear_spread: Option<WearSpread>,
     /// Speeds of the traffic, or its title, in words.
-    pub speeds: String,
+    pub speeds: Message,
     /// The outcomes.
     pub comparison: Comparison,
     /// What the rail will be ground to, if that is where the spectrum comes from.
     pub ground: Option<GroundRail>,
     /// What is to be said of the records.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
     /// The table of the limit.
     pub table: LimitTable,
     /// The limit.
@@ -131,8 +132,8 @@ impl CompareAnswer {
     }
 
     /// The figure of the comparison.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        figure::figure(self, case)
+    pub fn figure(&self, case: &Case, language: Language) -> LineFigure {
+        figure::figure(self, case, language)
     }
 
     /// The comparison as data: what `riffel compare --json` prints.
@@ -158,7 +159,7 @@ impl CompareAnswer {
 
     /// What the reader should know of variants: that a part or all has no effect, that less friction means less
     /// traction, and how well rates are known.
-    pub fn effects(&self) -> Vec<String> {
+    pub fn effects(&self) -> Vec<Message> {
         let spread = self.wear_spread.filter(|_| self.over_posterior.is_none());
         let known_to = spread.map(|spread| {
             let [_, either_way] = spread.band_80(1.0);
@@ -167,75 +168,84 @@ impl CompareAnswer {
         let outcomes = self.comparison.outcomes.iter();
         outcomes
             .flat_map(|outcome| {
-                let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio)).then(|| {
-                    format!(
-                        "\"{}\" keeps the tractive ratio: the traction force changes with friction and load; \
-                         --hold force keeps the force",
-                        outcome.title
-                    )
-                });
-                outcome.effect.sentence().map(str::to_owned).into_iter().chain(kept)
+                let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio))
+                    .then(|| say!(keeps_tractive_ratio, title = &outcome.title));
+                outcome.effect.sentence().cloned().into_iter().chain(kept)
             })
-            .chain(known_to.map(|known| known.to_string()))
+            .chain(known_to)
             .collect()
     }
 
     /// Heads of the table without that of the titles: those of what is known of some outcome.
-    pub fn header(&self) -> Vec<&'static str> {
-        let mut header = vec!["fastest mm", "dB per 10⁶ passages", "change"];
+    pub fn header(&self) -> Vec<Message> {
+        let mut header = vec![
+            say!(fastest_in_millimetres),
+            say!(decibels_per_million_passages),
+            say!(change_head),
+        ];
         if self.holds() {
-            header.push("held");
+            header.push(say!(held_head));
         }
-        header.push("ridge Hz");
+        header.push(say!(ridge_in_hertz));
         if self.names_rails() {
-            header.push("rail");
+            header.push(say!(rail_word));
         }
         if self.leading().is_some() {
-            header.extend(["passages to limit", "MGT to limit"]);
+            header.extend([say!(passages_to_limit_head), say!(tonnes_to_limit_head)]);
         }
         if self.counts_months() {
-            header.push("months to limit");
+            header.push(say!(months_to_limit_head));
         }
         header
     }
 
     /// The cells of an outcome under the [`header`](Self::header).
-    pub fn row(&self, outcome: &Outcome) -> Vec<String> {
+    pub fn row(&self, outcome: &Outcome) -> Vec<Message> {
         let FastestLine {
             wavelength,
             rate,
             at_edge,
         } = outcome.fastest;
-        let edge = if at_edge { " (edge)" } else { "" };
+        let nothing = || Message::verbatim("");
         let change = outcome.change_from(self.comparison.base());
+        let wavelength = number_alone(format_args!("{:.1}", 1e3 * wavelength));
         let mut row = vec![
-            format!("{:.1}{edge}", 1e3 * wavelength),
-            format!("{:+.3}", per_million(rate)),
+            match at_edge {
+                true => say!(at_edge_of_lines, wavelength = wavelength),
+                false => wavelength,
+            },
+            number_alone(format_args!("{:+.3}", per_million(rate))),
             match &outcome.effect {
-                Effect::CannotAct(_) => "cannot act".to_owned(),
-                Effect::ChangesNothing(_) => "changes nothing".to_owned(),
-                _ => change.map_or_else(String::new, |change| format!("{:+.0} %", 100.0 * change)),
+                Effect::CannotAct(_) => say!(cannot_act),
+                Effect::ChangesNothing(_) => say!(changes_nothing),
+                _ => change.map_or_else(nothing, |change| {
+                    number_alone(format_args!("{:+.0} %", 100.0 * change))
+                }),
             },
         ];
         if self.holds() {
-            row.push(outcome.held_name().unwrap_or_default().to_owned());
+            row.push(match outcome.held[..] {
+                [] => nothing(),
+                [hold] => held_in_words(hold),
+                _ => say!(held_mixed),
+            });
         }
         let ridge = outcome.ridge_frequency;
-        row.push(ridge.map_or_else(String::new, |f| format!("{f:.0}")));
+        row.push(ridge.map_or_else(nothing, |f| number_alone(format_args!("{f:.0}"))));
         if self.names_rails() {
             let rail = outcome.leading().and_then(RailForecast::name);
-            row.push(rail.unwrap_or_default().to_owned());
+            row.push(name_in_words(rail.unwrap_or_default()));
         }
         if let Some(reach) = outcome.reach() {
             let mgt = reach
                 .passages()
                 .map(|passages| outcome.growth.mgt(passages));
             row.push(reached(reach));
-            row.push(mgt.map_or_else(String::new, number));
+            row.push(mgt.map_or_else(nothing, |mgt| number_alone(three_digits(mgt))));
         }
         if self.counts_months() {
             let months = outcome.months_to_limit();
-            row.push(months.map_or_else(String::new, number));
+            row.push(months.map_or_else(nothing, |months| number_alone(three_digits(months))));
         }
         row
     }
@@ -250,20 +260,10 @@ impl CompareAnswer {
         self.comparison.base().rails.len() > 1
     }
 
-    /// A rail in front of words on it, where there are several.
-    pub fn prefix(&self, rail: &RailForecast) -> String {
-        match rail.name() {
-            Some(name) if self.names_rails() => format!("{} ", rail_in_words(name)),
-            _ => String::new(),
-        }
-    }
-
-    /// " on rail low", where there are several.
-    pub fn on(&self, rail: &RailForecast) -> String {
-        match self.prefix(rail).trim_end() {
-            "" => String::new(),
-            name => format!(" on {name}"),
-        }
+    /// What a rail is called in sentences on it, where there are several.
+    pub fn rail(&self, rail: &RailForecast) -> Option<Message> {
+        let name = rail.name().filter(|_| self.names_rails())?;
+        Some(rail_in_words(name))
     }
 
     /// Whether some variant holds a part of the mean state.
@@ -275,5 +275,22 @@ impl CompareAnswer {
     /// Whether months to the limit are known.
     fn counts_months(&self) -> bool {
         self.leading().is_some() && self.comparison.base().passages_per_day.is_some()
+    }
+}
+
+/// What is held where a variant changes friction or load.
+pub(crate) fn held_in_words(hold: Hold) -> Message {
+    match hold {
+        Hold::Force => say!(held_force),
+        Hold::Ratio => say!(held_ratio),
+        Hold::Creepage => say!(held_creepage),
+    }
+}
+
+/// What a variant is called; the case as it is in each language.
+pub(crate) fn title_of(outcome: &Outcome) -> Message {
+    match outcome.effect {
+        Effect::None => say!(as_it_is),
+        _ => Message::verbatim(&outcome.title),
     }
 }

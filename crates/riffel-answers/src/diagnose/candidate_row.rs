@@ -1,9 +1,12 @@
 //! A candidate in the table of a reader.
 
 use riffel::diagnosis::Candidate;
+use riffel_keys::Language;
+
+use super::Finding;
 
 /// Name, share, frequency and wavelengths of a candidate.
-pub fn candidate_row(candidate: &Candidate) -> [String; 4] {
+pub fn candidate_row(finding: &Finding, candidate: &Candidate, language: Language) -> [String; 4] {
     let millimetres = |range: (f64, f64)| {
         let words = |value: f64| match 1e3 * value {
             value if value < 100.0 => format!("{value:.1}"),
@@ -17,11 +20,13 @@ pub fn candidate_row(candidate: &Candidate) -> [String; 4] {
         }
     };
     [
-        candidate.name(),
-        format!("{:.3}", candidate.share),
+        finding.name(candidate).text(language),
+        language.numbers(&format!("{:.3}", candidate.share)),
         candidate
             .frequency
             .map_or_else(String::new, |frequency| format!("{frequency:.0}")),
-        candidate.wavelengths.map_or_else(String::new, millimetres),
+        candidate
+            .wavelengths
+            .map_or_else(String::new, |range| language.numbers(&millimetres(range))),
     ]
 }

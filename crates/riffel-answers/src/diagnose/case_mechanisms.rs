@@ -4,13 +4,14 @@ use riffel::diagnosis::{GrowthDensity, Mechanism, MechanismKind, TrafficSpeeds};
 use riffel::wheelset::ModeName;
 use riffel_case::file::CurveRail;
 use riffel_case::{Case, WheelsOfCurve};
+use riffel_keys::{Message, fixed, say};
 
 /// The wheels whose growth is held against a wavelength, with the rail of a curve that each runs on: those of the vehicle in its
 /// curve, or the one of the case, which has no name.
 pub(super) struct Wheels(Vec<Wheel>);
 
 struct Wheel {
-    name: Option<String>,
+    name: Option<Message>,
     rail: Option<CurveRail>,
     case: Case,
 }
@@ -30,7 +31,7 @@ impl Wheels {
         let wheels = wheels.into_iter().filter_map(|wheel| {
             let carries = wheel.state.share_of_second_contact() <= 0.5;
             Some(Wheel {
-                name: Some(wheel.name()),
+                name: Some(wheel.in_words()),
                 rail: Some(wheel.rail),
                 case: wheel.case.ok().filter(|_| carries)?,
             })
@@ -42,6 +43,14 @@ impl Wheels {
         }
     }
 
+    /// What the wheels are called.
+    pub(super) fn names(&self) -> Vec<Message> {
+        self.0
+            .iter()
+            .filter_map(|wheel| wheel.name.clone())
+            .collect()
+    }
+
     /// Growth under each wheel that may have made a wavelength \[m\] on a rail of this name: where that says low or high, under
     /// the wheels on it. With sentences on those of which it is not known.
     pub(super) fn growth(
@@ -49,7 +58,7 @@ impl Wheels {
         rail: Option<&str>,
         wavelength: f64,
         speeds: &TrafficSpeeds,
-    ) -> (Vec<Mechanism>, Vec<String>) {
+    ) -> (Vec<Mechanism>, Vec<Message>) {
         let named = rail.and_then(rail_in_words);
         let mut mechanisms = Vec::new();
         let mut unknown = Vec::new();
@@ -63,13 +72,11 @@ impl Wheels {
                 Ok(density) => {
                     let mechanism = Mechanism::growth_ridge(density);
                     mechanisms.push(match &wheel.name {
-                        Some(name) => mechanism.of(name),
+                        Some(name) => mechanism.of(name.to_string()),
                         None => mechanism,
                     });
                 }
-                Err(message) => unknown.push(format!(
-                    "the growth ridge is not among the candidates: {message}"
-                )),
+                Err(reason) => unknown.push(say!(growth_ridge_is_no_candidate, reason = reason)),
             }
         }
         unknown.dedup();
@@ -143,7 +150,7 @@ pub(super) fn near(
 /// Growth of the case over every wavelength that the other candidates are compared over, but for those that the patch
 /// does not let through or at which the track is not known at all speeds. The window of the map has no part in it: a
 /// prediction that ends where the user's window ends would explain any wavelength within a narrow one.
-fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, String> {
+fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthDensity, Message> {
     /// Wavelengths \[m\] that a cause not listed may have.
     const ANY: (f64, f64) = (5e-3, 2.0);
     /// Shortest wavelength in semi-axes: 1.5 contact lengths (Frederick 1987, in Afferrante & Ciavarella
@@ -151,23 +158,22 @@ fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthD
     const SHORTEST: f64 = 3.0;
     let (slowest, fastest) = (speeds.slowest(), speeds.fastest());
     case.check_frequencies(slowest / measured, fastest / measured)
-        .map_err(|error| error.to_string())?;
+        .map_err(|error| Message::verbatim(error.to_string()))?;
     let (lowest, highest) = case.known_frequencies();
     let shortest = SHORTEST * case.hertz.semi_axis_longitudinal();
     let from = ANY.0.max(shortest).max(fastest / highest);
     let to = ANY.1.min(slowest / lowest);
     if from >= to {
-        return Err(format!(
-            "at {:.0} to {:.0} km/h the track is known up to {:.0} mm, and waves shorter than 1.5 contact lengths, \
-             {:.0} mm, pass unseen",
-            3.6 * slowest,
-            3.6 * fastest,
-            1e3 * to,
-            1e3 * shortest
+        return Err(say!(
+            track_known_up_to,
+            slowest = fixed(3.6 * slowest, 0),
+            fastest = fixed(3.6 * fastest, 0),
+            longest = fixed(1e3 * to, 0),
+            shortest = fixed(1e3 * shortest, 0)
         ));
     }
     let covered = case
         .covering(from, to)
-        .map_err(|error| error.without_key().to_string())?;
+        .map_err(|error| error.without_key())?;
     Ok(GrowthDensity::new(&covered.feedback, from, to, speeds))
 }

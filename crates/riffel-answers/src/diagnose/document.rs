@@ -1,24 +1,27 @@
 //! A diagnosis as data: what `riffel diagnose --json` prints.
 
 use riffel::diagnosis::Candidate;
+use riffel_keys::{Language, Message, say};
 use serde::Serialize;
 
+use super::mechanism_words::{settled_by, source, validity};
 use super::{Diagnosis, Finding};
 use crate::defect_document::DefectDocument;
+use crate::sentence;
 
 /// A diagnosis with keys and units, to be serialised.
 #[derive(Serialize)]
 pub struct DiagnosisDocument {
     file: String,
-    record: String,
+    record: Message,
     speed_min_m_per_s: f64,
     speed_max_m_per_s: f64,
     /// What the shares mean.
-    share: &'static str,
+    share: Message,
     dominant_wavelengths: Vec<Dominant>,
     /// Welds, joints and squats that the spectra leave out.
     defects: Vec<DefectDocument>,
-    warnings: Vec<String>,
+    warnings: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -44,7 +47,7 @@ struct Dominant {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     rails: Vec<Rail>,
     course: Option<CourseDocument>,
-    summary: String,
+    summary: Message,
     candidates: Vec<CandidateDocument>,
     measurements: Vec<String>,
 }
@@ -84,17 +87,17 @@ struct CandidateDocument {
     frequency_hz: Option<f64>,
     wavelength_min_m: Option<f64>,
     wavelength_max_m: Option<f64>,
-    reasons_for: Vec<String>,
-    reasons_against: Vec<String>,
-    source: &'static str,
-    validity: &'static str,
+    reasons_for: Vec<Message>,
+    reasons_against: Vec<Message>,
+    source: Message,
+    validity: Message,
     /// What would settle it.
     measurement: String,
 }
 
-/// What the shares mean, for every reader of them.
-pub const SHARE: &str = "share of the belief when every mechanism of the list, and one not in it, is equally \
-    likely beforehand; it compares candidates on the evidence named and is no probability that a finding is right";
+fn in_english(message: &Message) -> String {
+    sentence(message, Language::English)
+}
 
 impl DiagnosisDocument {
     /// The diagnosis of a file, or of a record that is called so.
@@ -105,7 +108,7 @@ impl DiagnosisDocument {
             record: diagnosis.words.clone(),
             speed_min_m_per_s: speeds.slowest(),
             speed_max_m_per_s: speeds.fastest(),
-            share: SHARE,
+            share: say!(share_of_belief),
             dominant_wavelengths: diagnosis
                 .findings
                 .iter()
@@ -170,15 +173,15 @@ impl Dominant {
             candidates: finding
                 .candidates
                 .iter()
-                .map(CandidateDocument::new)
+                .map(|candidate| CandidateDocument::new(finding, candidate))
                 .collect(),
-            measurements: finding.measurements.clone(),
+            measurements: finding.measurements().map(|one| in_english(&one)).collect(),
         }
     }
 }
 
 impl CandidateDocument {
-    fn new(candidate: &Candidate) -> Self {
+    fn new(finding: &Finding, candidate: &Candidate) -> Self {
         Self {
             mechanism: candidate.kind.name(),
             of: candidate.of.clone(),
@@ -186,11 +189,11 @@ impl CandidateDocument {
             frequency_hz: candidate.frequency,
             wavelength_min_m: candidate.wavelengths.map(|range| range.0),
             wavelength_max_m: candidate.wavelengths.map(|range| range.1),
-            reasons_for: candidate.reasons_for.clone(),
-            reasons_against: candidate.reasons_against.clone(),
-            source: candidate.kind.source(),
-            validity: candidate.kind.validity(),
-            measurement: candidate.kind.settled_by(),
+            reasons_for: finding.reasons(&candidate.reasons_for).collect(),
+            reasons_against: finding.reasons(&candidate.reasons_against).collect(),
+            source: source(candidate.kind),
+            validity: validity(candidate.kind),
+            measurement: in_english(&settled_by(candidate.kind)),
         }
     }
 }

@@ -1,13 +1,15 @@
 //! The figure of a diagnosis.
 
-use riffel::diagnosis::{Candidate, FineBand, FineSpectrum};
+use riffel::diagnosis::{FineBand, FineSpectrum};
+use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, Mark, OKABE_ITO, Rgb, Scale, Series};
 use riffel_rail::history::Curves;
 
 use super::Diagnosis;
+use crate::roughness::figure::file_name;
 
 /// Spectra with the dominant wavelengths marked.
-pub(super) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {
+pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineFigure {
     let (series, label, what) = match &diagnosis.curves {
         Curves::Fine(spectra) => {
             let curve = |spectrum: &FineSpectrum, level: fn(&FineBand) -> f64| {
@@ -26,32 +28,28 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {
                 .enumerate()
                 .map(|(index, (name, spectrum))| Series {
                     label: if spectra.len() > 1 {
-                        name.clone()
+                        name.text(language)
                     } else {
-                        "measured".to_owned()
+                        say!(measured_word).text(language)
                     },
                     color: Some(colors[index % colors.len()]),
                     ..curve(spectrum, |band| band.level)
                 })
                 .collect();
             series.extend(spectra.first().map(|(_, spectrum)| Series {
-                label: "trend of the neighbours".to_owned(),
+                label: say!(trend_of_neighbours).text(language),
                 style: LineStyle::Dashed,
                 color: Some(Rgb(0, 0, 0)),
                 ..curve(spectrum, |band| band.trend)
             }));
-            (
-                series,
-                "level in 1/24 octave [dB re 1 µm]",
-                "Bands of 1/24 octave, at least one line of the transform wide; trend of the first curve.",
-            )
+            (series, say!(fine_level_axis), say!(how_fine_bands_are))
         }
         Curves::Levels(groups) => {
             let series = groups
                 .iter()
                 .enumerate()
                 .map(|(index, (name, mean))| Series {
-                    label: name.clone(),
+                    label: name.text(language),
                     x: mean
                         .levels()
                         .iter()
@@ -61,38 +59,35 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis) -> LineFigure {
                     color: Some(OKABE_ITO[index % OKABE_ITO.len()]),
                     ..Series::default()
                 });
-            (
-                series.collect(),
-                "level [dB re 1 µm]",
-                "Means of one-third-octave levels.",
-            )
+            (series.collect(), say!(level_axis), say!(means_of_levels))
         }
     };
     let marks = diagnosis.findings.iter().map(|finding| {
         let wavelength = 1e3 * finding.measured.peak.wavelength;
-        let leads = finding
-            .candidates
-            .first()
-            .map_or_else(String::new, Candidate::name);
+        let leads = finding.candidates.first();
+        let leads = leads.map_or_else(|| Message::verbatim(""), |leads| finding.name(leads));
+        let label = say!(
+            perhaps_made_by,
+            wavelength = fixed(wavelength, 1),
+            mechanism = leads
+        );
         Mark {
             x: wavelength,
-            label: format!("{wavelength:.1} mm: {leads}?"),
+            label: label.text(language),
         }
     });
     LineFigure {
-        title: "Dominant wavelengths".to_owned(),
-        caption: format!(
-            "{}: {}. {what} Named at each wavelength is the candidate that leads; the list has the others and the \
-             reasons.",
-            std::path::Path::new(file)
-                .file_name()
-                .unwrap_or_default()
-                .to_string_lossy(),
-            diagnosis.words
-        ),
+        title: say!(dominant_wavelengths).text(language),
+        caption: say!(
+            caption_of_diagnosis,
+            file = file_name(std::path::Path::new(file)),
+            record = diagnosis.words.clone(),
+            bands = what
+        )
+        .text(language),
         panels: vec![LinePanel {
-            x_label: "wavelength λ [mm]".to_owned(),
-            y_label: label.to_owned(),
+            x_label: say!(wavelength_axis).text(language),
+            y_label: label.text(language),
             x_scale: Scale::Log,
             series,
             marks: marks.collect(),

@@ -1,8 +1,12 @@
 //! A finding: one dominant wavelength with its candidates, in words.
 
-use riffel::diagnosis::{Candidate, MechanismKind, TrafficSpeeds};
-use riffel_keys::decimal;
+use riffel::diagnosis::{Candidate, Course, Measurement, MechanismKind, Reason, TrafficSpeeds};
+use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_rail::history::Measured;
+use riffel_rail::{name_in_words, rail_in_words};
+
+use super::reason::{self, course_in_words};
+use crate::ridge::mechanism_name;
 
 /// A dominant wavelength with what may have made it.
 pub struct Finding {
@@ -11,170 +15,198 @@ pub struct Finding {
     /// What may have made it, the likeliest first.
     pub candidates: Vec<Candidate>,
     /// What would tell the candidates apart.
-    pub measurements: Vec<String>,
+    pub(super) measurements: Vec<Measurement>,
+    /// The wheels after which growth ridges are called.
+    pub(super) wheels: Vec<Message>,
+    /// The speeds of the traffic.
+    pub(super) speeds: TrafficSpeeds,
 }
 
 impl Finding {
     /// Wavelength and frequencies.
-    pub fn headline(&self, speeds: &TrafficSpeeds) -> String {
+    pub fn headline(&self) -> Message {
         let peak = &self.measured.peak;
-        format!(
-            "dominant wavelength {:.1} mm ({:.1}–{:.1} mm), {}{}",
-            1e3 * peak.wavelength,
-            1e3 * peak.from,
-            1e3 * peak.to,
-            self.place()
-                .map_or_else(String::new, |place| format!("{place}, ")),
-            frequencies(peak.wavelength, speeds)
-        )
+        let [wavelength, from, to] =
+            [peak.wavelength, peak.from, peak.to].map(|length| fixed(1e3 * length, 1));
+        let speeds = &self.speeds;
+        let (low, high) = (
+            speeds.slowest() / peak.wavelength,
+            speeds.fastest() / peak.wavelength,
+        );
+        let frequency = match high - low < 0.5 {
+            true => number(format_args!("{low:.0}")),
+            false => number(format_args!("{low:.0}–{high:.0}")),
+        };
+        let speeds = speeds.words();
+        match self.place() {
+            Some(place) => say!(
+                dominant_wavelength_at,
+                wavelength = wavelength,
+                from = from,
+                to = to,
+                place = place,
+                frequency = frequency,
+                speeds = speeds
+            ),
+            None => say!(
+                dominant_wavelength,
+                wavelength = wavelength,
+                from = from,
+                to = to,
+                frequency = frequency,
+                speeds = speeds
+            ),
+        }
     }
 
     /// Rail and place: "rail low, 1200–1240 m and 2 more places".
-    pub fn place(&self) -> Option<String> {
+    pub fn place(&self) -> Option<Message> {
         let Measured {
             rail,
             places,
             all_along,
             ..
         } = &self.measured;
-        let name = match rail.as_deref()? {
-            name if name.starts_with("rail") || name.starts_with("column") => name.to_owned(),
-            name => format!("rail {name}"),
-        };
-        let first = places.first().filter(|_| !all_along);
-        let where_on = match first {
-            Some(first) => format!(", {}–{} m", decimal(first.from, 1), decimal(first.to, 1)),
+        let rail = rail_in_words(rail.as_deref()?);
+        let place = match (places.first(), all_along) {
             // A table of levels has no places.
-            None if places.is_empty() => String::new(),
-            None => ", all along".to_owned(),
+            (None, _) => rail,
+            (Some(_), true) => say!(rail_all_along, rail = rail),
+            (Some(first), false) => say!(
+                rail_from_to,
+                rail = rail,
+                from = fixed(first.from, 1),
+                to = fixed(first.to, 1)
+            ),
         };
-        let more = match places.len() {
-            0 | 1 => String::new(),
-            2 => " and one more place".to_owned(),
-            count => format!(" and {} more places", count - 1),
-        };
-        Some(name + &where_on + &more)
+        Some(match places.len() {
+            0 | 1 => place,
+            count => say!(and_more_places, place = place, count = count - 1),
+        })
     }
 
     /// Level, prominence and how sure.
-    pub fn sureness(&self) -> String {
-        let peak = &self.measured.peak;
-        let scatter = peak.scatter.map_or_else(
-            || "scatter unknown, one spectrum only".to_owned(),
-            |scatter| format!("scatter {scatter:.1} dB"),
-        );
-        let chance = peak.false_peaks.map_or_else(String::new, |peaks| {
-            if peaks < 1e-6 {
-                "; by chance in less than one spectrum of a million".to_owned()
-            } else {
-                format!("; by chance in one spectrum of {:.0}", 1.0 / peaks)
-            }
-        });
-        let rails = &self.measured.rails;
-        let rails: Vec<String> = rails
-            .iter()
-            .map(|(name, level)| format!("{name} {level:.1}"))
-            .collect();
-        let rails = if rails.is_empty() {
-            String::new()
-        } else {
-            format!(" ({})", rails.join(", "))
+    pub fn sureness(&self) -> Message {
+        let Measured {
+            peak,
+            rails,
+            record,
+            ..
+        } = &self.measured;
+        let (level, prominence) = (fixed(peak.level, 1), fixed(peak.prominence, 1));
+        let scatter = match peak.scatter {
+            Some(scatter) => say!(scatter_of, scatter = fixed(scatter, 1)),
+            None => say!(scatter_unknown),
         };
-        let harmonic = peak
-            .harmonic_of
-            .map_or_else(String::new, |(number, longer)| {
-                format!("; harmonic {number} of {:.1} mm", 1e3 * longer)
-            });
-        let record = &self.measured.record;
-        let record = record
-            .as_ref()
-            .map_or_else(String::new, |record| format!(", record {record}"));
-        format!(
-            "level {:.1} dB re 1 µm{record}{rails}, {:.1} dB over the trend of its neighbours ({scatter}){chance}{harmonic}",
-            peak.level, peak.prominence
-        )
+        let level = match record {
+            Some(record) => say!(level_of_record, level = level, record = record),
+            None => say!(level_of_peak, level = level),
+        };
+        let level = match rails.is_empty() {
+            true => level,
+            false => {
+                let rails: Value = rails
+                    .iter()
+                    .map(|(name, level)| {
+                        say!(
+                            level_of_rail,
+                            name = name_in_words(name),
+                            level = fixed(*level, 1)
+                        )
+                    })
+                    .collect();
+                say!(with_levels_of_rails, level = level, rails = rails)
+            }
+        };
+        let mut words = say!(
+            stands_over_its_trend,
+            level = level,
+            prominence = prominence,
+            scatter = scatter
+        );
+        let chance = peak.false_peaks.map(|peaks| match peaks < 1e-6 {
+            true => say!(by_chance_in_a_million),
+            false => say!(by_chance, spectra = fixed(1.0 / peaks, 0)),
+        });
+        let harmonic = peak.harmonic_of.map(|(order, longer)| {
+            let longer = fixed(1e3 * longer, 1);
+            say!(harmonic_of, order = number(order), wavelength = longer)
+        });
+        for more in chance.into_iter().chain(harmonic) {
+            words = say!(one_after_other, one = words, other = more);
+        }
+        words
     }
 
     /// What the course says, with the means of energies beside those of levels.
-    pub fn course(&self) -> Option<String> {
-        let course = self.measured.course.as_ref()?;
-        let energy = self
-            .measured
-            .energy_levels
-            .as_ref()
-            .map_or_else(String::new, |levels| {
-                let levels: Vec<String> =
-                    levels.iter().map(|level| format!("{level:.1}")).collect();
-                format!("; means of energies {}", levels.join(", "))
-            });
-        Some(format!("{}{energy}", course.words()))
+    pub fn course(&self) -> Option<Message> {
+        let course = course_in_words(self.measured.course.as_ref()?);
+        Some(match &self.measured.energy_levels {
+            Some(levels) => {
+                let levels: Value = levels.iter().map(|level| fixed(*level, 1)).collect();
+                let energies = say!(means_of_energies, levels = levels);
+                say!(one_after_other, one = course, other = energies)
+            }
+            None => course,
+        })
     }
 
-    /// The candidates in one sentence: who leads, who is next, and what the course rules out.
-    pub fn summary(&self) -> String {
+    /// The candidates in sentences: who leads, who is next, and what the course rules out.
+    pub fn summary(&self) -> Message {
         let [first, second, ..] = &self.candidates[..] else {
-            return String::new();
+            return Message::verbatim("");
         };
-        let mut text = format!(
-            "{} leads with a share of {:.2}, next is {} with {:.2}.",
-            first.name(),
-            first.share,
-            second.name(),
-            second.share
+        let leads = say!(
+            candidate_leads,
+            first = self.name(first),
+            share = fixed(first.share, 2),
+            second = self.name(second),
+            other = fixed(second.share, 2)
         );
-        let rises = self
-            .measured
-            .course
-            .as_ref()
-            .map(|course| course.probability_of_rise());
-        match rises {
-            Some(rises) if rises < 0.05 => {
-                text += &format!(
-                    " The level falls with a probability of {}, as {} does and growing corrugation does not.",
-                    percent(1.0 - rises),
-                    match first.kind {
-                        MechanismKind::GrindingMark => "a fading grinding mark",
-                        _ => "a fading mark",
-                    }
-                );
-                if first.kind == MechanismKind::GrindingMark {
-                    text += " Best read as a fading grinding mark and not growing corrugation.";
-                }
+        let is_mark = first.kind == MechanismKind::GrindingMark;
+        let course = self.measured.course.as_ref();
+        let says = match course.map(Course::probability_of_rise) {
+            Some(rises) if rises < 0.05 && is_mark => {
+                say!(level_falls_as_grinding_mark, percent = percent(1.0 - rises))
             }
-            Some(rises) if rises > 0.95 => {
-                text += &format!(
-                    " The level rises with a probability of {}, as corrugation under traffic does and a grinding mark \
-                     does not.",
-                    percent(rises)
-                );
-            }
-            Some(rises) => {
-                text += &format!(
-                    " Whether the level rises is open (probability {:.0} %).",
-                    100.0 * rises
-                );
-            }
-            None => text += " There is one record only: whether it grows is not known.",
+            Some(rises) if rises < 0.05 => say!(level_falls, percent = percent(1.0 - rises)),
+            Some(rises) if rises > 0.95 => say!(level_rises, percent = percent(rises)),
+            Some(rises) => say!(rise_is_open, percent = fixed(100.0 * rises, 0)),
+            None => say!(one_record_only),
+        };
+        say!(two_sentences, one = leads, other = says)
+    }
+
+    /// What a candidate is called, as in "growth ridge, wheelset 1, low rail".
+    pub fn name(&self, candidate: &Candidate) -> Message {
+        let mechanism = mechanism_name(candidate.kind);
+        let mut wheels = self.wheels.iter();
+        let wheel = wheels.find(|wheel| candidate.of == Some(wheel.text(Language::English)));
+        match wheel {
+            Some(wheel) => say!(mechanism_of, mechanism = mechanism, wheel = wheel.clone()),
+            None => mechanism,
         }
-        text
+    }
+
+    /// Reasons in sentences.
+    pub fn reasons<'a>(&'a self, reasons: &'a [Reason]) -> impl Iterator<Item = Message> + 'a {
+        let course = self.measured.course.as_ref();
+        reasons
+            .iter()
+            .map(move |reason| reason::in_words(reason, &self.speeds, course))
+    }
+
+    /// What would tell the candidates apart, a sentence each.
+    pub fn measurements(&self) -> impl Iterator<Item = Message> {
+        let wavelength = self.measured.peak.wavelength;
+        let measurements = self.measurements.iter();
+        measurements.map(move |one| reason::measurement(*one, wavelength, &self.speeds))
     }
 }
 
-/// Frequencies of a wavelength at the speeds of the traffic: "1375–1958 Hz at 99–141 km/h".
-fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> String {
-    let (low, high) = (speeds.slowest() / wavelength, speeds.fastest() / wavelength);
-    let range = if high - low < 0.5 {
-        format!("{low:.0} Hz")
-    } else {
-        format!("{low:.0}–{high:.0} Hz")
-    };
-    format!("{range} at {}", speeds.words())
-}
-
-fn percent(probability: f64) -> String {
-    if probability > 0.9995 {
-        "more than 99.9 %".to_owned()
-    } else {
-        format!("{:.1} %", 100.0 * probability)
+fn percent(probability: f64) -> Message {
+    match probability > 0.9995 {
+        true => say!(more_than_999_per_mille),
+        false => say!(percent_of, percent = fixed(100.0 * probability, 1)),
     }
 }

@@ -5,6 +5,8 @@ mod case_mechanisms;
 mod document;
 mod figure;
 mod finding;
+pub(crate) mod mechanism_words;
+mod reason;
 mod tables;
 
 use std::io::{self, Write};
@@ -17,12 +19,13 @@ use riffel::diagnosis::{
 use case_mechanisms::{Wheels, near, wheelset_modes};
 
 pub use candidate_row::candidate_row;
-pub use document::{DiagnosisDocument, SHARE};
+pub use document::DiagnosisDocument;
 pub use finding::Finding;
+pub(crate) use reason::course_in_words;
 
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Language, Message, fixed, say};
 use riffel_plot::LineFigure;
 use riffel_rail::RailRecord;
 use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
@@ -52,11 +55,11 @@ pub struct Diagnosis {
     /// What a figure shows of the records.
     pub curves: Curves,
     /// What the records are, in words.
-    pub words: String,
+    pub words: Message,
     /// Welds, joints and squats by rail, which the spectra leave out unless they were kept.
     pub defects: Vec<(String, RailDefect)>,
     /// What was put right in the records, and what the case knows nothing of.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 impl Diagnosis {
@@ -110,11 +113,13 @@ impl Diagnosis {
             };
             let candidates = rank(&evidence, &mechanisms);
             let course = measured.course.as_ref();
-            let measurements = tell_apart(&measured.peak, &candidates, course, speeds);
+            let measurements = tell_apart(&candidates, course);
             findings.push(Finding {
                 measured,
                 candidates,
                 measurements,
+                wheels: wheels.names(),
+                speeds: speeds.clone(),
             });
         }
         Ok(Self {
@@ -133,8 +138,8 @@ impl Diagnosis {
     }
 
     /// Spectra with the dominant wavelengths marked.
-    pub fn figure(&self, file: &str) -> LineFigure {
-        figure::of(file, self)
+    pub fn figure(&self, file: &str, language: Language) -> LineFigure {
+        figure::of(file, self, language)
     }
 
     /// One row for each candidate of each finding.
@@ -153,17 +158,16 @@ impl Diagnosis {
         tables::places(self, file)
     }
 
-    /// The speeds of the map of a case, where none are known, and a sentence on them.
+    /// The speeds of the map of a case, where none are known, and a remark on them.
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for speeds not above zero.
-    pub fn speeds_of_map(case: &Case) -> Result<(TrafficSpeeds, String), riffel::Error> {
+    pub fn speeds_of_map(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
-        let sentence = format!(
-            "all speeds of the case's map, {:.0}–{:.0} km/h, are taken to be equally common, which tells constant \
-             frequencies apart badly",
-            3.6 * slowest,
-            3.6 * fastest
+        let sentence = say!(
+            speeds_of_the_map,
+            slowest = fixed(3.6 * slowest, 0),
+            fastest = fixed(3.6 * fastest, 0)
         );
         Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
     }

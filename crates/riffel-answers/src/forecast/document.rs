@@ -67,7 +67,7 @@ pub struct ForecastDocument<'a> {
     bands_left_out: Vec<Level>,
     traffic: TrafficDocument<'a>,
     wear_fit: Option<WearDocument>,
-    findings: Vec<String>,
+    findings: Vec<Message>,
     remarks: Vec<Message>,
 }
 
@@ -79,7 +79,7 @@ struct Inputs<'a> {
     spectrum: Option<String>,
     records: Option<usize>,
     /// What the rail will be ground to, if that is where the forecast begins.
-    ground: Option<&'a str>,
+    ground: Option<&'a Message>,
     date: Option<String>,
 }
 
@@ -207,7 +207,7 @@ pub(super) fn document<'a>(
     let banded = |per: f64| fastest.map(|(rate, spread)| Banded::by_wear(per * rate, spread));
     let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
     let warnings = answer.warnings.iter();
-    let mut remarks: Vec<Message> = warnings.map(Message::verbatim).collect();
+    let mut remarks: Vec<Message> = warnings.cloned().collect();
     remarks.extend(answer.on.remarks.iter().cloned());
     ForecastDocument {
         riffel_version: env!("CARGO_PKG_VERSION"),
@@ -266,7 +266,7 @@ impl<'a> Inputs<'a> {
             traffic: &answer.traffic.file,
             spectrum: spectrum.filter(|_| answer.ground.is_none()),
             records: answer.survey.as_ref().map(|survey| survey.records.len()),
-            ground: answer.ground.as_ref().map(|ground| ground.words.as_str()),
+            ground: answer.ground.as_ref().map(|ground| &ground.words),
             date: answer.date.map(|date| date.to_string()),
         }
     }

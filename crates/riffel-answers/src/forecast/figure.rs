@@ -1,20 +1,24 @@
 //! The figure of a forecast.
 
 use riffel_case::Case;
+use riffel_case::traffic::vehicle_in_words;
+use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::{ForecastAnswer, number};
 use crate::roughness::figure::{level_panel, levels};
 
-pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
+pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -> LineFigure {
     let traffic = answer.growth();
     let rail = answer.leading();
-    let prefix = answer.prefix(rail);
-    let now = match &answer.ground {
-        Some(_) => "after grinding",
-        None => "now",
+    let of_rail = |words: Message| match answer.rail(rail) {
+        Some(rail) => say!(rail_when, rail = rail, time = words).text(language),
+        None => words.text(language),
     };
-    let now = format!("{prefix}{now}");
+    let now = of_rail(match &answer.ground {
+        Some(_) => say!(after_grinding),
+        None => say!(now),
+    });
     let now = levels(
         &now,
         &rail.measured.spectrum,
@@ -22,13 +26,15 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
         OKABE_ITO[1],
     );
     let valid_to = rail.forecast.valid_to();
-    let (until, end) = match answer.passages <= valid_to {
-        true => (answer.passages, ""),
-        false => (valid_to, ", where the forecast ends"),
+    let until = answer.passages.min(valid_to);
+    let tonnes = number(traffic.mgt(until));
+    let after = match answer.passages <= valid_to {
+        true => say!(after_tonnes, tonnes = tonnes),
+        false => say!(after_tonnes_at_end, tonnes = tonnes),
     };
     let bands = || rail.forecast.bands().iter();
     let then = Series {
-        label: format!("{prefix}after {} MGT{end}", number(traffic.mgt(until))),
+        label: of_rail(after),
         x: bands()
             .map(|band| 1e3 * band.now.band.wavelength())
             .collect(),
@@ -56,34 +62,44 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
         .enumerate()
         .map(|(index, vehicle)| {
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            let label = format!("by {}, {:.0} %", vehicle.name, 100.0 * vehicle.share);
+            let percent = fixed(100.0 * vehicle.share, 0);
+            let label = say!(
+                by_vehicle,
+                vehicle = vehicle_in_words(&vehicle.name),
+                percent = percent
+            )
+            .text(language);
             let own = vehicle.growth.rates.iter();
             let parts: Vec<f64> = own.map(|rate| vehicle.share * rate).collect();
             rate(label, &parts, color)
         })
         .collect();
-    rates.push(rate("mix".to_owned(), traffic.rates(), Rgb::BLACK));
+    rates.push(rate(
+        say!(mix_of_vehicles).text(language),
+        traffic.rates(),
+        Rgb::BLACK,
+    ));
     rates.push(zero(&wavelengths));
-    let leads = match prefix.trim_end() {
-        "" => String::new(),
-        name => format!(" Levels are those of {name}, which leads."),
+    let caption = say!(caption_of_forecast, amount = answer.amount(until)).text(language);
+    let caption = match answer.rail(rail) {
+        Some(rail) => caption + " " + &say!(levels_of_leading_rail, rail = rail).text(language),
+        None => caption,
     };
     let mut panels = vec![
-        level_panel(match until > 0.0 {
-            true => vec![now, then, limit],
-            false => vec![now, limit],
-        }),
-        rate_panel(rates),
+        level_panel(
+            match until > 0.0 {
+                true => vec![now, then, limit],
+                false => vec![now, limit],
+            },
+            language,
+        ),
+        rate_panel(rates, language),
     ];
-    panels.extend(crack_panel(answer, until));
+    panels.extend(crack_panel(answer, until, language));
     let title = case.file.title.clone();
     LineFigure {
-        title: title.unwrap_or_else(|| "Growth forecast".to_owned()),
-        caption: format!(
-            "After {}. One-third-octave levels; growth of the level by wavelength, positive where corrugation \
-             grows: what each kind of vehicle adds, and their sum. The forecast ends where the wheel leaves the rail.{leads}",
-            answer.amount(until)
-        ),
+        title: title.unwrap_or_else(|| say!(growth_forecast).text(language)),
+        caption,
         panels,
         arrangement: Arrangement::Stacked,
     }
@@ -91,7 +107,7 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case) -> LineFigure {
 
 /// Length of cracks over the passages at the phases of the wave where they become longest; none where none
 /// grows.
-fn crack_panel(answer: &ForecastAnswer, until: f64) -> Option<LinePanel> {
+fn crack_panel(answer: &ForecastAnswer, until: f64, language: Language) -> Option<LinePanel> {
     const STEPS: u32 = 24;
     let longest = (answer.cracks().into_iter())
         .max_by(|a, b| a.crack_length_m.total_cmp(&b.crack_length_m))
@@ -107,15 +123,23 @@ fn crack_panel(answer: &ForecastAnswer, until: f64) -> Option<LinePanel> {
         .map(|&passages| forecast.cracks(band, passages));
     let courses: Vec<_> = courses.collect::<Option<Vec<_>>>()?;
     let (x_label, x): (_, Vec<f64>) = match answer.on.passages_per_month() {
-        Some(per_month) => ("months", passages.iter().map(|p| p / per_month).collect()),
+        Some(per_month) => (
+            say!(months_axis),
+            passages.iter().map(|p| p / per_month).collect(),
+        ),
         None => (
-            "10⁶ axle passages",
+            say!(million_passages_axis),
             passages.iter().map(|p| 1e-6 * p).collect(),
         ),
     };
-    let names = ["crest", "falling flank", "trough", "rising flank"];
+    let names = [
+        say!(crest),
+        say!(falling_flank),
+        say!(trough),
+        say!(rising_flank),
+    ];
     let series = names.iter().enumerate().map(|(phase, name)| Series {
-        label: (*name).to_owned(),
+        label: name.text(language),
         x: x.clone(),
         y: courses
             .iter()
@@ -128,19 +152,19 @@ fn crack_panel(answer: &ForecastAnswer, until: f64) -> Option<LinePanel> {
         color: Some(OKABE_ITO[1 + phase]),
     });
     Some(LinePanel {
-        subtitle: format!("cracks at {} mm", band.now.band.nominal_millimetres()),
-        x_label: x_label.to_owned(),
-        y_label: "length of a crack [mm]".to_owned(),
+        subtitle: say!(cracks_at, wavelength = band.now.band.nominal_millimetres()).text(language),
+        x_label: x_label.text(language),
+        y_label: say!(crack_axis).text(language),
         series: series.collect(),
         ..LinePanel::default()
     })
 }
 
 /// Growth over wavelength.
-pub(crate) fn rate_panel(series: Vec<Series>) -> LinePanel {
+pub(crate) fn rate_panel(series: Vec<Series>, language: Language) -> LinePanel {
     LinePanel {
-        x_label: "wavelength λ [mm]".to_owned(),
-        y_label: "growth [dB per 10⁶ passages]".to_owned(),
+        x_label: say!(wavelength_axis).text(language),
+        y_label: say!(growth_axis).text(language),
         x_scale: Scale::Log,
         series,
         ..LinePanel::default()

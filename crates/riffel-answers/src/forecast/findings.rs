@@ -1,8 +1,8 @@
 //! What a forecast finds, in sentences.
 
 use riffel::forecast::Reach;
-use riffel_case::traffic::SpreadEffect;
-use riffel_keys::{fixed, number as numeral, say};
+use riffel_case::traffic::{SpreadEffect, vehicle_in_words};
+use riffel_keys::{Message, fixed, number as numeral, say};
 
 use super::ForecastAnswer;
 use super::damage::{CrackedWave, HardenedWave};
@@ -10,7 +10,7 @@ use super::rail_forecast::RailForecast;
 use super::words::number;
 
 /// What a spread does, where it is worth a word.
-fn spread_in_words(spread: &SpreadEffect) -> Option<String> {
+fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
     /// Less is no reduction to speak of.
     const WORTH_A_WORD: f64 = 1.05;
     let reduction = spread
@@ -28,29 +28,26 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<String> {
         true => fixed(reduction, 1),
         false => fixed(reduction, 0),
     };
-    let vehicle = &spread.vehicle;
-    Some(
-        say!(
-            spread_takes_down,
-            vehicle = vehicle,
-            what = what,
-            factor = factor
-        )
-        .to_string(),
-    )
+    let vehicle = vehicle_in_words(&spread.vehicle);
+    Some(say!(
+        spread_takes_down,
+        vehicle = vehicle,
+        what = what,
+        factor = factor
+    ))
 }
 
 impl ForecastAnswer {
     /// Between which months the leading rail reaches its limit, by what the wear coefficient may be.
-    fn months_within(&self) -> Option<String> {
+    fn months_within(&self) -> Option<Message> {
         let crossings = self.crossings(self.leading());
         let months = self.months(crossings.first()?.passages)?;
         let [early, late] = self.wear_spread?.band_80(months).map(number);
-        (months > 0.0).then(|| say!(months_within, early = early, late = late).to_string())
+        (months > 0.0).then(|| say!(months_within, early = early, late = late))
     }
 
     /// Between what the fastest growth lies, by what the wear coefficient may be.
-    fn fastest_within(&self) -> Option<String> {
+    fn fastest_within(&self) -> Option<Message> {
         let (band, rate) = self.fastest().filter(|(_, rate)| *rate > 0.0)?;
         let spread = self.wear_spread?;
         let wavelength = numeral(band.now.band.nominal_millimetres());
@@ -75,64 +72,56 @@ impl ForecastAnswer {
                 )
             }
         };
-        Some(said.to_string())
+        Some(said)
     }
 
     /// What follows, in sentences; those on the rail that leads first.
-    pub fn findings(&self) -> Vec<String> {
-        let mut findings: Vec<String> = self
+    pub fn findings(&self) -> Vec<Message> {
+        let about = |rail, sentence: Message| match self.rail(rail) {
+            Some(name) => sentence.about(name),
+            None => sentence,
+        };
+        let mut findings: Vec<Message> = self
             .rails
             .iter()
             .enumerate()
-            .map(|(place, rail)| {
-                let sentence = self.interval(rail);
-                match (self.prefix(rail).trim_end(), place) {
-                    ("", _) => sentence,
-                    (name, 0) => format!("{name} leads: {sentence}"),
-                    (name, _) => format!("{name}: {sentence}"),
-                }
+            .map(|(place, rail)| match (self.rail(rail), place) {
+                (Some(name), 0) => say!(rail_leads, rail = name, sentence = self.interval(rail)),
+                _ => about(rail, self.interval(rail)),
             })
             .collect();
         // Of the rail that leads, which is the first.
         findings.splice(1..1, self.months_within());
-        findings.extend(self.rails.iter().map(|rail| {
-            let sentence = self.linear_range(rail);
-            match self.prefix(rail).trim_end() {
-                "" => sentence,
-                name => format!("{name}: {sentence}"),
-            }
-        }));
+        let rails = self.rails.iter();
+        findings.extend(rails.map(|rail| about(rail, self.linear_range(rail))));
         let decays = |rail: &RailForecast| {
             let mut bands = rail.forecast.bands().iter();
             bands.any(|band| rail.forecast.growth_rate(band) < 0.0)
         };
         if self.rails.iter().any(decays) {
-            findings.push(say!(decaying_bands_stay).to_string());
+            findings.push(say!(decaying_bands_stay));
         }
         findings.extend(self.fastest_within());
         let leading = &self.leading().forecast;
         let hardened = HardenedWave::in_words(leading);
         let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
-        findings.extend(
-            hardened
-                .into_iter()
-                .chain(cracked)
-                .map(|said| said.to_string()),
-        );
+        findings.extend(hardened.into_iter().chain(cracked));
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
-            findings.push(format!(
-                "not forecast: {} bands from {first} to {last} mm that lie outside map.wavelength of the case",
-                left_out.len()
+            findings.push(say!(
+                bands_not_forecast,
+                count = numeral(left_out.len()),
+                first = *first,
+                last = *last
             ));
         }
         findings
     }
 
     /// Which band of the leading rail bends over first, if one does before the end of the forecast.
-    fn bend(&self) -> Option<String> {
+    fn bend(&self) -> Option<Message> {
         let bands = self.leading().forecast.bands().iter();
         let bends = bands.filter_map(|band| Some((band, band.bends_after()?)));
         let (band, passages) = bends.min_by(|a, b| a.1.total_cmp(&b.1))?;
@@ -144,56 +133,49 @@ impl ForecastAnswer {
                 passages = number(passages),
                 wear = fixed(1e3 * wear.depth_per_100_mgt(), 2)
             )
-            .to_string()
         })
     }
 
     /// When a rail reaches the limit.
-    fn interval(&self, rail: &RailForecast) -> String {
+    fn interval(&self, rail: &RailForecast) -> Message {
         let edition = &self.table.edition;
-        let from = match &self.ground {
-            Some(ground) => format!(" from {}", ground.words),
-            None => String::new(),
+        let interval = match &self.ground {
+            Some(ground) => say!(grinding_interval_from, ground = ground.words.clone()),
+            None => say!(grinding_interval),
         };
         match (self.crossings(rail).first(), rail.reach) {
-            (Some(first), _) if first.passages == 0.0 => format!(
-                "over the limit now: {edition} at {} mm by {:.1} dB",
-                first.band.now.band.nominal_millimetres(),
-                first.band.now.level - first.limit
+            (Some(first), _) if first.passages == 0.0 => say!(
+                over_the_limit_now,
+                edition = edition,
+                wavelength = first.band.now.band.nominal_millimetres(),
+                decibels = fixed(first.band.now.level - first.limit, 1)
             ),
-            (Some(first), _) => format!(
-                "grinding interval{from}: {edition} is reached at {} mm after {}",
-                first.band.now.band.nominal_millimetres(),
-                self.amount(first.passages)
-            ),
-            (None, Some(Reach::Never)) => format!("no band forecast ever reaches {edition}"),
-            (None, _) => format!(
-                "grinding interval{from}: {edition} is not reached before the wheel leaves the rail, where the forecast \
-                 ends"
-            ),
+            (Some(first), _) => say!(
+                limit_reached_after,
+                edition = edition,
+                wavelength = first.band.now.band.nominal_millimetres(),
+                amount = self.amount(first.passages)
+            )
+            .about(interval),
+            (None, Some(Reach::Never)) => say!(no_band_reaches, edition = edition),
+            (None, _) => say!(limit_not_reached_before, edition = edition).about(interval),
         }
     }
 
     /// How far the linear loop holds on a rail.
-    pub(super) fn linear_range(&self, rail: &RailForecast) -> String {
+    pub(super) fn linear_range(&self, rail: &RailForecast) -> Message {
         let linear = rail.forecast.linear_range(rail.forecast.bands());
-        let vehicle = &self.growth().vehicles()[linear.vehicle].name;
+        let vehicle = vehicle_in_words(&self.growth().vehicles()[linear.vehicle].name);
+        let ratio = fixed(linear.force_ratio, 2);
         match linear.passages {
-            Some(0.0) => format!(
-                "beyond the linear range now: |P₁| is {:.2} P₀ under \"{vehicle}\", so that wheel and rail part; \
-                 corrugation then grows otherwise than the linear loop says, and nothing is forecast",
-                linear.force_ratio
+            Some(0.0) => say!(beyond_linear_range_now, ratio = ratio, vehicle = vehicle),
+            Some(passages) => say!(
+                linear_range_ends,
+                ratio = ratio,
+                vehicle = vehicle,
+                amount = self.amount(passages)
             ),
-            Some(passages) => format!(
-                "linear range: |P₁| is {:.2} P₀ now and reaches P₀ under \"{vehicle}\" after {}; there the wheel \
-                 leaves the rail, and the forecast ends",
-                linear.force_ratio,
-                self.amount(passages)
-            ),
-            None => format!(
-                "linear range: |P₁| is {:.2} P₀ now under \"{vehicle}\" and never reaches P₀",
-                linear.force_ratio
-            ),
+            None => say!(linear_range_never_ends, ratio = ratio, vehicle = vehicle),
         }
     }
 }

@@ -18,13 +18,14 @@ use jiff::civil::Date;
 use riffel::forecast::{ForecastBand, Reach, TrafficGrowth, WearSpread};
 use riffel::roughness::LevelLimit;
 use riffel_case::Case;
+use riffel_case::file::CurveRail;
 use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
+use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey};
+use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey, name_in_words, rail_in_words};
 
-use crate::roughness::rail_in_words;
 use crate::{AnswerError, wear_spread};
-use words::BEYOND;
+use words::beyond;
 
 pub use damage::{CrackedWave, HardenedWave};
 pub use document::ForecastDocument;
@@ -34,7 +35,8 @@ pub use over_posterior::PosteriorForecast;
 pub use rail_forecast::RailForecast;
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport};
-pub use words::{number, per_million, reached, when};
+pub(crate) use words::{number, reached, shown as number_alone, when};
+pub use words::{per_million, three_digits};
 
 /// What is asked of the future of a rail.
 pub struct ForecastRequest {
@@ -80,7 +82,7 @@ pub struct ForecastAnswer {
     /// than wear.
     pub wear_spread: Option<WearSpread>,
     /// What is to be said of the records.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// A band that reaches its limit.
@@ -134,11 +136,13 @@ impl ForecastAnswer {
             .map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
         if let (Some(from), true) = (&case.file.contact.from, rails.len() > 1) {
-            warnings.push(format!(
-                "all rails are given the growth of the {} rail (contact.from); in a curve the other one grows at its own rate, which \
-                 contact.from.rail asks for",
-                from.rail.name()
-            ));
+            let of_rail = match from.rail {
+                CurveRail::Low => say!(of_low),
+                CurveRail::High => say!(of_high),
+                CurveRail::Left => say!(of_left),
+                CurveRail::Right => say!(of_right),
+            };
+            warnings.push(say!(all_rails_grow_alike, of_rail = of_rail));
         }
         Ok(Self {
             passages: horizon.passages(&on)?,
@@ -176,8 +180,8 @@ impl ForecastAnswer {
     }
 
     /// The figure of the forecast.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        figure::figure(self, case)
+    pub fn figure(&self, case: &Case, language: Language) -> LineFigure {
+        figure::figure(self, case, language)
     }
 
     /// The forecast as data: what `riffel forecast --json` prints; `spectrum` is the name of the record.
@@ -256,12 +260,10 @@ impl ForecastAnswer {
         &self.rails[0]
     }
 
-    /// A rail in front of words on it, where there are several.
-    pub fn prefix(&self, rail: &RailForecast) -> String {
-        match rail.name() {
-            Some(name) if self.rails.len() > 1 => format!("{} ", rail_in_words(name)),
-            _ => String::new(),
-        }
+    /// What a rail is called in sentences on it, where there are several.
+    pub fn rail(&self, rail: &RailForecast) -> Option<Message> {
+        let name = rail.name().filter(|_| self.names_rails())?;
+        Some(rail_in_words(name))
     }
 
     /// Growth under the traffic, the same for every rail.
@@ -293,16 +295,27 @@ impl ForecastAnswer {
     }
 
     /// Passages in every unit that is known.
-    pub fn amount(&self, passages: f64) -> String {
-        let mgt = self.growth().mgt(passages);
-        let mut text = format!("{passages:.2e} axle passages = {} MGT", number(mgt));
-        if let Some(months) = self.months(passages) {
-            text += &format!(" = {} months", number(months));
+    pub fn amount(&self, passages: f64) -> Message {
+        let tonnes = number(self.growth().mgt(passages));
+        let months = self.months(passages).map(number);
+        let date = self.date_after(passages).map(|date| date.to_string());
+        let passages = numeral(format_args!("{passages:.2e}"));
+        match (months, date) {
+            (Some(months), Some(date)) => say!(
+                amount_with_date,
+                passages = passages,
+                tonnes = tonnes,
+                months = months,
+                date = date
+            ),
+            (Some(months), None) => say!(
+                amount_with_months,
+                passages = passages,
+                tonnes = tonnes,
+                months = months
+            ),
+            (None, _) => say!(amount_of_traffic, passages = passages, tonnes = tonnes),
         }
-        if let Some(date) = self.date_after(passages) {
-            text += &format!(" ({date})");
-        }
-        text
     }
 
     /// Whether the table by band has a column of rails.
@@ -312,30 +325,32 @@ impl ForecastAnswer {
 
     /// The cells of the table by band, the rail that leads first and of each the longest wavelength; the name of the
     /// rail first, where there are several.
-    pub fn rows(&self) -> Vec<Vec<String>> {
+    pub fn rows(&self) -> Vec<Vec<Message>> {
         self.rails
             .iter()
             .flat_map(|rail| self.rows_of(rail))
             .collect()
     }
 
-    fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<String>> {
+    fn rows_of(&self, rail: &RailForecast) -> Vec<Vec<Message>> {
         let forecast = &rail.forecast;
         let limits = forecast.reaches(&self.limit);
         let name = rail.name().filter(|_| self.names_rails());
         let row = |band: &ForecastBand| {
             let limit = limits.iter().find(|limit| limit.0 == band);
             let then = forecast.level(band, self.passages);
+            let level = |level: f64| number_alone(format_args!("{level:.1}"));
+            let nothing = || Message::verbatim("");
             let cells = [
-                format!("{}", band.now.band.nominal_millimetres()),
-                format!("{:.1}", band.now.level),
-                then.map_or_else(|| BEYOND.to_owned(), |level| format!("{level:.1}")),
-                limit.map_or_else(String::new, |limit| format!("{:.1}", limit.1)),
-                self.rate_in_words(per_million(forecast.growth_rate(band))),
-                limit.map_or_else(String::new, |limit| reached(limit.2)),
+                number_alone(band.now.band.nominal_millimetres()),
+                level(band.now.level),
+                then.map_or_else(beyond, level),
+                limit.map_or_else(nothing, |limit| level(limit.1)),
+                number_alone(self.rate_in_words(per_million(forecast.growth_rate(band)))),
+                limit.map_or_else(nothing, |limit| reached(limit.2)),
                 when(forecast.linear_range([band]).passages),
             ];
-            name.map(str::to_owned).into_iter().chain(cells).collect()
+            name.map(name_in_words).into_iter().chain(cells).collect()
         };
         forecast.bands().iter().rev().map(row).collect()
     }
@@ -343,12 +358,12 @@ impl ForecastAnswer {
     /// A growth of the level \[dB\] with the band of 80 % that the wear coefficient gives it.
     fn rate_in_words(&self, growth: f64) -> String {
         let signed = |growth: f64| match growth > 0.0 {
-            true => format!("+{}", number(growth)),
-            false => number(growth),
+            true => format!("+{}", three_digits(growth)),
+            false => three_digits(growth),
         };
         match self.wear_spread {
             Some(spread) => {
-                let [low, high] = spread.band_80(growth).map(number);
+                let [low, high] = spread.band_80(growth).map(three_digits);
                 format!("{} ({low} … {high})", signed(growth))
             }
             None => signed(growth),
@@ -386,16 +401,16 @@ pub(crate) fn not_forecast<'a>(
     measured: &'a [RailSpectrum],
     rails: &'a [RailForecast],
     case: &'a Case,
-) -> impl Iterator<Item = String> + 'a {
+) -> impl Iterator<Item = Message> + 'a {
     let names = measured.iter().filter_map(|rail| rail.rail.as_deref());
     names
         .filter(|name| rails.iter().all(|rail| rail.name() != Some(name)))
         .map(|name| {
-            format!(
-                "{} has no band between {:.0} and {:.0} mm, map.wavelength of the case, and is left out",
-                rail_in_words(name),
-                1e3 * case.wavelength.min(),
-                1e3 * case.wavelength.max()
+            say!(
+                rail_not_forecast,
+                rail = rail_in_words(name),
+                from = fixed(1e3 * case.wavelength.min(), 0),
+                to = fixed(1e3 * case.wavelength.max(), 0)
             )
         })
 }

@@ -2,7 +2,7 @@
 
 use riffel::roughness::LevelLimit;
 use riffel_calibrate::{BandForecast, CalibrationError, Chains, Forecast, Months, Plan};
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::{Area, LineFigure, LinePanel, LineStyle, Scale, Series};
 use riffel_rail::LimitTable;
 use serde::Serialize;
@@ -156,9 +156,9 @@ impl Answer for PosteriorForecast {
         let mut sentences = vec![say!(
             months_to_the_limit,
             limit = &self.limit,
-            months = in_words(months, forecast.horizon_months),
-            low = low,
-            high = high
+            months = numeral(in_words(months, forecast.horizon_months)),
+            low = numeral(low),
+            high = numeral(high)
         )];
         if months.probability_never > 0.0 {
             sentences.push(say!(
@@ -171,12 +171,23 @@ impl Answer for PosteriorForecast {
     }
 
     fn figure(&self) -> LineFigure {
+        self.figure_in(Language::English)
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}
+
+impl PosteriorForecast {
+    /// The picture in a language.
+    pub(crate) fn figure_in(&self, language: Language) -> LineFigure {
         let bands = &self.forecast.bands;
         let x: Vec<f64> = bands.iter().map(|band| 1e3 * band.wavelength_m).collect();
         let of = |levels: fn(&BandForecast) -> &[f64; 5], place: usize| -> Vec<f64> {
             bands.iter().map(|band| levels(band)[place]).collect()
         };
-        let panel = |subtitle: String, levels: fn(&BandForecast) -> &[f64; 5]| {
+        let panel = |subtitle: Message, levels: fn(&BandForecast) -> &[f64; 5]| {
             let area = |label: &str, low: usize, high: usize, shade: u8| Area {
                 label: label.to_owned(),
                 x: x.clone(),
@@ -185,14 +196,14 @@ impl Answer for PosteriorForecast {
                 color: riffel_plot::Rgb(shade, shade, 255),
             };
             LinePanel {
-                subtitle,
-                x_label: "wavelength [mm]".to_owned(),
-                y_label: "level [dB re 1 µm]".to_owned(),
+                subtitle: subtitle.text(language),
+                x_label: say!(wavelength_in_millimetres).text(language),
+                y_label: say!(level_axis).text(language),
                 x_scale: Scale::Log,
                 areas: vec![area("90 %", 0, 4, 225), area("50 %", 1, 3, 190)],
                 series: vec![
                     Series {
-                        label: "median".to_owned(),
+                        label: say!(median).text(language),
                         x: x.clone(),
                         y: of(levels, 2),
                         ..Series::default()
@@ -213,23 +224,23 @@ impl Answer for PosteriorForecast {
         };
         let months = self.forecast.horizon_months;
         LineFigure {
-            title: self.title.clone().unwrap_or_else(|| "Forecast".to_owned()),
-            caption: format!(
-                "{} draws of the posterior; months to the limit: {}.",
-                self.forecast.draws,
-                in_words(&self.forecast.months_to_limit, months)
-            ),
+            title: self
+                .title
+                .clone()
+                .unwrap_or_else(|| say!(forecast).text(language)),
+            caption: say!(
+                caption_of_posterior_forecast,
+                draws = numeral(self.forecast.draws),
+                months = numeral(in_words(&self.forecast.months_to_limit, months))
+            )
+            .text(language),
             panels: vec![
-                panel("at the last date".to_owned(), |band| &band.level_now_db),
-                panel(format!("{months:.0} months later"), |band| {
+                panel(say!(at_the_last_date), |band| &band.level_now_db),
+                panel(say!(months_later, months = fixed(months, 0)), |band| {
                     &band.level_then_db
                 }),
             ],
             ..LineFigure::default()
         }
-    }
-
-    fn remarks(&self) -> &[Message] {
-        &self.remarks
     }
 }

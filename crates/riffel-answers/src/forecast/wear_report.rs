@@ -3,7 +3,7 @@
 use riffel::forecast::{FittedBand, LARGE_CHANGE, TrafficGrowth, WearFit, WearSpread, WearVerdict};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::{CaseError, fixed, number, say};
+use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_rail::Survey;
 use serde::Serialize;
 
@@ -23,7 +23,7 @@ pub struct WearReport {
     /// Records of the earlier measurement and of the later.
     pub records: [usize; 2],
     /// What was put right in the records, and what was left out of them.
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
 }
 
 /// A fit with keys and units, to be serialised: what `riffel forecast --json` prints of it.
@@ -42,9 +42,9 @@ pub struct WearDocument {
     best_factor_interval: Option<[f64; 2]>,
     residual_rms_db: Option<f64>,
     bands: Vec<WearBand>,
-    sentences: Vec<String>,
+    sentences: Vec<Message>,
     /// What was put right in the records, and what was left out of them.
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -58,13 +58,14 @@ struct WearBand {
     grows_in_the_model: bool,
 }
 
+fn scientific(value: f64) -> Value {
+    number(format_args!("{value:.2e}"))
+}
+
 /// The remarks on the records of a file, with its name.
-fn remarks_of(survey: &Survey) -> impl Iterator<Item = String> {
-    let name = survey.path().display();
-    survey
-        .warnings
-        .iter()
-        .map(move |warning| format!("{name}: {warning}"))
+fn remarks_of(survey: &Survey) -> impl Iterator<Item = Message> {
+    let warnings = survey.warnings.iter().cloned();
+    warnings.map(|warning| warning.about(survey.path().display()))
 }
 
 impl WearReport {
@@ -117,27 +118,27 @@ impl WearReport {
     }
 
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
-    pub fn sentences_of_forecast(&self, case: &Case) -> Vec<String> {
+    pub fn sentences_of_forecast(&self, case: &Case) -> Vec<Message> {
         let mut sentences = self.sentences();
         // To the digits to which it was taken.
         let taken = |fitted: &f64| (case.file.wear.coefficient.si() / fitted - 1.0).abs() < 1e-3;
         let fitted = self.fitted_coefficient().filter(taken);
         if let (Some(coefficient), Some(bounds)) = (fitted, self.fit.interval) {
-            sentences[0] = format!(
-                "growth goes by the wear coefficient of this rail, {coefficient:.2e} kg/J, {}: it is fitted to what has \
-                 changed over {:.2e} axle passages, and the case says {:.2e} kg/J",
-                self.interval(bounds),
-                self.passages,
-                self.coefficient
+            sentences[0] = say!(
+                growth_goes_by_this_rail,
+                coefficient = scientific(coefficient),
+                interval = self.interval(bounds),
+                passages = scientific(self.passages),
+                given = scientific(self.coefficient)
             );
         }
         sentences
     }
 
     /// Bounds of a factor as words on the coefficient.
-    fn interval(&self, (low, high): (f64, f64)) -> String {
-        let (low, high) = (low * self.coefficient, high * self.coefficient);
-        format!("95 % interval {low:.2e} to {high:.2e} kg/J")
+    fn interval(&self, (low, high): (f64, f64)) -> Message {
+        let [low, high] = [low, high].map(|factor| scientific(factor * self.coefficient));
+        say!(interval_of_coefficient, low = low, high = high)
     }
 
     /// Whether a band that should grow has changed by as much as levels are printed to.
@@ -149,7 +150,7 @@ impl WearReport {
     }
 
     /// The bands whose growth the model does not explain.
-    fn unexplained(&self) -> String {
+    fn unexplained(&self) -> Message {
         let bands = || self.fit.bands.iter().filter(|band| band.is_unexplained());
         let wavelengths: Vec<f64> = bands()
             .map(|band| band.band.nominal_millimetres())
@@ -163,11 +164,10 @@ impl WearReport {
             measured = fixed(measured, 1),
             fitted = fixed(fitted, 1),
         )
-        .to_string()
     }
 
     /// How fast each band that has grown does so.
-    fn measured_rates(&self) -> impl Iterator<Item = String> {
+    fn measured_rates(&self) -> impl Iterator<Item = Message> {
         let bands = self.fit.bands.iter().filter(|band| band.has_grown());
         let per_million = 1e6 / self.passages;
         bands.map(move |band: &FittedBand| {
@@ -176,7 +176,7 @@ impl WearReport {
             let rate = yearly.unwrap_or(per_million);
             let value = |change: f64| fixed(rate * change, 1);
             let measured = value(band.measured);
-            let said = match (yearly.is_some(), band.interval) {
+            match (yearly.is_some(), band.interval) {
                 (true, Some((low, high))) => say!(
                     grew_in_a_year_within,
                     wavelength = wavelength,
@@ -197,65 +197,69 @@ impl WearReport {
                 (false, None) => {
                     say!(grew_in_a_million, wavelength = wavelength, rate = measured)
                 }
-            };
-            said.to_string()
+            }
         })
     }
 
     /// What the fit says, and what it says of single bands.
-    pub fn sentences(&self) -> Vec<String> {
+    pub fn sentences(&self) -> Vec<Message> {
         let fit = &self.fit;
         let coefficient = fit.factor * self.coefficient;
         let mut sentences = vec![match (fit.verdict, fit.interval) {
-            (WearVerdict::Fitted, Some(bounds)) => format!(
-                "wear coefficient {coefficient:.2e} kg/J, {}: forecast with it by --set \
-                 wear.coefficient={coefficient:.3e}",
-                self.interval(bounds)
+            (WearVerdict::Fitted, Some(bounds)) => say!(
+                coefficient_is_fitted,
+                coefficient = scientific(coefficient),
+                interval = self.interval(bounds),
+                value = format!("{coefficient:.3e}")
             ),
             (WearVerdict::Unexplained, _) => self.unexplained(),
-            (WearVerdict::NothingGrows, _) => "no wear coefficient: the model says of no band measured that it \
-                                               grows"
-                .to_owned(),
-            (WearVerdict::Against, _) if !self.moves() => "no wear coefficient: the bands that should grow by \
-                                                           the model have not moved"
-                .to_owned(),
-            (WearVerdict::Against, _) => "no wear coefficient: the bands that should grow by the model have \
-                                          fallen, so what is on this rail is not the corrugation of this model"
-                .to_owned(),
-            (WearVerdict::Indistinct, Some(bounds)) => format!(
-                "no wear coefficient: growth cannot be told from none, {}",
-                self.interval(bounds)
-            ),
-            _ => format!(
-                "no wear coefficient is claimed: an interval takes three records of each date, or 30 m of profile; the best fit is \
-                 {coefficient:.2e} kg/J"
+            (WearVerdict::NothingGrows, _) => say!(no_coefficient_nothing_grows),
+            (WearVerdict::Against, _) if !self.moves() => say!(no_coefficient_nothing_moved),
+            (WearVerdict::Against, _) => say!(no_coefficient_bands_fell),
+            (WearVerdict::Indistinct, Some(bounds)) => {
+                say!(no_coefficient_indistinct, interval = self.interval(bounds))
+            }
+            _ => say!(
+                no_coefficient_claimed,
+                coefficient = scientific(coefficient)
             ),
         }];
         if fit.verdict == WearVerdict::Unexplained {
             sentences.extend(self.measured_rates());
         }
         for band in &fit.bands {
+            let signed = |change: f64| number(format_args!("{change:+.1}"));
             let wavelength = band.band.nominal_millimetres();
-            let (measured, predicted) = (band.measured, band.predicted);
-            if band.grows && measured < 0.0 {
-                sentences.push(format!(
-                    "{wavelength} mm does not grow as the model says: {measured:+.1} dB measured, \
-                     {predicted:+.1} dB predicted; it fades, as a grinding mark does"
+            let (measured, predicted) = (signed(band.measured), signed(band.predicted));
+            let is_grown = band.measured > LARGE_CHANGE;
+            let has_faded = band.measured < -LARGE_CHANGE;
+            if band.grows && band.measured < 0.0 {
+                sentences.push(say!(
+                    band_fades_against_model,
+                    wavelength = wavelength,
+                    measured = measured,
+                    predicted = predicted
                 ));
-            } else if !band.grows && measured > LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm grows where the model says that it decays: {measured:+.1} dB measured, \
-                     {predicted:+.1} dB predicted"
+            } else if !band.grows && is_grown {
+                sentences.push(say!(
+                    band_grows_against_model,
+                    wavelength = wavelength,
+                    measured = measured,
+                    predicted = predicted
                 ));
-            } else if !band.grows && measured < -LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm fades, {measured:+.1} dB measured, and decays in the model, too, \
-                     {predicted:+.1} dB: what fades, as a grinding mark does, is not growing corrugation"
+            } else if !band.grows && has_faded {
+                sentences.push(say!(
+                    band_fades_as_in_model,
+                    wavelength = wavelength,
+                    measured = measured,
+                    predicted = predicted
                 ));
             } else if fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
-                sentences.push(format!(
-                    "{wavelength} mm does not grow as the fit says: {measured:+.1} dB measured, {:+.1} dB fitted",
-                    band.fitted
+                sentences.push(say!(
+                    band_grows_unlike_fit,
+                    wavelength = wavelength,
+                    measured = measured,
+                    fitted = signed(band.fitted)
                 ));
             }
         }

@@ -1,10 +1,14 @@
 //! Numbers of a forecast in words.
 
+use std::fmt::Display;
+
 use riffel::forecast::Reach;
-use riffel_keys::significant_digits;
+use riffel_keys::{Message, Value, say, significant_digits};
 
 /// What stands in the place of a number that the linear loop cannot give.
-pub(super) const BEYOND: &str = "beyond the linear range";
+pub(super) fn beyond() -> Message {
+    say!(beyond_linear_range)
+}
 
 /// Change of level in a million passages \[dB\].
 pub fn per_million(rate: f64) -> f64 {
@@ -12,24 +16,34 @@ pub fn per_million(rate: f64) -> f64 {
 }
 
 /// Passages to an event.
-pub fn when(passages: Option<f64>) -> String {
+pub(crate) fn when(passages: Option<f64>) -> Message {
     match passages {
-        Some(0.0) => "now".to_owned(),
-        Some(passages) => format!("{passages:.2e}"),
-        None => "never".to_owned(),
+        Some(0.0) => say!(now),
+        Some(passages) => shown(format_args!("{passages:.2e}")),
+        None => say!(never),
     }
 }
 
 /// When a limit is reached.
-pub fn reached(reach: Reach) -> String {
+pub(crate) fn reached(reach: Reach) -> Message {
     match reach {
-        Reach::BeyondLinearRange => BEYOND.to_owned(),
+        Reach::BeyondLinearRange => beyond(),
         reach => when(reach.passages()),
     }
 }
 
+/// A number by itself, as in the cell of a table.
+pub(crate) fn shown(number: impl Display) -> Message {
+    say!(number_alone, number = riffel_keys::number(number))
+}
+
+/// A number to three digits in a sentence.
+pub(crate) fn number(value: f64) -> Value {
+    riffel_keys::number(three_digits(value))
+}
+
 /// Three digits, as one writes them.
-pub fn number(value: f64) -> String {
+pub fn three_digits(value: f64) -> String {
     match value.abs() {
         size if size >= 1e5 => format!("{value:.2e}"),
         size if size >= 100.0 => significant_digits(value, 3),

@@ -1,37 +1,39 @@
 //! Levels beside the track as a picture.
 
 use riffel::noise::Part;
+use riffel_keys::{Language, Message, fixed, number, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::tables::name_of;
 use super::{Course, NoiseAnswer};
 
-pub(super) fn figure(answer: &NoiseAnswer) -> LineFigure {
-    let mut panels = vec![parts(answer), measures(answer)];
-    panels.extend(answer.course.as_ref().map(course));
+pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language) -> LineFigure {
+    let mut panels = vec![parts(answer, language), measures(answer, language)];
+    panels.extend(answer.course.as_ref().map(|it| course(it, language)));
     LineFigure {
-        title: "Rolling noise beside the track".to_owned(),
-        caption: format!(
-            "Equivalent level over the passage at {:.0} km/h, {} m from the middle of the track and {} m above the rail, \
-             re 20 µPa, one-third octaves without weighting. {}",
-            3.6 * answer.speed_m_per_s,
-            answer.distance_m,
-            answer.height_m,
-            answer.parameters
-        ),
+        title: say!(noise_beside_the_track).text(language),
+        caption: say!(
+            caption_of_noise,
+            speed = fixed(3.6 * answer.speed_m_per_s, 0),
+            distance = number(answer.distance_m),
+            height = number(answer.height_m),
+            parameters = parameters
+        )
+        .text(language),
         panels,
         arrangement: Arrangement::Stacked,
     }
 }
 
 /// Rail, sleepers, wheel and their sum; that by transfer functions beside it.
-fn parts(answer: &NoiseAnswer) -> LinePanel {
+fn parts(answer: &NoiseAnswer, language: Language) -> LinePanel {
     let colors = [OKABE_ITO[1], OKABE_ITO[2], OKABE_ITO[3], Rgb::BLACK];
     let parts = Part::ALL.into_iter().zip(colors);
     let mut series: Vec<Series> = parts
         .filter_map(|(part, color)| {
             let (levels, a_weighted) = answer.level.of(part);
-            let label = format!("{} {:.1} dB(A)", name_of(part), a_weighted?);
+            let level = say!(level_a_weighted, level = fixed(a_weighted?, 1));
+            let label = say!(part_and_level, part = name_of(part), level = level).text(language);
             let style = LineStyle::Solid;
             Some(curve(&answer.frequency_hz, levels, label, style, color))
         })
@@ -41,23 +43,30 @@ fn parts(answer: &NoiseAnswer) -> LinePanel {
         series.push(curve(
             &levels.frequency_hz,
             &levels.total_db,
-            format!("by transfer functions {total:.1} dB(A)"),
+            say!(
+                part_and_level,
+                part = say!(by_transfer_functions),
+                level = say!(level_a_weighted, level = fixed(total, 1))
+            )
+            .text(language),
             LineStyle::Dashed,
             Rgb::BLACK,
         ));
     }
-    panel("what radiates", series)
+    panel(say!(what_radiates), series, language)
 }
 
 /// The sum now and after each measure.
-fn measures(answer: &NoiseAnswer) -> LinePanel {
+fn measures(answer: &NoiseAnswer, language: Language) -> LinePanel {
     let (levels, _) = answer.level.of(Part::Total);
-    let (label, style) = ("now".to_owned(), LineStyle::Solid);
+    let (label, style) = (say!(now).text(language), LineStyle::Solid);
     let now = curve(&answer.frequency_hz, levels, label, style, Rgb::BLACK);
     let after = answer.measures.iter().enumerate().map(|(place, measure)| {
         // Not −0.0.
         let change = (-10.0 * measure.saved_db).round() / 10.0 + 0.0;
-        let label = format!("{}: {change:+.1} dB(A)", measure.title);
+        let change = number(format_args!("{change:+.1}"));
+        let change = say!(level_a_weighted, level = change);
+        let label = change.about(measure.title.clone()).text(language);
         // Black is that of now.
         let color = OKABE_ITO[1 + place % (OKABE_ITO.len() - 1)];
         let levels = measure.levels.levels(Part::Total);
@@ -65,14 +74,15 @@ fn measures(answer: &NoiseAnswer) -> LinePanel {
         curve(&frequencies, &levels, label, LineStyle::Dashed, color)
     });
     panel(
-        "what would help, each alone",
+        say!(what_would_help),
         std::iter::once(now).chain(after).collect(),
+        language,
     )
 }
 
-fn course(course: &Course) -> LinePanel {
+fn course(course: &Course, language: Language) -> LinePanel {
     let mut series = vec![Series {
-        label: "total".to_owned(),
+        label: say!(noise_of_all).text(language),
         x: course.month.clone(),
         y: course.total_dba.clone(),
         color: Some(Rgb::BLACK),
@@ -80,7 +90,7 @@ fn course(course: &Course) -> LinePanel {
     }];
     if let (Some(limit), Some(&last)) = (course.limit_dba, course.month.last()) {
         series.push(Series {
-            label: "limit".to_owned(),
+            label: say!(limit_word).text(language),
             x: vec![0.0, last],
             y: vec![limit; 2],
             style: LineStyle::Dashed,
@@ -88,9 +98,9 @@ fn course(course: &Course) -> LinePanel {
         });
     }
     LinePanel {
-        subtitle: "under traffic".to_owned(),
-        x_label: "time [months]".to_owned(),
-        y_label: "level [dB(A)]".to_owned(),
+        subtitle: say!(under_traffic).text(language),
+        x_label: say!(time_axis_in_months).text(language),
+        y_label: say!(level_axis_a_weighted).text(language),
         series,
         ..LinePanel::default()
     }
@@ -115,11 +125,11 @@ fn curve(
     }
 }
 
-fn panel(subtitle: &str, series: Vec<Series>) -> LinePanel {
+fn panel(subtitle: Message, series: Vec<Series>, language: Language) -> LinePanel {
     LinePanel {
-        subtitle: subtitle.to_owned(),
-        x_label: "frequency f [Hz]".to_owned(),
-        y_label: "level [dB]".to_owned(),
+        subtitle: subtitle.text(language),
+        x_label: say!(frequency_axis).text(language),
+        y_label: say!(level_axis_in_decibels).text(language),
         x_scale: Scale::Log,
         series,
         ..LinePanel::default()

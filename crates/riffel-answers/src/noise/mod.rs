@@ -14,7 +14,7 @@ use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelMo
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, TrackRadiator};
-use riffel_keys::{Message, PhysicalRange, fixed, number, say};
+use riffel_keys::{Language, Message, PhysicalRange, fixed, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
     LimitTable, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
@@ -26,6 +26,7 @@ pub use measure::Measure;
 pub(crate) use tables::name_of;
 
 use crate::forecast::ForecastHorizon;
+use crate::parameters::parameters_in;
 use crate::{Answer, AnswerError, OverPosterior, PosteriorDraws, Table, parameters};
 
 /// Least length of train to a wheel on one rail \[m\]: wheels follow each other at more than their diameter.
@@ -388,6 +389,11 @@ impl NoiseAnswer {
     }
 
     /// What each measure does.
+    /// The picture in a language; the case is that of which the answer is.
+    pub(crate) fn figure_of(&self, case: &Case, language: Language) -> LineFigure {
+        figure::figure(self, &parameters_in(case, language), language)
+    }
+
     pub(crate) fn measures_table(&self) -> Table {
         tables::measures(self)
     }
@@ -484,7 +490,7 @@ impl Answer for NoiseAnswer {
     }
 
     fn figure(&self) -> LineFigure {
-        figure::figure(self)
+        figure::figure(self, &self.parameters, Language::English)
     }
 
     fn remarks(&self) -> &[Message] {

@@ -1,7 +1,7 @@
 //! What grinding costs, where the user says what a shift costs.
 
 use riffel_keys::quantity::{Length, Quantity};
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, Message, fixed, say};
 use serde::Deserialize;
 
 /// The table `[cost]` of a site.
@@ -44,26 +44,29 @@ impl GrindingCost {
     }
 
     /// What it costs to grind a length of line \[m\] now, in whole shifts, and a year where that is to be done again after so many months.
-    pub(super) fn words(&self, length: f64, months: Option<f64>) -> String {
+    pub(super) fn words(&self, length: f64, months: Option<f64>) -> Message {
         let shifts = (length / self.length_a_shift.si()).ceil();
         let cost = shifts * self.grinding_shift;
-        let shifts = match shifts {
-            1.0 => "1 grinding shift".to_owned(),
-            _ => format!("{shifts:.0} grinding shifts"),
-        };
-        let again = months
-            .filter(|months| *months > 0.0)
-            .map_or_else(String::new, |months| {
-                format!(
-                    ", {:.0} {} a year if repeated every {months:.0} months",
-                    cost * 12.0 / months,
-                    self.currency
-                )
-            });
-        format!(
-            "To grind {length:.0} m of line takes {shifts} and {cost:.0} {}{again}.",
-            self.currency
-        )
+        let (length, currency, shown) = (fixed(length, 0), &self.currency, fixed(cost, 0));
+        let shifts = say!(grinding_shifts, count = shifts as u64);
+        match months.filter(|months| *months > 0.0) {
+            Some(months) => say!(
+                grinding_costs_a_year,
+                length = length,
+                shifts = shifts,
+                cost = shown,
+                currency = currency,
+                yearly = fixed(cost * 12.0 / months, 0),
+                months = fixed(months, 0)
+            ),
+            None => say!(
+                grinding_costs,
+                length = length,
+                shifts = shifts,
+                cost = shown,
+                currency = currency
+            ),
+        }
     }
 }
 
@@ -80,12 +83,12 @@ mod tests {
             length_a_shift: Quantity::new(800.0),
         };
         assert_eq!(
-            cost.words(1240.0, Some(18.0)),
-            "To grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months."
+            cost.words(1240.0, Some(18.0)).to_string(),
+            "To grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months"
         );
         assert_eq!(
-            cost.words(90.0, None),
-            "To grind 90 m of line takes 1 grinding shift and 15000 EUR."
+            cost.words(90.0, None).to_string(),
+            "To grind 90 m of line takes 1 grinding shift and 15000 EUR"
         );
     }
 }

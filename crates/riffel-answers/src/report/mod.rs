@@ -13,7 +13,8 @@ mod strip_map;
 use std::path::Path;
 
 use riffel_case::Case;
-use riffel_keys::Language;
+use riffel_case::traffic::is_of_reported_growth;
+use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::PlotError;
 use riffel_rail::{LimitTable, Record};
 
@@ -22,42 +23,37 @@ pub use page::GENERATOR;
 pub use roughness::block_of_strip;
 pub use site::Site;
 
-use riffel_case::traffic::is_of_reported_growth;
-
 use crate::AnswerError;
-use crate::capital;
 use crate::compare::CompareAnswer;
-use crate::diagnose::Diagnosis;
+use crate::diagnose::{Diagnosis, Finding, course_in_words};
 use crate::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
-use crate::roughness::{ProfileAnswer, SpectraAnswer};
+use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict};
 use outlook::Outlook;
-use page::{Head, Section, escape};
+use page::{Head, Section, bold, escape, said, sentence, texts};
 
-/// Title where none is given.
-const TITLE: &str = "Rail roughness and corrugation";
+/// Headings of the sections on the roughness.
+fn of_roughness() -> [Message; 5] {
+    [
+        say!(profile),
+        say!(moving_rms_along_the_line),
+        say!(spectrum_and_limits),
+        say!(wavelength_bands),
+        say!(what_to_grind),
+    ]
+}
 
-/// Why a section is left out.
-const NO_CASE: &str = "no case was given.";
-const NO_ROUGHNESS: &str = "no roughness was given.";
-const NO_DIAGNOSIS: &str = "the roughness was not diagnosed.";
-
-/// Headings of the sections on the roughness, and on the case.
-const OF_ROUGHNESS: [&str; 5] = [
-    "Profile",
-    "Moving RMS along the line",
-    "Spectrum and limits",
-    "Wavelength bands",
-    "What to grind",
-];
-const OF_CASE: [&str; 5] = [
-    "Growth map",
-    "Diagnosis",
-    "Forecast",
-    "What-if",
-    "Rolling noise",
-];
+/// Headings of the sections on the case.
+fn of_case() -> [Message; 5] {
+    [
+        say!(growth_map),
+        say!(diagnosis),
+        say!(forecast),
+        say!(what_if),
+        say!(rolling_noise),
+    ]
+}
 
 /// What the report says of the roughness of a rail.
 pub struct MeasuredRail<'a> {
@@ -66,7 +62,7 @@ pub struct MeasuredRail<'a> {
     /// What was computed of it.
     pub roughness: MeasuredRoughness,
     /// What was put right in the records.
-    pub warnings: &'a [String],
+    pub warnings: &'a [Message],
     /// What may have made its wavelengths, where there is a case.
     pub diagnosis: Option<&'a Diagnosis>,
 }
@@ -92,13 +88,15 @@ impl ProfileStrips {
     ///
     /// # Errors
     /// [`PlotError`].
-    pub fn new(record: &Record) -> Result<Self, PlotError> {
-        roughness::strips(record).map(Self)
+    pub fn new(record: &Record, language: Language) -> Result<Self, PlotError> {
+        roughness::strips(record, language).map(Self)
     }
 }
 
 /// What a report is made of.
 pub struct ReportRequest<'a> {
+    /// The language of its sentences.
+    pub language: Language,
     /// Its title, in place of that of the site.
     pub title: Option<&'a str>,
     /// The site.
@@ -110,48 +108,54 @@ pub struct ReportRequest<'a> {
     /// The case and its growth map, if there is one.
     pub case: Option<(&'a Case, &'a MapAnswer)>,
     /// What becomes of the rail, or why that is left out.
-    pub forecast: Result<&'a ForecastAnswer, &'static str>,
+    pub forecast: Result<&'a ForecastAnswer, Message>,
     /// What becomes of the rail of a calibration, if there is one.
     pub posterior_forecast: Option<&'a PosteriorForecast>,
     /// What would help, or why that is left out.
-    pub compare: Result<&'a CompareAnswer, &'static str>,
+    pub compare: Result<&'a CompareAnswer, Message>,
     /// What a train sounds like, or why that is left out.
-    pub noise: Result<&'a NoiseAnswer, String>,
+    pub noise: Result<&'a NoiseAnswer, Message>,
     /// The files that went into it.
     pub inputs: &'a Inputs,
 }
 
 /// Sentences in brief under a label.
-fn labelled(label: &str, mut sentences: Vec<String>) -> Vec<String> {
+fn labelled(label: &Message, mut sentences: Vec<String>, language: Language) -> Vec<String> {
     if let Some(first) = sentences.first_mut() {
-        *first = format!("<b>{label}:</b> {first}");
+        *first = format!("<b>{}:</b> {first}", said(label, language));
     }
     sentences
 }
 
 /// Why growth under the traffic is not to be believed, if it is not.
-fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> Option<String> {
+fn doubt(forecast: Option<&ForecastAnswer>, compare: Option<&CompareAnswer>) -> Option<Message> {
     let remarks = forecast.into_iter().flat_map(|answer| &answer.on.remarks);
     let of_compare = compare.into_iter();
     let of_compare = of_compare.flat_map(|answer| &answer.comparison.base().remarks);
     let mut remarks = remarks.chain(of_compare);
-    let found = remarks.find(|remark| is_of_reported_growth(remark))?;
-    Some(crate::capital(&found.to_string()))
+    remarks
+        .find(|remark| is_of_reported_growth(remark))
+        .cloned()
 }
 
 /// What fills the page below its head: sections, sentences for those in a hurry, and warnings.
 #[derive(Default)]
 struct Body {
+    language: Language,
     sections: Vec<Section>,
     brief: Vec<String>,
-    warnings: Vec<String>,
+    warnings: Vec<Message>,
 }
 
 impl Body {
-    fn leave_out(&mut self, headings: &[&'static str], why: &'static str) {
-        let sections = headings.iter();
+    fn leave_out(&mut self, headings: [Message; 5], why: &Message) {
+        let sections = headings.into_iter();
         self.sections
-            .extend(sections.map(|heading| Section::left_out(heading, why)));
+            .extend(sections.map(|heading| Section::LeftOut(heading, why.clone())));
+    }
+
+    fn put_brief(&mut self, label: &Message, sentences: Vec<String>) {
+        self.brief.extend(labelled(label, sentences, self.language));
     }
 
     fn put(&mut self, outlook: Outlook) {
@@ -165,43 +169,45 @@ impl Body {
         &mut self,
         case: &Case,
         map: &MapAnswer,
-        diagnosis: Result<(&Path, &Diagnosis), &'static str>,
+        diagnosis: Result<(&Path, &Diagnosis), Message>,
     ) -> Result<(), PlotError> {
-        let found = diagnosis.ok().map(|(_, diagnosis)| diagnosis);
-        let map = mechanism::growth_map(case, map, found)?;
+        let language = self.language;
+        let found = diagnosis.as_ref().ok().map(|(_, diagnosis)| *diagnosis);
+        let map = mechanism::growth_map(case, map, found, language)?;
         match diagnosis {
             // What the map says in brief, the diagnosis says of the wavelengths that were measured.
             Ok((path, diagnosis)) => {
                 let file = path.display().to_string();
                 self.sections.push(map.section);
-                self.sections.push(mechanism::diagnosis(&file, diagnosis)?);
-                self.brief.extend(labelled("Since when", since(diagnosis)));
-                self.brief
-                    .extend(labelled("Why, and how sure", dominant(diagnosis)));
+                let section = mechanism::diagnosis(&file, diagnosis, language)?;
+                self.sections.push(section);
+                self.put_brief(&say!(since_when), since(diagnosis, language));
+                self.put_brief(&say!(why_and_how_sure), dominant(diagnosis, language));
                 self.warnings.extend(diagnosis.warnings.iter().cloned());
             }
             Err(why) => {
                 self.put(map);
-                self.sections.push(Section::left_out("Diagnosis", why));
+                self.sections.push(Section::LeftOut(say!(diagnosis), why));
             }
         }
         Ok(())
     }
 
     /// What comes, what helps and what is heard, with a doubt of the growth they follow from.
-    fn put_outlooks(&mut self, outlooks: [(&str, Outlook); 3], doubt: Option<String>) {
+    fn put_outlooks(&mut self, outlooks: [(Message, Outlook); 3], doubt: Option<&Message>) {
         for (label, mut outlook) in outlooks {
-            outlook.brief = labelled(label, outlook.brief);
+            outlook.brief = labelled(&label, outlook.brief, self.language);
             // No dates of a growth that nobody has seen.
             if doubt.is_some() {
                 outlook.brief.clear();
             }
             self.put(outlook);
         }
-        let no_dates = "Dates, times and what measures would save are therefore left out here; below they stand as the model has them.";
         let doubt = doubt.map(|doubt| {
-            let doubt = page::escape(&doubt);
-            format!("<b>Not plausible:</b> {doubt}. {no_dates}")
+            let sentences =
+                [doubt, &say!(no_dates_are_told)].map(|one| sentence(one, self.language));
+            let label = said(&say!(not_plausible), self.language);
+            format!("<b>{label}:</b> {}", sentences.join(" "))
         });
         self.brief.splice(0..0, doubt);
     }
@@ -210,37 +216,37 @@ impl Body {
 /// What comes, what helps and what is heard, each under its label; or why one of them is left out.
 fn outlooks(
     case: &Case,
-    forecast: Result<&ForecastAnswer, &'static str>,
-    compare: Result<&CompareAnswer, &'static str>,
-    noise: Result<&NoiseAnswer, String>,
-) -> Result<[(&'static str, Outlook); 3], PlotError> {
-    let is_unexplained = |answer: &ForecastAnswer| {
+    forecast: Result<&ForecastAnswer, Message>,
+    compare: Result<&CompareAnswer, Message>,
+    noise: Result<&NoiseAnswer, Message>,
+    language: Language,
+) -> Result<[(Message, Outlook); 3], PlotError> {
+    let is_unexplained = |answer: &&ForecastAnswer| {
         let wear = answer.wear.as_ref();
         wear.is_some_and(WearReport::is_unexplained)
     };
-    let forecast_by_measured = forecast.is_ok_and(is_unexplained);
+    let forecast_by_measured = forecast.as_ref().is_ok_and(is_unexplained);
     let forecast = match forecast {
-        Ok(answer) => outlook::forecast(case, answer)?,
-        Err(why) => Outlook::left_out("Forecast", why),
+        Ok(answer) => outlook::forecast(case, answer, language)?,
+        Err(why) => Outlook::left_out(say!(forecast), why),
     };
     let mut what_if = match compare {
-        Ok(answer) => outlook::what_if(case, answer)?,
-        Err(why) => Outlook::left_out("What-if", why),
+        Ok(answer) => outlook::what_if(case, answer, language)?,
+        Err(why) => Outlook::left_out(say!(what_if), why),
     };
     let mut noise = match noise {
-        Ok(answer) => noise::heard(answer)?,
-        Err(why) => Outlook::left_out("Rolling noise", why),
+        Ok(answer) => noise::heard(case, answer, language)?,
+        Err(why) => Outlook::left_out(say!(rolling_noise), why),
     };
     // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
     if forecast_by_measured {
-        let unknown = "The model does not explain the growth that was measured, so that it cannot tell what would lower it.";
-        what_if.brief = vec![unknown.to_owned()];
+        what_if.brief = vec![sentence(&say!(model_does_not_explain_growth), language)];
         noise.brief.truncate(1);
     }
     Ok([
-        ("What comes", forecast),
-        ("What helps", what_if),
-        ("What is heard", noise),
+        (say!(what_comes), forecast),
+        (say!(what_helps), what_if),
+        (say!(what_is_heard), noise),
     ])
 }
 
@@ -250,6 +256,7 @@ fn outlooks(
 /// [`AnswerError::Plot`].
 pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
     let ReportRequest {
+        language,
         title,
         site,
         limits,
@@ -261,74 +268,71 @@ pub fn report(request: ReportRequest<'_>) -> Result<String, AnswerError> {
         noise,
         inputs,
     } = request;
-    let mut body = Body::default();
+    let mut body = Body {
+        language,
+        ..Body::default()
+    };
     let (mut map, mut to_grind, mut interval) = (String::new(), None, None);
-    let mut diagnosis = Err(NO_ROUGHNESS);
+    let mut diagnosis = Err(say!(no_roughness_given));
     match rail {
         Some(rail) => {
             let diagnosed = rail.diagnosis.map(|diagnosis| (rail.path, diagnosis));
-            diagnosis = diagnosed.ok_or(NO_DIAGNOSIS);
+            diagnosis = diagnosed.ok_or_else(|| say!(roughness_not_diagnosed));
             if let MeasuredRoughness::Profile { answer, .. } = &rail.roughness {
-                map = strip_map::strip_map(answer, rail.diagnosis);
+                map = strip_map::strip_map(answer, rail.diagnosis, language);
                 to_grind = Some(answer.line_to_grind().0).filter(|length| *length > 0.0);
             }
-            let (own, words) = measured(rail.path, rail.roughness, limits)?;
+            let (own, words) = measured(rail.path, rail.roughness, limits, language)?;
             body.sections.extend(own);
-            body.brief.extend(labelled("How bad, and where", words));
+            body.put_brief(&say!(how_bad_and_where), words);
             body.warnings.extend_from_slice(rail.warnings);
         }
-        None => body.leave_out(&OF_ROUGHNESS, NO_ROUGHNESS),
+        None => body.leave_out(of_roughness(), &say!(no_roughness_given)),
     }
     match case {
         Some((case, map)) => {
             body.put_mechanism(case, map, diagnosis)?;
-            let remarks = case.remarks.iter().map(ToString::to_string);
-            body.warnings.extend(remarks);
-            let doubt = doubt(forecast.ok(), compare.ok());
-            interval = forecast
-                .ok()
-                .and_then(ForecastAnswer::months_between_grindings)
+            body.warnings.extend(case.remarks.iter().cloned());
+            let (forecasted, compared) = (forecast.as_ref().ok(), compare.as_ref().ok());
+            let doubt = doubt(forecasted.copied(), compared.copied());
+            interval = forecasted
+                .and_then(|answer| answer.months_between_grindings())
                 .filter(|_| doubt.is_none());
             if let Some(answer) = posterior_forecast {
-                let mut over = outlook::of_answer("Forecast over the calibration", answer)?;
-                over.brief = labelled("What comes", over.brief);
+                let (heading, figure) =
+                    (say!(forecast_over_calibration), answer.figure_in(language));
+                let mut over = outlook::of_answer(heading, answer, figure, language)?;
+                over.brief = labelled(&say!(what_comes), over.brief, language);
                 body.put(over);
             }
-            let mut outlooks = outlooks(case, forecast, compare, noise)?;
+            let mut outlooks = outlooks(case, forecast, compare, noise, language)?;
             if posterior_forecast.is_some() {
                 // What was calibrated says more than the case as it was.
                 outlooks[0].1.brief.clear();
             }
-            body.put_outlooks(outlooks, doubt);
+            body.put_outlooks(outlooks, doubt.as_ref());
         }
-        None => body.leave_out(&OF_CASE, NO_CASE),
+        None => body.leave_out(of_case(), &say!(no_case_given)),
     }
-    let Body {
-        mut sections,
-        mut brief,
-        mut warnings,
-    } = body;
     if let (Some(cost), Some(length)) = (&site.cost, to_grind) {
-        let words = escape(&cost.words(length, interval));
-        brief.extend(labelled("What it costs", vec![words]));
+        let words = sentence(&cost.words(length, interval), language);
+        body.put_brief(&say!(what_it_costs), vec![words]);
     }
-    sections.push(inputs_section(inputs, limits, case.map(|(case, _)| case)));
-    // Readings of the roughness warn of the same defects, and vehicles of the same limits at their own
-    // frequencies, which stand in brackets.
-    let mut known = std::collections::HashSet::new();
-    warnings.retain(|warning| {
-        let what = warning.split(" (").next().unwrap_or_default();
-        known.insert(what.to_owned())
-    });
-    sections.push(warnings_section(&warnings));
+    let inputs = inputs_section(inputs, limits, case.map(|(case, _)| case), language);
+    body.sections.push(inputs);
+    body.sections
+        .push(warnings_section(&body.warnings, language));
     let head = Head {
-        title: title.or(site.title.as_deref()).unwrap_or(TITLE),
+        title: (title.or(site.title.as_deref())).map_or_else(
+            || say!(rail_roughness_and_corrugation).text(language),
+            str::to_owned,
+        ),
         facts: site.facts(),
         remarks: site.remarks.as_deref(),
-        brief,
+        brief: body.brief,
         map,
     };
-    Ok(page::page(&head, &sections))
+    Ok(page::page(&head, &body.sections, language))
 }
 
 /// The sections on the roughness, and sentences for those in a hurry.
@@ -336,89 +340,107 @@ fn measured(
     path: &Path,
     roughness: MeasuredRoughness,
     limits: &[LimitTable],
+    language: Language,
 ) -> Result<([Section; 5], Vec<String>), PlotError> {
-    const TABLE: &str = "the record is a table of levels; it needs a profile.";
+    let marked = |verdict: &Verdict| roughness::marked(verdict, language);
     Ok(match roughness {
         MeasuredRoughness::Profile { strips, answer } => {
-            let worst = answer.worst().map(|worst| escape(&(capital(&worst) + ".")));
-            let verdicts = answer.verdicts().map(roughness::sentence);
-            let mut brief: Vec<String> = worst.into_iter().chain(verdicts).collect();
-            brief.push(escape(&roughness::total(&answer)));
+            let worst = answer.worst();
+            let worst = worst.map(|worst| sentence(&worst, language));
+            let total = roughness::total(&answer);
+            let total: Vec<String> = total.iter().map(|one| sentence(one, language)).collect();
+            let verdicts = answer.verdicts().map(marked);
+            let brief = worst.into_iter().chain(verdicts).chain([total.join(" ")]);
+            let brief = brief.collect();
             let sections = [
                 strips.0,
-                roughness::moving_rms(&answer)?,
-                roughness::spectrum_of_profile(path, &answer, limits)?,
-                roughness::bands(&answer, limits),
-                roughness::grind(&answer),
+                roughness::moving_rms(&answer, language)?,
+                roughness::spectrum_of_profile(path, &answer, limits, language)?,
+                roughness::bands(&answer, limits, language),
+                roughness::grind(&answer, language),
             ];
             (sections, brief)
         }
         MeasuredRoughness::Spectra(answer) => {
-            let sections = [
-                Section::left_out("Profile", TABLE),
-                Section::left_out("Moving RMS along the line", TABLE),
-                roughness::spectrum_of_means(path, &answer, limits)?,
-                Section::left_out("Wavelength bands", TABLE),
-                Section::left_out("What to grind", TABLE),
-            ];
-            let brief = answer.verdicts.iter().map(roughness::sentence);
+            let mut sections = of_roughness()
+                .map(|heading| Section::LeftOut(heading, say!(levels_are_no_profile)));
+            sections[2] = roughness::spectrum_of_means(path, &answer, limits, language)?;
+            let brief = answer.verdicts.iter().map(marked);
             (sections, brief.collect())
         }
     })
 }
 
 /// What the records say of the course of each dominant wavelength, a sentence each.
-fn since(diagnosis: &Diagnosis) -> Vec<String> {
+fn since(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
     let findings = diagnosis.findings.iter();
     let courses = findings.filter_map(|finding| Some((finding, finding.measured.course.as_ref()?)));
     courses
         .filter_map(|(finding, course)| {
             let (first, last) = (course.points.first()?, course.points.last()?);
-            Some(format!(
-                "<b>{:.1} mm</b>, {} to {}: {}.",
-                1e3 * finding.measured.peak.wavelength,
-                escape(&first.label),
-                escape(&last.label),
-                escape(&course.words())
-            ))
+            let wavelength = wavelength_of(finding);
+            let said = say!(
+                course_of_wavelength,
+                wavelength = wavelength.clone(),
+                first = &first.label,
+                last = &last.label,
+                course = course_in_words(course)
+            );
+            Some(bold(&sentence(&said, language), &wavelength.text(language)))
         })
         .collect()
 }
 
+fn wavelength_of(finding: &Finding) -> Message {
+    let wavelength = fixed(1e3 * finding.measured.peak.wavelength, 1);
+    say!(one_wavelength, wavelength = wavelength)
+}
+
 /// The dominant wavelengths, a sentence each.
-fn dominant(diagnosis: &Diagnosis) -> Vec<String> {
+fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
     if diagnosis.findings.is_empty() {
-        return vec!["No dominant wavelength stands out of the roughness.".to_owned()];
+        return vec![sentence(&say!(no_wavelength_stands_out), language)];
     }
     let findings = diagnosis.findings.iter();
     findings
         .map(|finding| {
-            format!(
-                "<b>{:.1} mm</b> stands out{}, {:.1} dB. {}",
-                1e3 * finding.measured.peak.wavelength,
-                finding
-                    .place()
-                    .map_or_else(String::new, |place| escape(&format!(" on {place}"))),
-                finding.measured.peak.level,
-                escape(&capital(&finding.summary()))
-            )
+            let wavelength = wavelength_of(finding);
+            let level = fixed(finding.measured.peak.level, 1);
+            let stands = match finding.place() {
+                Some(place) => say!(
+                    wavelength_stands_out_at,
+                    wavelength = wavelength.clone(),
+                    place = place,
+                    level = level
+                ),
+                None => say!(
+                    wavelength_stands_out,
+                    wavelength = wavelength.clone(),
+                    level = level
+                ),
+            };
+            let stands = bold(&sentence(&stands, language), &wavelength.text(language));
+            let summary = finding.summary().capitalised(language);
+            format!("{stands} {}", escape(&summary))
         })
         .collect()
 }
 
 /// Files, limit tables and presets with their origin, and what made the report.
-fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -> Section {
-    let mut html = inputs.html();
-    let mut sources: Vec<Vec<String>> = limits
-        .iter()
-        .map(|table| {
-            vec![
-                escape(&format!("limit {}", table.name)),
-                escape(&table.edition),
-                escape(&table.source),
-            ]
-        })
-        .collect();
+fn inputs_section(
+    inputs: &Inputs,
+    limits: &[LimitTable],
+    case: Option<&Case>,
+    language: Language,
+) -> Section {
+    let row = |name: Message, title: &str, source: &str| {
+        vec![said(&name, language), escape(title), escape(source)]
+    };
+    let limits = limits.iter().map(|table| {
+        let name = say!(limit_of_name, name = &table.name);
+        row(name, &table.edition, &table.source)
+    });
+    let mut sources: Vec<Vec<String>> = limits.collect();
     if let Some(case) = case {
         let file = &case.file;
         let names = [
@@ -427,37 +449,42 @@ fn inputs_section(inputs: &Inputs, limits: &[LimitTable], case: Option<&Case>) -
             file.track.preset.as_ref(),
             (file.wheelset.as_ref()).and_then(|wheelset| wheelset.preset.as_ref()),
         ];
-        for preset in names
-            .into_iter()
-            .flatten()
-            .filter_map(|name| riffel_case::preset(name).ok())
-        {
-            let mut origin: Vec<&str> = preset
-                .values
-                .iter()
-                .map(|value| value.source.text(Language::English))
-                .collect();
-            origin.dedup();
-            sources.push(vec![
-                escape(&format!("preset {}", preset.name)),
-                escape(preset.title.text(Language::English)),
-                escape(origin.first().copied().unwrap_or_default()),
-            ]);
+        let names = names.into_iter().flatten();
+        for preset in names.filter_map(|name| riffel_case::preset(name).ok()) {
+            let origin = preset.values.first().map(|value| value.source.text(language));
+            let name = say!(preset_of_name, name = &preset.name);
+            sources.push(row(name, preset.title.text(language), origin.unwrap_or_default()));
         }
     }
-    html += &page::table("words", &["built in", "what it is", "source"], &sources);
-    html += &format!(
-        "<p class=\"small\">Made by riffel {}. The same files and the same version give the same report.</p>\n",
-        env!("CARGO_PKG_VERSION")
+    let heads = [
+        say!(built_in_head),
+        say!(what_it_is_head),
+        say!(source_head),
+    ];
+    let made_by = say!(made_by, version = env!("CARGO_PKG_VERSION"));
+    let html = format!(
+        "{}{}<p class=\"small\">{}</p>\n",
+        inputs.html(language),
+        page::table("words", &texts(heads, language), &sources),
+        sentence(&made_by, language)
     );
-    Section::There("Inputs and versions", html)
+    Section::There(say!(inputs_and_versions), html)
 }
 
-fn warnings_section(warnings: &[String]) -> Section {
-    let html = if warnings.is_empty() {
-        "<p>None.</p>\n".to_owned()
-    } else {
-        page::list(warnings.iter().cloned())
+/// Warnings, each once: readings of the roughness warn of the same defects, and vehicles of the same limits at their own
+/// frequencies, which stand in brackets.
+fn warnings_section(warnings: &[Message], language: Language) -> Section {
+    let mut known = std::collections::HashSet::new();
+    let warnings = warnings.iter().map(|warning| said(warning, language));
+    let warnings: Vec<String> = warnings
+        .filter(|warning| {
+            let what = warning.split(" (").next().unwrap_or_default();
+            known.insert(what.to_owned())
+        })
+        .collect();
+    let html = match warnings.is_empty() {
+        true => format!("<p>{}</p>\n", sentence(&say!(no_warnings), language)),
+        false => page::list(warnings),
     };
-    Section::There("Warnings and limits of the models", html)
+    Section::There(say!(warnings_and_limits_of_models), html)
 }

@@ -1,29 +1,27 @@
 //! Forecast and what-if in a report.
 
-use std::borrow::Cow;
-
 use riffel::forecast::Reach;
 use riffel_case::Case;
-use riffel_keys::{Language, Message};
+use riffel_keys::{Language, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, PlotError};
 
-use super::page::{Section, escape, figure, list, table};
-use crate::compare::{CompareAnswer, Effect, Outcome};
+use super::page::{Section, escape, figure, list, said, sentence, table, texts};
+use crate::Answer;
+use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, title_of};
 use crate::forecast::{ForecastAnswer, WearReport, number};
-use crate::{Answer, capital};
 
 /// A section with a sentence for those in a hurry and what to warn of.
 pub(super) struct Outlook {
     pub(super) section: Section,
     pub(super) brief: Vec<String>,
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
 }
 
 impl Outlook {
     /// A section that is not there, with the sentence why.
-    pub(super) fn left_out(heading: &'static str, why: impl Into<Cow<'static, str>>) -> Self {
+    pub(super) fn left_out(heading: Message, why: Message) -> Self {
         Self {
-            section: Section::left_out(heading, why),
+            section: Section::LeftOut(heading, why),
             brief: Vec::new(),
             warnings: Vec::new(),
         }
@@ -32,92 +30,91 @@ impl Outlook {
 
 /// An answer as a section: its tables, its sentences, its figure.
 pub(super) fn of_answer<A: Answer>(
-    heading: &'static str,
+    heading: Message,
     answer: &A,
+    figure: LineFigure,
+    language: Language,
 ) -> Result<Outlook, PlotError> {
-    let sentence = |message: &Message| format!("{}.", capital(&message.to_string()));
     let mut html = String::new();
     for message in answer.introduction().iter().skip(1) {
-        html += &format!("<p>{}</p>\n", escape(&sentence(message)));
+        html += &format!("<p>{}</p>\n", sentence(message, language));
     }
     for shown in answer.tables() {
-        let (heads, rows) = shown.shown(Language::English);
-        let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let (heads, rows) = shown.shown(language);
         let rows = rows.iter();
         let rows: Vec<Vec<String>> = rows
             .map(|row| row.iter().map(|cell| escape(cell)).collect())
             .collect();
         html += &table("", &heads, &rows);
     }
-    let sentences: Vec<String> = answer.sentences().iter().map(sentence).collect();
-    let brief = sentences.iter().map(|sentence| escape(sentence)).collect();
-    html += &list(sentences);
-    html += &drawing(answer.figure())?;
-    let remarks = answer.remarks().iter();
+    let sentences = answer.sentences();
+    let brief: Vec<String> = (sentences.iter())
+        .map(|message| sentence(message, language))
+        .collect();
+    html += &list(brief.iter().cloned());
+    html += &drawing(figure, language)?;
     Ok(Outlook {
         section: Section::There(heading, html),
         brief,
-        warnings: remarks.map(ToString::to_string).collect(),
+        warnings: answer.remarks().to_vec(),
     })
 }
 
 /// What becomes of the spectrum under the traffic.
-pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, PlotError> {
-    let rows = report
-        .rows()
-        .into_iter()
-        .map(|row| row.iter().map(|cell| escape(cell)).collect());
-    let rows: Vec<Vec<String>> = rows.collect();
-    let mut header = vec![
-        "wavelength [mm]",
-        "now [dB]",
-        "then [dB]",
-        "limit [dB]",
-        "growth [dB per 10⁶ passages]",
-        "passages to the limit",
-        "wheel leaves the rail after",
-    ];
+pub(super) fn forecast(
+    case: &Case,
+    report: &ForecastAnswer,
+    language: Language,
+) -> Result<Outlook, PlotError> {
+    let rows = report.rows().into_iter();
+    let rows: Vec<Vec<String>> = rows
+        .map(|row| row.iter().map(|cell| said(cell, language)).collect())
+        .collect();
+    let mut heads = texts(
+        [
+            say!(wavelength_in_millimetres),
+            say!(now_in_decibels),
+            say!(then_in_decibels),
+            say!(limit_in_decibels),
+            say!(growth_axis),
+            say!(passages_to_the_limit),
+            say!(wheel_leaves_the_rail_after),
+        ],
+        language,
+    );
     if report.names_rails() {
-        header.insert(0, "rail");
+        heads.insert(0, say!(rail_word).text(language));
     }
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
-    findings.extend(
-        wear.into_iter()
-            .flat_map(|wear| wear.sentences_of_forecast(case)),
-    );
-    let title = report
-        .traffic
-        .file
-        .title
-        .as_deref()
-        .unwrap_or("the traffic");
-    let from = match &report.ground {
-        Some(ground) => format!("; now is after grinding to {}", escape(&ground.words)),
-        None => String::new(),
+    let of_wear = wear.into_iter();
+    findings.extend(of_wear.flat_map(|wear| wear.sentences_of_forecast(case)));
+    let title = report.traffic.file.title.as_deref();
+    let title = title.map_or_else(|| say!(the_traffic), Message::verbatim);
+    let amount = report.amount(report.passages);
+    let introduction = match &report.ground {
+        Some(ground) => say!(
+            levels_after_grinding,
+            traffic = title,
+            ground = ground.words.clone(),
+            amount = amount
+        ),
+        None => say!(levels_under_traffic, traffic = title, amount = amount),
     };
-    let mut html = format!(
-        "<p>One-third-octave levels under {}{from}; then is after {}.</p>\n",
-        escape(title),
-        escape(&report.amount(report.passages))
-    );
-    html += &list(findings.clone());
-    html += &drawing(report.figure(case))?;
-    html += &table("", &header, &rows);
+    let mut html = format!("<p>{}</p>\n", sentence(&introduction, language));
+    html += &list(findings.iter().map(|finding| said(finding, language)));
+    html += &drawing(report.figure(case, language), language)?;
+    html += &table("", &heads, &rows);
     let mut warnings = report.warnings.clone();
-    warnings.extend(report.on.remarks.iter().map(ToString::to_string));
+    warnings.extend(report.on.remarks.iter().cloned());
     if wear.and_then(WearReport::fitted_coefficient).is_none() {
-        warnings.push(
-            "forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of \
-             two and more until it is fitted to two dated records (--earlier, --dates)"
-                .to_owned(),
-        );
+        warnings.push(say!(growth_is_uncertain));
     }
+    let first = findings.first();
     Ok(Outlook {
-        section: Section::There("Forecast", html),
-        brief: findings
-            .first()
-            .map(|first| escape(&format!("{}.", capital(first))))
+        section: Section::There(say!(forecast), html),
+        brief: first
+            .map(|first| sentence(first, language))
             .into_iter()
             .collect(),
         warnings,
@@ -125,143 +122,155 @@ pub(super) fn forecast(case: &Case, report: &ForecastAnswer) -> Result<Outlook, 
 }
 
 /// What would help.
-pub(super) fn what_if(case: &Case, report: &CompareAnswer) -> Result<Outlook, PlotError> {
+pub(super) fn what_if(
+    case: &Case,
+    report: &CompareAnswer,
+    language: Language,
+) -> Result<Outlook, PlotError> {
     let rows = report.comparison.outcomes.iter().map(|outcome| {
-        let mut row = vec![escape(&outcome.title)];
-        row.extend(report.row(outcome).iter().map(|cell| escape(cell)));
+        let mut row = vec![escape(&title_of(outcome).text(language))];
+        row.extend(report.row(outcome).iter().map(|cell| said(cell, language)));
         row
     });
     let rows: Vec<Vec<String>> = rows.collect();
-    let mut header = vec!["variant"];
-    header.extend(report.header());
-    let mut limit = String::new();
+    let mut heads = vec![say!(variant_head)];
+    heads.extend(report.header());
+    let heads: Vec<String> = heads.iter().map(|head| head.text(language)).collect();
+    let mut introduction = say!(case_and_variants, speeds = report.speeds.clone());
     if report.leading().is_some() {
-        limit = format!("; limit: {}", escape(&report.table.edition));
+        let limit = say!(limit_is, edition = &report.table.edition);
+        introduction = say!(one_after_other, one = introduction, other = limit);
     }
     if let Some(ground) = &report.ground {
-        limit += &format!("; from {}", escape(&ground.words));
+        let from = say!(from_ground, ground = ground.words.clone());
+        introduction = say!(one_after_other, one = introduction, other = from);
     }
     let mut html = format!(
-        "<p>The case and its variants at {}{limit}.</p>\n{}",
-        escape(&report.speeds),
-        table("", &header, &rows),
+        "<p>{}</p>\n{}",
+        sentence(&introduction, language),
+        table("", &heads, &rows),
     );
-    let held = report.comparison.outcomes.iter();
-    if held.clone().any(|outcome| !outcome.held.is_empty()) {
-        html += "<p class=\"small\">Held is what a change of friction or load leaves as it is: the traction force, the \
-                 tractive ratio Q₀/μP₀ or the creepage.</p>\n";
+    let mut outcomes = report.comparison.outcomes.iter();
+    if outcomes.any(|outcome| !outcome.held.is_empty()) {
+        let held = sentence(&say!(held_is), language);
+        html += &format!("<p class=\"small\">{held}</p>\n");
     }
     let over = report.over_posterior_in_words();
-    let over = over
-        .iter()
-        .map(|it| format!("{}.", capital(&it.to_string())));
-    let over: Vec<String> = over.collect();
-    html += &list(report.effects().into_iter().chain(over.iter().cloned()));
-    html += &drawing(report.figure(case))?;
-    let over = over.iter().map(|sentence| escape(sentence));
+    let over: Vec<String> = over.iter().map(|it| sentence(it, language)).collect();
+    let effects = report.effects();
+    let effects = effects.iter().map(|effect| said(effect, language));
+    html += &list(effects.chain(over.iter().cloned()));
+    html += &drawing(report.figure(case, language), language)?;
     // Draws tell months with their bands.
     let months = months(report).filter(|_| report.over_posterior.is_none());
-    let brief = best(report).into_iter().chain(months).chain(over);
-    let remarks = report
-        .comparison
-        .base()
-        .remarks
-        .iter()
-        .map(ToString::to_string);
+    let best: Vec<String> = (best(report).iter())
+        .map(|it| sentence(it, language))
+        .collect();
+    let best = (!best.is_empty()).then(|| best.join(" "));
+    let months = months.map(|months| sentence(&months, language));
+    let remarks = report.comparison.base().remarks.iter();
     Ok(Outlook {
-        section: Section::There("What-if", html),
-        brief: brief.collect(),
-        warnings: report.warnings.iter().cloned().chain(remarks).collect(),
+        section: Section::There(say!(what_if), html),
+        brief: best.into_iter().chain(months).chain(over).collect(),
+        warnings: report.warnings.iter().chain(remarks).cloned().collect(),
     })
 }
 
-/// Which variant lowers growth most, of those that act.
-fn best(report: &CompareAnswer) -> Option<String> {
+/// Which variant lowers growth most, of those that act, and which have no effect.
+fn best(report: &CompareAnswer) -> Vec<Message> {
     let base = report.comparison.base();
     let variants = &report.comparison.outcomes[1..];
     if base.fastest.rate <= 0.0 {
-        return None;
+        return Vec::new();
     }
     let changes = variants
         .iter()
         .filter_map(|outcome| Some((outcome, outcome.change_from(base)?)));
     let Some((best, change)) = changes.min_by(|a, b| a.1.total_cmp(&b.1)) else {
-        return Some("None of the variants can act on this case.".to_owned());
+        return vec![say!(no_variant_can_act)];
     };
     // A change below a hundredth helps nobody.
-    let held = match best.held_name() {
-        Some(held) if held != "mixed" => format!(" (held: {held})"),
-        _ => String::new(),
-    };
     let lowers = match change < -0.01 {
-        true => format!(
-            "Of the variants \u{201c}{}\u{201d} lowers the fastest growth most, by {:.0} %{held}.",
-            escape(&best.title),
-            -100.0 * change
+        true => say!(
+            variant_lowers_most,
+            title = &best.title,
+            percent = fixed(-100.0 * change, 0)
         ),
-        false => format!("None of the variants lowers the fastest growth{held}."),
+        false => say!(no_variant_lowers),
     };
-    let idle: Vec<String> = variants
-        .iter()
-        .filter(|outcome| !outcome.effect.acts())
-        .map(|outcome| format!("\u{201c}{}\u{201d}", escape(&outcome.title)))
+    let held = best.held.first().filter(|_| best.held.len() == 1);
+    let lowers = match held {
+        Some(held) => say!(with_held, sentence = lowers, held = held_in_words(*held)),
+        None => lowers,
+    };
+    let idle = variants.iter().filter(|outcome| !outcome.effect.acts());
+    let idle: Vec<Message> = idle
+        .map(|outcome| say!(in_quotes, words = &outcome.title))
         .collect();
-    Some(match idle.is_empty() {
-        true => lowers,
-        false => format!("{lowers} Without any effect: {}.", idle.join(", ")),
-    })
+    let mut sentences = vec![lowers];
+    if !idle.is_empty() {
+        let titles: Value = idle.into_iter().collect();
+        sentences.push(say!(without_any_effect, titles = titles));
+    }
+    sentences
 }
 
 /// How long the case and each variant take to the limit.
-fn months(report: &CompareAnswer) -> Option<String> {
-    let edition = escape(&report.table.edition);
-    let from = match &report.ground {
-        Some(ground) => format!("From {} the", escape(&ground.words)),
-        None => "The".to_owned(),
-    };
+fn months(report: &CompareAnswer) -> Option<Message> {
+    let edition = &report.table.edition;
     let base = report.comparison.base();
     if base.reach()? == Reach::After(0.0) {
-        let on = base.leading().map(|rail| report.on(rail));
-        let on = escape(&on.unwrap_or_default());
-        return Some(format!(
-            "The limit ({edition}) is passed already{on}; --ground or --from-limit says how long each variant lasts after \
-             grinding."
-        ));
+        let rail = base.leading().and_then(|rail| report.rail(rail));
+        return Some(match rail {
+            Some(rail) => say!(limit_is_passed_on, edition = edition, rail = rail),
+            None => say!(limit_is_passed, edition = edition),
+        });
     }
     let when = |outcome: &Outcome| {
         let title = match outcome.effect {
-            Effect::None => "as it is".to_owned(),
-            _ => format!("with \u{201c}{}\u{201d}", escape(&outcome.title)),
+            Effect::None => say!(as_it_is),
+            _ => say!(with_variant, title = &outcome.title),
         };
-        let on = outcome.leading().map(|rail| report.on(rail));
-        let on = escape(&on.unwrap_or_default());
-        Some(match outcome.reach()? {
+        let time = match outcome.reach()? {
             Reach::After(passages) => {
-                let tonnes = format!("{} MGT", number(outcome.growth.mgt(passages)));
-                let time = outcome.months_to_limit();
-                let time = time.map_or(tonnes, |months| format!("{} months", number(months)));
-                format!("after {time} {title}{on}")
+                let tonnes = || say!(gross_tonnes, tonnes = number(outcome.growth.mgt(passages)));
+                let months = outcome.months_to_limit();
+                let months = months.map(|months| say!(months_of, months = number(months)));
+                say!(
+                    reached_after,
+                    time = months.unwrap_or_else(tonnes),
+                    variant = title
+                )
             }
-            Reach::BeyondLinearRange => {
-                format!("not before the wheel leaves the rail {title}{on}")
-            }
-            Reach::Never => format!("never {title}"),
+            Reach::BeyondLinearRange => say!(reached_beyond_linear_range, variant = title),
+            Reach::Never => return Some(say!(never_reached, variant = title)),
+        };
+        let rail = outcome.leading().and_then(|rail| report.rail(rail));
+        Some(match rail {
+            Some(rail) => say!(on_rail, sentence = time, rail = rail),
+            None => time,
         })
     };
-    let times: Vec<String> = report.comparison.outcomes.iter().filter_map(when).collect();
-    Some(format!(
-        "{from} limit ({edition}) is reached {}.",
-        times.join("; ")
-    ))
+    let times = report.comparison.outcomes.iter().filter_map(when);
+    let times = times.reduce(|one, other| say!(one_after_other, one = one, other = other))?;
+    Some(match &report.ground {
+        Some(ground) => say!(
+            limit_is_reached_from,
+            ground = ground.words.clone(),
+            edition = edition,
+            times = times
+        ),
+        None => say!(limit_is_reached, edition = edition, times = times),
+    })
 }
 
 /// A figure of the program with its caption below.
-pub(super) fn drawing(drawing: LineFigure) -> Result<String, PlotError> {
+pub(super) fn drawing(drawing: LineFigure, language: Language) -> Result<String, PlotError> {
     let caption = drawing.caption.clone();
     let drawing = LineFigure {
         title: String::new(),
         caption: String::new(),
         ..drawing
     };
-    Ok(figure("half", &drawing.picture()?, &caption))
+    Ok(figure("half", drawing.picture()?, &caption, language))
 }

@@ -1,8 +1,8 @@
 //! The page of a report: HTML that loads nothing and prints on A4.
 
-use std::borrow::Cow;
 use std::fmt::Write as _;
 
+use riffel_keys::{Language, Message, say};
 use riffel_plot::Picture;
 
 const STYLE: &str = include_str!("page.css");
@@ -16,22 +16,15 @@ pub const GENERATOR: &str = "<meta name=\"generator\" content=\"riffel report\">
 /// A section, or the sentence why there is none.
 pub(super) enum Section {
     /// Heading and HTML.
-    There(&'static str, String),
+    There(Message, String),
     /// Heading and a sentence.
-    LeftOut(&'static str, Cow<'static, str>),
-}
-
-impl Section {
-    /// A heading that has no section, and why.
-    pub(super) fn left_out(heading: &'static str, why: impl Into<Cow<'static, str>>) -> Self {
-        Self::LeftOut(heading, why.into())
-    }
+    LeftOut(Message, Message),
 }
 
 /// What stands above the sections.
 pub(super) struct Head<'a> {
-    pub(super) title: &'a str,
-    pub(super) facts: Vec<(&'a str, &'a str)>,
+    pub(super) title: String,
+    pub(super) facts: Vec<(Message, &'a str)>,
     pub(super) remarks: Option<&'a str>,
     /// The strip map, or nothing.
     pub(super) map: String,
@@ -40,13 +33,18 @@ pub(super) struct Head<'a> {
 }
 
 /// The whole page.
-pub(super) fn page(head: &Head, sections: &[Section]) -> String {
-    let title = escape(head.title);
+pub(super) fn page(head: &Head, sections: &[Section], language: Language) -> String {
+    let title = escape(&head.title);
     let mut body = format!("<header>\n<h1>{title}</h1>\n");
     if !head.facts.is_empty() {
         body += "<dl class=\"facts\">\n";
         for (name, value) in &head.facts {
-            let _ = writeln!(body, "<dt>{}</dt><dd>{}</dd>", escape(name), escape(value));
+            let _ = writeln!(
+                body,
+                "<dt>{}</dt><dd>{}</dd>",
+                said(name, language),
+                escape(value)
+            );
         }
         body += "</dl>\n";
     }
@@ -54,7 +52,8 @@ pub(super) fn page(head: &Head, sections: &[Section]) -> String {
     if let Some(remarks) = head.remarks {
         let _ = writeln!(body, "<p>{}</p>", escape(remarks));
     }
-    body += "<section class=\"brief\">\n<h2>In brief</h2>\n";
+    let in_brief = said(&say!(in_brief), language);
+    let _ = write!(body, "<section class=\"brief\">\n<h2>{in_brief}</h2>\n");
     body += &head.map;
     body += "<ul>\n";
     for sentence in &head.brief {
@@ -67,24 +66,28 @@ pub(super) fn page(head: &Head, sections: &[Section]) -> String {
         match section {
             Section::There(heading, html) => {
                 number += 1;
+                let heading = said(heading, language);
                 let _ = write!(
                     body,
                     "<section>\n<h2>{number} {heading}</h2>\n{html}</section>\n"
                 );
             }
             Section::LeftOut(heading, why) => {
-                let _ = writeln!(left_out, "<li>{heading}: {}</li>", escape(why));
+                let why = why.clone().about(heading.clone());
+                let _ = writeln!(left_out, "<li>{}.</li>", said(&why, language));
             }
         }
     }
     if !left_out.is_empty() {
+        let heading = said(&say!(not_in_this_report), language);
         let _ = write!(
             body,
-            "<section>\n<h2>Not in this report</h2>\n<ul>\n{left_out}</ul>\n</section>\n"
+            "<section>\n<h2>{heading}</h2>\n<ul>\n{left_out}</ul>\n</section>\n"
         );
     }
+    let code = language.code();
     format!(
-        "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n\
+        "<!DOCTYPE html>\n<html lang=\"{code}\">\n<head>\n<meta charset=\"utf-8\">\n\
          {GENERATOR}\n\
          <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n\
          <meta http-equiv=\"Content-Security-Policy\" content=\"{POLICY}\">\n\
@@ -101,8 +104,32 @@ pub(super) fn escape(words: &str) -> String {
         .replace('"', "&quot;")
 }
 
+/// A message in HTML.
+pub(super) fn said(message: &Message, language: Language) -> String {
+    escape(&message.text(language))
+}
+
+/// A message as a sentence of its own in HTML.
+pub(super) fn sentence(message: &Message, language: Language) -> String {
+    escape(&message.capitalised(language)) + "."
+}
+
+/// HTML with words in bold where they first stand.
+pub(super) fn bold(html: &str, words: &str) -> String {
+    let words = escape(words);
+    html.replacen(&words, &format!("<b>{words}</b>"), 1)
+}
+
+/// Messages in words, as for the heads of a table.
+pub(super) fn texts<const N: usize>(messages: [Message; N], language: Language) -> Vec<String> {
+    messages
+        .iter()
+        .map(|message| message.text(language))
+        .collect()
+}
+
 /// A table; its cells are HTML already.
-pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> String {
+pub(super) fn table(class: &str, header: &[String], rows: &[Vec<String>]) -> String {
     /// Rows up to which a table stays on one sheet.
     const SHORT: usize = 14;
     let keep = if rows.len() <= SHORT { " keep" } else { "" };
@@ -121,18 +148,18 @@ pub(super) fn table(class: &str, header: &[&str], rows: &[Vec<String>]) -> Strin
     html + "</tbody>\n</table></div>\n"
 }
 
-/// A list of sentences.
-pub(super) fn list(sentences: impl IntoIterator<Item = String>) -> String {
+/// A list of items in HTML.
+pub(super) fn list(items: impl IntoIterator<Item = String>) -> String {
     let mut html = "<ul>\n".to_owned();
-    for sentence in sentences {
-        let _ = writeln!(html, "<li>{}</li>", escape(&sentence));
+    for item in items {
+        let _ = writeln!(html, "<li>{item}</li>");
     }
     html + "</ul>\n"
 }
 
 /// A figure drawn in the page. The name of the drawing language is known to HTML and need not be said.
-pub(super) fn figure(class: &str, picture: &Picture, caption: &str) -> String {
-    let svg = picture.svg();
+pub(super) fn figure(class: &str, picture: Picture, caption: &str, language: Language) -> String {
+    let svg = picture.with_decimal_mark(language.decimal_mark()).svg();
     let svg = svg.replacen(" xmlns=\"http://www.w3.org/2000/svg\"", "", 1);
     format!(
         "<figure class=\"{class}\">\n{svg}\n<figcaption>{}</figcaption>\n</figure>\n",
@@ -147,15 +174,16 @@ mod tests {
     #[test]
     fn words_stay_words() {
         let head = Head {
-            title: "a<script>",
-            facts: vec![("Line", "\"U2\" & co")],
+            title: "a<script>".to_owned(),
+            facts: vec![(say!(line_of_site), "\"U2\" & co")],
             remarks: Some("</main>"),
             brief: Vec::new(),
             map: String::new(),
         };
-        let page = page(&head, &[Section::left_out("Map", "there is no case.")]);
+        let left_out = Section::LeftOut(say!(growth_map), say!(no_case_given));
+        let page = page(&head, &[left_out], Language::English);
         assert!(!page.contains("<script>") && page.contains("a&lt;script&gt;"));
         assert!(page.contains("&quot;U2&quot; &amp; co") && page.contains("&lt;/main&gt;"));
-        assert!(page.contains("Map: there is no case."));
+        assert!(page.contains("Growth map: no case was given."));
     }
 }

@@ -3,12 +3,13 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
-use riffel_keys::decimal;
+use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
-use riffel_rail::{Limit, LimitTable, Record};
+use riffel_rail::{Limit, LimitTable, Record, name_in_words};
 
-use super::page::{Section, escape, figure, list, table};
-use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, band_row, counted, grind_row};
+use super::page::{Section, figure, list, said, sentence, table, texts};
+use crate::roughness::figure::position_axis;
+use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, band_row, grind_row};
 
 /// Columns of a profile strip: more than a printer resolves on A4.
 const COLUMNS: usize = 900;
@@ -16,7 +17,7 @@ const COLUMNS: usize = 900;
 const GRIND_ROWS: usize = 40;
 
 /// Profile of each rail, drawn as the lowest and highest of each of many short lengths.
-pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
+pub(super) fn strips(record: &Record, language: Language) -> Result<Section, PlotError> {
     let unit = ChainageUnit::suiting([record.from, record.to]);
     let panels = record.rails.iter().map(|rail| {
         let series = rail.stretches.iter().map(|stretch| {
@@ -29,9 +30,9 @@ pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
             }
         });
         LinePanel {
-            subtitle: rail.name.clone(),
-            x_label: unit.axis_label().to_owned(),
-            y_label: "height [µm]".to_owned(),
+            subtitle: name_in_words(&rail.name).text(language),
+            x_label: position_axis(unit).text(language),
+            y_label: say!(height_axis).text(language),
             x_range: Some((unit.of(record.from), unit.of(record.to))),
             series: series.collect(),
             ..LinePanel::default()
@@ -42,15 +43,19 @@ pub(super) fn strips(record: &Record) -> Result<Section, PlotError> {
         arrangement: Arrangement::Strips,
         ..LineFigure::default()
     };
-    let caption = format!(
-        "Heights as read, positive upward, {} m to {:.1} m. Lowest and highest of {COLUMNS} lengths each; gaps are gaps.",
-        decimal(record.from, 1),
-        record.to
+    let caption = say!(
+        caption_of_heights,
+        from = fixed(record.from, 1),
+        to = fixed(record.to, 1),
+        columns = number(COLUMNS)
     );
-    Ok(Section::There(
-        "Profile",
-        figure("strip", &drawing.picture()?, &caption),
-    ))
+    let html = figure(
+        "strip",
+        drawing.picture()?,
+        &caption.text(language),
+        language,
+    );
+    Ok(Section::There(say!(profile), html))
 }
 
 /// Position \[m\] and height \[µm\]: of each length the lowest and the highest, in their order.
@@ -74,12 +79,11 @@ fn extremes(stretch: &Profile, whole: f64) -> (Vec<f64>, Vec<f64>) {
 }
 
 /// The moving RMS along each rail, with its limits.
-pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, PlotError> {
+pub(super) fn moving_rms(report: &ProfileAnswer, language: Language) -> Result<Section, PlotError> {
+    let rails = report.rails.iter();
     let drawing = LineFigure {
-        panels: report
-            .rails
-            .iter()
-            .map(|rail| report.moving_rms(rail))
+        panels: rails
+            .map(|rail| report.moving_rms(rail, language))
             .collect(),
         arrangement: Arrangement::Strips,
         ..LineFigure::default()
@@ -88,14 +92,9 @@ pub(super) fn moving_rms(report: &ProfileAnswer) -> Result<Section, PlotError> {
     let block = blocks
         .map(|block| block.to - block.from)
         .fold(0.0, f64::max);
-    let caption = format!(
-        "Highest moving RMS of each {block:.1} m, by band of wavelengths; dashed in the same colour: the limit of the \
-         band. The worst rail is first."
-    );
-    Ok(Section::There(
-        "Moving RMS along the line",
-        figure("strip", &drawing.picture()?, &caption),
-    ))
+    let caption = say!(caption_of_moving_rms, block = fixed(block, 1)).text(language);
+    let html = figure("strip", drawing.picture()?, &caption, language);
+    Ok(Section::There(say!(moving_rms_along_the_line), html))
 }
 
 /// Length \[m\] of the blocks of which a strip shows one value each.
@@ -108,17 +107,18 @@ pub(super) fn spectrum_of_profile(
     path: &Path,
     report: &ProfileAnswer,
     limits: &[LimitTable],
+    language: Language,
 ) -> Result<Section, PlotError> {
-    let mut drawing = report.figure(path, limits);
-    drawing.panels.truncate(1);
+    let drawing = report.figure(path, limits, language);
     let removed = report.removed();
-    let caption = format!(
-        "One-third-octave levels after EN 15610:2009, method A, without {} and {}; base-ten bands. {}",
-        counted(removed.spikes, "spike"),
-        counted(removed.pits, "pit"),
-        editions(limits)
+    let caption = say!(
+        caption_of_levels,
+        spikes = say!(spikes, count = removed.spikes),
+        pits = say!(pits, count = removed.pits)
     );
-    spectrum(drawing, &caption, report.verdicts())
+    let html = spectrum(drawing, caption, limits, language)?;
+    let html = html + &verdicts(report.verdicts(), language);
+    Ok(Section::There(say!(spectrum_and_limits), html))
 }
 
 /// Means of spectra with their limit.
@@ -126,163 +126,178 @@ pub(super) fn spectrum_of_means(
     path: &Path,
     means: &SpectraAnswer,
     limits: &[LimitTable],
+    language: Language,
 ) -> Result<Section, PlotError> {
-    let mut drawing = means.figure(path, limits);
-    drawing.panels.truncate(1);
+    let mut drawing = means.figure(path, limits, language);
     drawing.panels[0].subtitle.clear();
-    let counts: Vec<String> = means
-        .groups
-        .iter()
-        .map(|group| format!("{} ({})", group.name, group.count))
+    let groups = means.groups.iter();
+    let groups: Value = groups
+        .map(|group| {
+            let name = Message::verbatim(&group.name);
+            say!(group_of_spectra, name = name, count = number(group.count))
+        })
         .collect();
-    let caption = format!(
-        "Means of energies over the spectra of each group: {}. {}",
-        counts.join(", "),
-        editions(limits)
-    );
-    let Section::There(heading, html) = spectrum(drawing, &caption, means.verdicts.iter())? else {
-        return Ok(Section::left_out("Spectrum", "there is none."));
-    };
-    Ok(Section::There(
-        heading,
-        html + &list(means.findings.clone()),
-    ))
+    let caption = say!(caption_of_group_means, groups = groups);
+    let html = spectrum(drawing, caption, limits, language)?;
+    let findings = means.findings.iter().map(|finding| said(finding, language));
+    let html = html + &verdicts(means.verdicts.iter(), language) + &list(findings);
+    Ok(Section::There(say!(spectrum_and_limits), html))
 }
 
-fn spectrum<'a>(
+/// The first panel of a figure with its caption, and the limits by name.
+fn spectrum(
     drawing: LineFigure,
-    caption: &str,
-    verdicts: impl Iterator<Item = &'a Verdict>,
-) -> Result<Section, PlotError> {
+    caption: Message,
+    limits: &[LimitTable],
+    language: Language,
+) -> Result<String, PlotError> {
     let drawing = LineFigure {
         title: String::new(),
         caption: String::new(),
+        panels: drawing.panels.into_iter().take(1).collect(),
         ..drawing
     };
-    let mut html = figure("half", &drawing.picture()?, caption);
-    html += "<ul>\n";
-    for verdict in verdicts {
-        html += &format!("<li>{}</li>\n", sentence(verdict));
-    }
-    html += "</ul>\n";
-    Ok(Section::There("Spectrum and limits", html))
-}
-
-/// A verdict, marked by what it says.
-pub(super) fn sentence(verdict: &Verdict) -> String {
-    let class = if verdict.within { "good" } else { "bad" };
-    let words = escape(&verdict.sentence);
-    let marked = if verdict.within {
-        "within the limit"
-    } else {
-        "over the limit"
-    };
-    words.replacen(
-        marked,
-        &format!("<span class=\"{class}\">{marked}</span>"),
-        1,
-    )
-}
-
-fn editions(limits: &[LimitTable]) -> String {
     let levels = limits
         .iter()
         .filter(|table| matches!(table.limit, Limit::Levels(_)));
-    let names: Vec<String> = levels
-        .map(|table| format!("Dashed: {} ({}).", table.edition, table.source))
-        .collect();
-    names.join(" ")
+    let editions = levels.map(|table| {
+        say!(
+            dashed_limit,
+            edition = &table.edition,
+            source = &table.source
+        )
+    });
+    let sentences = std::iter::once(caption).chain(editions);
+    let sentences: Vec<String> = sentences.map(|one| one.text(language) + ".").collect();
+    let (picture, caption) = (drawing.picture()?, sentences.join(" "));
+    Ok(figure("half", picture, &caption, language))
+}
+
+/// Verdicts as a list.
+fn verdicts<'a>(verdicts: impl Iterator<Item = &'a Verdict>, language: Language) -> String {
+    list(verdicts.map(|verdict| marked(verdict, language)))
+}
+
+/// A verdict, marked by what it says.
+pub(super) fn marked(verdict: &Verdict, language: Language) -> String {
+    let (class, words) = match verdict.within {
+        true => ("good", say!(within_the_limit)),
+        false => ("bad", say!(over_the_limit)),
+    };
+    let words = said(&words, language);
+    let marked = format!("<span class=\"{class}\">{words}</span>");
+    said(&verdict.sentence, language).replacen(&words, &marked, 1)
 }
 
 /// Statistics of the bands.
-pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable]) -> Section {
+pub(super) fn bands(report: &ProfileAnswer, limits: &[LimitTable], language: Language) -> Section {
     let rails = report.rails.iter();
     let rows: Vec<Vec<String>> = rails
         .flat_map(|rail| {
+            let name = said(&name_in_words(&rail.name), language);
             let bands = rail.analysis.bands.iter();
-            bands.map(|band| band_row(&escape(&rail.name), band).to_vec())
+            bands.map(move |band| numbers(&name, band_row("", band), 0, language))
         })
         .collect();
-    let header = [
-        "rail",
-        "band [mm]",
-        "RMS [µm]",
-        "highest moving RMS [µm]",
-        "highest peak-to-peak [µm]",
-        "window [m]",
-        "limit of the RMS [µm]",
-        "length over the limit",
+    let heads = [
+        say!(rail_word),
+        say!(band_in_millimetres),
+        say!(rms_in_micrometres),
+        say!(highest_moving_rms),
+        say!(highest_peak_to_peak),
+        say!(window_in_metres),
+        say!(limit_of_rms),
+        say!(length_over_the_limit),
     ];
-    let rms = limits
+    let limits = limits
         .iter()
         .filter(|table| matches!(table.limit, Limit::Rms(_)))
-        .map(|table| format!("Limit: {} ({}).", table.edition, table.source));
-    let rms: Vec<String> = rms.collect();
-    let note = format!(
-        "<p class=\"small\">{} Profile without spikes, zero-phase band-pass, each rail on its own, the worst first.</p>\n",
-        escape(&rms.join(" "))
-    );
-    Section::There("Wavelength bands", table("", &header, &rows) + &note)
+        .map(|table| {
+            say!(
+                limit_of_bands,
+                edition = &table.edition,
+                source = &table.source
+            )
+        });
+    let note: Vec<String> = limits
+        .chain([say!(how_bands_are_filtered)])
+        .map(|one| sentence(&one, language))
+        .collect();
+    let note = format!("<p class=\"small\">{}</p>\n", note.join(" "));
+    let table = table("", &texts(heads, language), &rows);
+    Section::There(say!(wavelength_bands), table + &note)
+}
+
+/// A row of numbers, with the name of the rail in one of its cells.
+fn numbers<const N: usize>(
+    rail: &str,
+    row: [String; N],
+    place: usize,
+    language: Language,
+) -> Vec<String> {
+    let mut cells = row.map(|cell| language.numbers(&cell)).to_vec();
+    cells[place] = rail.to_owned();
+    cells
 }
 
 /// What to grind.
-pub(super) fn grind(report: &ProfileAnswer) -> Section {
-    const HEADING: &str = "What to grind";
+pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
+    let heading = say!(what_to_grind);
     if !report.knows_what_to_grind() {
-        return Section::left_out(HEADING, "it needs a table of RMS limits (--limit).");
+        return Section::LeftOut(heading, say!(needs_a_limit_of_rms));
     }
     let sections = report.sections();
     if sections.is_empty() {
-        return Section::There(
-            HEADING,
-            "<p>Nothing: no band is over its limit anywhere.</p>\n".to_owned(),
-        );
+        let nothing = sentence(&say!(no_band_over_its_limit), language);
+        return Section::There(heading, format!("<p>{nothing}</p>\n"));
     }
-    let rows: Vec<Vec<String>> = sections
-        .iter()
-        .take(GRIND_ROWS)
-        .enumerate()
-        .map(|(index, (rail, section))| grind_row(index, &escape(&rail.name), section).to_vec())
+    let rows = sections.iter().take(GRIND_ROWS).enumerate();
+    let rows: Vec<Vec<String>> = rows
+        .map(|(index, (rail, section))| {
+            let name = said(&name_in_words(&rail.name), language);
+            numbers(&name, grind_row(index, "", section), 1, language)
+        })
         .collect();
-    let header = [
-        "section",
-        "rail",
-        "from [m]",
-        "to [m]",
-        "length [m]",
-        "worst band [mm]",
-        "RMS over limit [-]",
+    let heads = [
+        say!(section_head),
+        say!(rail_word),
+        say!(from_in_metres),
+        say!(to_in_metres),
+        say!(length_in_metres),
+        say!(worst_band_in_millimetres),
+        say!(rms_over_limit),
     ];
-    let more = match sections.len().saturating_sub(GRIND_ROWS) {
-        0 => String::new(),
-        more => format!(" {more} further sections are in grind.csv of riffel roughness."),
-    };
-    let how = format!(
-        "Sections no further apart than {:.0} m are ground as one, and none shorter than {:.0} m.",
-        report.grinding.merge, report.grinding.shortest
+    let more = sections.len().saturating_sub(GRIND_ROWS);
+    let more = (more > 0).then(|| say!(further_sections, count = number(more)));
+    let how = say!(
+        how_sections_are_ground,
+        merge = fixed(report.grinding.merge, 0),
+        shortest = fixed(report.grinding.shortest, 0)
     );
-    let html =
-        table("", &header, &rows) + &format!("<p>{}{more} {how}</p>\n", escape(&total(report)));
-    Section::There(HEADING, html)
+    let words = total(report).into_iter().chain(more).chain([how]);
+    let words: Vec<String> = words.map(|one| sentence(&one, language)).collect();
+    let table = table("", &texts(heads, language), &rows);
+    Section::There(heading, table + &format!("<p>{}</p>\n", words.join(" ")))
 }
 
-/// The total to grind in a sentence.
-pub(super) fn total(report: &ProfileAnswer) -> String {
+/// The total to grind, in a sentence or two.
+pub(super) fn total(report: &ProfileAnswer) -> Vec<Message> {
     let sections = report.sections().len();
     if sections == 0 {
-        return "No length is over the RMS limits: nothing to grind.".to_owned();
+        return vec![say!(no_length_over_rms_limits)];
     }
     let at_defects = report.sections().into_iter().filter(|(rail, section)| {
         let mut defects = rail.analysis.defects.iter();
         defects.any(|defect| section.from < defect.to && defect.from < section.to)
     });
-    let at_defects = match at_defects.count() {
-        0 => String::new(),
-        count => format!(" Sections with a weld, joint or squat among them: {count}."),
-    };
-    format!(
-        "{} to grind, {}.{at_defects}",
-        counted(sections, "section"),
-        report.total()
-    )
+    let at_defects = at_defects.count();
+    let mut sentences = vec![say!(
+        sections_to_grind,
+        count = sections,
+        sums = report.total()
+    )];
+    if at_defects > 0 {
+        sentences.push(say!(sections_at_defects, count = number(at_defects)));
+    }
+    sentences
 }

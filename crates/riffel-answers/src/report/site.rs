@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, Message, say};
 use serde::Deserialize;
 
 use super::grinding_cost::GrindingCost;
@@ -68,16 +68,16 @@ impl Site {
     }
 
     /// What there is, each with its name, in the order of the report; title and remarks aside.
-    pub fn facts(&self) -> Vec<(&'static str, &str)> {
+    pub fn facts(&self) -> Vec<(Message, &str)> {
         [
-            ("Railway", &self.railway),
-            ("Line", &self.line),
-            ("Track", &self.track),
-            ("Place", &self.place),
-            ("Measured on", &self.measured_on),
-            ("Instrument", &self.instrument),
-            ("Author", &self.author),
-            ("Date", &self.date),
+            (say!(railway), &self.railway),
+            (say!(line_of_site), &self.line),
+            (say!(track), &self.track),
+            (say!(place_of_site), &self.place),
+            (say!(measured_on), &self.measured_on),
+            (say!(instrument), &self.instrument),
+            (say!(author), &self.author),
+            (say!(date_of_report), &self.date),
         ]
         .into_iter()
         .filter_map(|(name, value)| Some((name, value.as_deref()?)))
@@ -92,7 +92,7 @@ mod tests {
     #[test]
     fn a_site_has_what_it_says() {
         let site = Site::parse("site", "[site]\nline = \"U2\"\ntitle = \"T\"\n").unwrap();
-        assert_eq!(site.facts(), [("Line", "U2")]);
+        assert_eq!(site.facts(), [(say!(line_of_site), "U2")]);
         let wrong = Site::parse("site", "[site]\nlien = \"U2\"\n").unwrap_err();
         assert!(wrong.to_string().contains("lien"), "{wrong}");
         let cost = |shift: &str| {

@@ -2,9 +2,11 @@
 
 use std::fmt::Write as _;
 
+use riffel_keys::{Language, say};
 use riffel_plot::ChainageUnit;
+use riffel_rail::name_in_words;
 
-use super::page::escape;
+use super::page::said;
 use crate::diagnose::Diagnosis;
 use crate::roughness::{ProfileAnswer, RailAnswer};
 
@@ -18,7 +20,11 @@ const NARROWEST: f64 = 2.0;
 const PARTS: usize = 5;
 
 /// The rails in the order of the record, each with what is to be ground, its dominant wavelengths and its defects.
-pub(super) fn strip_map(answer: &ProfileAnswer, diagnosis: Option<&Diagnosis>) -> String {
+pub(super) fn strip_map(
+    answer: &ProfileAnswer,
+    diagnosis: Option<&Diagnosis>,
+    language: Language,
+) -> String {
     let (from, to) = (answer.record.from, answer.record.to);
     let across = |position: f64| NAMES + (WIDTH - NAMES - 8.0) * (position - from) / (to - from);
     let bar = |svg: &mut String, top: f64, height: f64, part: (f64, f64), look: &str| {
@@ -41,7 +47,7 @@ pub(super) fn strip_map(answer: &ProfileAnswer, diagnosis: Option<&Diagnosis>) -
             svg,
             "<text x=\"0\" y=\"{}\">{}</text>",
             top + 25.0,
-            escape(&rail.name)
+            said(&name_in_words(&rail.name), language)
         );
         for stretch in &rail.analysis.stretches {
             bar(&mut svg, top + 16.0, 12.0, *stretch, "fill=\"#cfd6dd\"");
@@ -88,15 +94,15 @@ pub(super) fn strip_map(answer: &ProfileAnswer, diagnosis: Option<&Diagnosis>) -
         let (x, y) = (across(position), height - 20.0);
         let anchor = if part == PARTS { "end" } else { "middle" };
         let digits = if unit == ChainageUnit::Metre { 0 } else { 3 };
+        let shown = language.numbers(&format!("{:.digits$}", unit.of(position)));
         let _ = write!(
             svg,
-            "<path d=\"M{x:.1} {y}v5\" stroke=\"#5a6775\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"{anchor}\">{:.digits$}</text>",
-            height - 4.0,
-            unit.of(position)
+            "<path d=\"M{x:.1} {y}v5\" stroke=\"#5a6775\"/><text x=\"{x:.1}\" y=\"{}\" text-anchor=\"{anchor}\">{shown}</text>",
+            height - 4.0
         );
     }
+    let caption = said(&say!(caption_of_strip_map), language);
     format!(
-        "<figure class=\"strip\">\n{svg}</svg>\n<figcaption>The line: red is over the limit of the RMS, and to be ground; blue is \
-         a dominant wavelength; black is a weld, joint or squat.</figcaption>\n</figure>\n"
+        "<figure class=\"strip\">\n{svg}</svg>\n<figcaption>{caption}</figcaption>\n</figure>\n"
     )
 }

@@ -237,7 +237,7 @@ pub(crate) fn resonances(case: &Case) -> Vec<(MechanismKind, f64)> {
     of_track.chain(of_wheelset).collect()
 }
 
-/// The name of a mechanism; in English alone where it has no other.
+/// The name of a mechanism.
 pub(crate) fn mechanism_name(kind: MechanismKind) -> Message {
     match kind {
         MechanismKind::P2 => say!(mechanism_p2),
@@ -251,7 +251,12 @@ pub(crate) fn mechanism_name(kind: MechanismKind) -> Message {
         MechanismKind::MeasuredDip => say!(mechanism_measured_dip),
         MechanismKind::GivenPeak => say!(mechanism_given_peak),
         MechanismKind::GivenDip => say!(mechanism_given_dip),
-        kind => Message::verbatim(kind.name()),
+        MechanismKind::GrowthRidge => say!(mechanism_growth_ridge),
+        MechanismKind::LateralPinnedPinned => say!(mechanism_lateral_pinned_pinned),
+        MechanismKind::GrindingMark => say!(mechanism_grinding_mark),
+        MechanismKind::SupportSpacing => say!(mechanism_support_spacing),
+        MechanismKind::WheelCircumference => say!(mechanism_wheel_circumference),
+        MechanismKind::Unlisted => say!(mechanism_unlisted),
     }
 }
 

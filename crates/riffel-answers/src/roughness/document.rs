@@ -1,6 +1,7 @@
 //! Roughness as data.
 
 use riffel::roughness::{BandSummary, GrindSection, Spectrum, line_length};
+use riffel_keys::Message;
 use riffel_rail::{LinePlace, ReaderFormat};
 use serde::Serialize;
 
@@ -36,10 +37,10 @@ pub struct RoughnessDocument {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) groups: Vec<GroupDocument>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    pub(super) findings: Vec<String>,
+    pub(super) findings: Vec<Message>,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) read_as: Option<ReaderFormat>,
-    pub(super) warnings: Vec<String>,
+    pub(super) warnings: Vec<Message>,
 }
 
 /// A level of a spectrum.

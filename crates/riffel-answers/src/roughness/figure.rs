@@ -3,10 +3,11 @@
 use std::path::Path;
 
 use riffel::roughness::{Spectrum, WavelengthBand};
+use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::{
     Arrangement, ChainageUnit, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series,
 };
-use riffel_rail::{Limit, LimitTable};
+use riffel_rail::{Limit, LimitTable, name_in_words};
 
 use super::words::name;
 use super::{MeanSpectra, ProfileAnswer, RailAnswer};
@@ -16,6 +17,7 @@ pub(crate) fn of_profile(
     path: &Path,
     profile: &ProfileAnswer,
     limits: &[LimitTable],
+    language: Language,
 ) -> LineFigure {
     let mut curves: Vec<Series> = profile
         .rails
@@ -24,39 +26,56 @@ pub(crate) fn of_profile(
         .map(|(index, rail)| {
             // Black is the mean's and the limit's.
             let color = OKABE_ITO[1 + index % (OKABE_ITO.len() - 1)];
-            levels(&rail.name, &rail.analysis.spectrum, LineStyle::Solid, color)
+            let name = name_in_words(&rail.name).text(language);
+            levels(&name, &rail.analysis.spectrum, LineStyle::Solid, color)
         })
         .collect();
     if profile.rails.len() > 1 {
         curves.push(levels(
-            "energy mean",
+            &say!(energy_mean).text(language),
             &profile.spectrum,
             LineStyle::Dotted,
             Rgb::BLACK,
         ));
     }
     curves.extend(limit_curves(limits));
-    let mut panels = vec![level_panel(curves)];
+    let mut panels = vec![level_panel(curves, language)];
     let ends = [profile.record.from, profile.record.to];
-    panels.extend(profile.rails.iter().map(|rail| moving_rms(rail, ends)));
+    let strips = profile.rails.iter();
+    panels.extend(strips.map(|rail| moving_rms(rail, ends, language)));
     let blocks = profile.rails.iter().flat_map(|rail| &rail.analysis.blocks);
     let block = blocks
         .map(|block| block.to - block.from)
         .fold(0.0, f64::max);
     LineFigure {
-        title: "Rail roughness".to_owned(),
-        caption: format!(
-            "{}: one-third-octave levels after EN 15610:2009 (method A); highest moving RMS in blocks of {block:.1} m, \
-             its limit dashed.",
-            path.file_name().unwrap_or_default().to_string_lossy()
-        ),
+        title: say!(rail_roughness).text(language),
+        caption: say!(
+            caption_of_profile,
+            file = file_name(path),
+            block = fixed(block, 1)
+        )
+        .text(language),
         panels,
         arrangement: Arrangement::Stacked,
     }
 }
 
+/// The name of a file without its folder.
+pub(crate) fn file_name(path: &Path) -> String {
+    let name = path.file_name().unwrap_or_default();
+    name.to_string_lossy().into_owned()
+}
+
+/// The axis of positions along a rail.
+pub(crate) fn position_axis(unit: ChainageUnit) -> Message {
+    match unit {
+        ChainageUnit::Metre => say!(position_axis_in_metres),
+        ChainageUnit::Kilometre => say!(position_axis_in_kilometres),
+    }
+}
+
 /// The moving RMS of each band along a rail from one place to another \[m\], each with its limit.
-pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2]) -> LinePanel {
+pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2], language: Language) -> LinePanel {
     let unit = ChainageUnit::suiting([from, to]);
     let ends = (unit.of(from), unit.of(to));
     let mut series = Vec::new();
@@ -100,9 +119,9 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2]) -> LinePanel {
         }));
     }
     LinePanel {
-        subtitle: rail.name.clone(),
-        x_label: unit.axis_label().to_owned(),
-        y_label: "moving RMS [µm]".to_owned(),
+        subtitle: name_in_words(&rail.name).text(language),
+        x_label: position_axis(unit).text(language),
+        y_label: say!(moving_rms_axis).text(language),
         x_range: Some(ends),
         y_scale: Scale::Log,
         series,
@@ -111,7 +130,12 @@ pub(crate) fn moving_rms(rail: &RailAnswer, [from, to]: [f64; 2]) -> LinePanel {
 }
 
 /// Energy means of groups of spectra with their limits.
-pub(crate) fn of_spectra(path: &Path, groups: &[MeanSpectra], limits: &[LimitTable]) -> LineFigure {
+pub(crate) fn of_spectra(
+    path: &Path,
+    groups: &[MeanSpectra],
+    limits: &[LimitTable],
+    language: Language,
+) -> LineFigure {
     let curves = |mean: fn(&MeanSpectra) -> &Spectrum| {
         let curves = groups.iter().enumerate().map(move |(index, group)| {
             let color = OKABE_ITO[index % OKABE_ITO.len()];
@@ -119,29 +143,26 @@ pub(crate) fn of_spectra(path: &Path, groups: &[MeanSpectra], limits: &[LimitTab
         });
         curves.chain(limit_curves(limits)).collect()
     };
-    let panel = |subtitle: &str, series| LinePanel {
-        subtitle: subtitle.to_owned(),
-        ..level_panel(series)
+    let panel = |subtitle: Message, series| LinePanel {
+        subtitle: subtitle.text(language),
+        ..level_panel(series, language)
     };
     LineFigure {
-        title: "Rail roughness".to_owned(),
-        caption: format!(
-            "{}: means over the spectra of each group.",
-            path.file_name().unwrap_or_default().to_string_lossy()
-        ),
+        title: say!(rail_roughness).text(language),
+        caption: say!(caption_of_means, file = file_name(path)).text(language),
         panels: vec![
-            panel("mean of energies", curves(|group| &group.energy)),
-            panel("mean of levels", curves(|group| &group.arithmetic)),
+            panel(say!(mean_of_energies), curves(|group| &group.energy)),
+            panel(say!(mean_of_levels), curves(|group| &group.arithmetic)),
         ],
         arrangement: Arrangement::Stacked,
     }
 }
 
 /// Levels over wavelength.
-pub(crate) fn level_panel(series: Vec<Series>) -> LinePanel {
+pub(crate) fn level_panel(series: Vec<Series>, language: Language) -> LinePanel {
     LinePanel {
-        x_label: "wavelength λ [mm]".to_owned(),
-        y_label: "level [dB re 1 µm]".to_owned(),
+        x_label: say!(wavelength_axis).text(language),
+        y_label: say!(level_axis).text(language),
         x_scale: Scale::Log,
         series,
         ..LinePanel::default()

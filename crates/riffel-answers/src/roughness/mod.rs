@@ -17,5 +17,5 @@ pub(crate) use profile::{limit_levels, rms_limit};
 pub use section_verdict::SectionVerdict;
 pub use spectra::{MeanSpectra, SpectraAnswer};
 pub use verdict::Verdict;
-pub(crate) use verdict::{Judged, rail_in_words, worst_first};
-pub use words::{band_row, counted, grind_row};
+pub(crate) use verdict::{Judged, worst_first};
+pub use words::{band_row, grind_row};

@@ -6,15 +6,17 @@ use riffel::roughness::{
     AnalysisSettings, BandSummary, GrindSection, GrindSettings, Profile, RailAnalysis, RmsLimit,
     Spectrum, WavelengthBand, line_length,
 };
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{CaseError, Language, Message, fixed, number, say};
 use riffel_plot::{LineFigure, LinePanel};
-use riffel_rail::{DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words};
+use riffel_rail::{
+    DefectsAre, Limit, LimitTable, LinePlace, Record, defects_in_words, rail_in_words,
+};
 
 use super::document::{Grind, RailDocument, Removed, RoughnessDocument, bands, levels};
 use super::figure;
 use super::section_verdict::SectionVerdict;
-use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
+use super::verdict::{Judged, Verdict, worst_first};
 use super::words::name;
 use crate::AnswerError;
 
@@ -49,7 +51,7 @@ pub struct ProfileAnswer {
     /// What is ground as one.
     pub grinding: GrindSettings,
     /// What was put right, and what the reader should know.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
     /// Mean length of the rails \[m\].
     pub length: f64,
 }
@@ -162,17 +164,13 @@ impl ProfileAnswer {
         let mut rails: Vec<RailAnswer> = names
             .zip(analyses)
             .map(|(name, analysis)| {
-                let words = if several {
-                    rail_in_words(&name)
-                } else {
-                    String::new()
-                };
+                let words = several.then(|| rail_in_words(&name));
                 let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis));
                 RailAnswer {
                     sections: analysis.grind(&grinding),
                     verdicts: verdicts
                         .into_iter()
-                        .map(|verdict| verdict.on_rail(&name).of(&words))
+                        .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
                         .collect(),
                     name,
                     analysis,
@@ -193,7 +191,7 @@ impl ProfileAnswer {
         let defects = rails.iter().flat_map(|rail| {
             defects_in_words(&rail.name, &rail.analysis.defects, DefectsAre::Judged)
         });
-        warnings.extend(defects.map(|said| said.to_string()));
+        warnings.extend(defects);
         warnings.extend(remarks(&bands, &settings, record.spacing));
         Ok(Self {
             rails,
@@ -228,15 +226,16 @@ impl ProfileAnswer {
     }
 
     /// Which rail is worst, where there are several.
-    pub fn worst(&self) -> Option<String> {
+    pub fn worst(&self) -> Option<Message> {
         let [worst, _, ..] = &self.rails[..] else {
             return None;
         };
-        let name = rail_in_words(&worst.name);
+        let rail = rail_in_words(&worst.name);
         let over = worst.verdicts.iter().filter(|one| !one.within).count();
-        Some(match (over, worst.verdicts.len()) {
-            (0, _) => format!("worst is {name}; every rail is within the limits"),
-            (over, all) => format!("worst is {name}, over {over} of {all} limits"),
+        let (count, all) = (number(over), number(worst.verdicts.len()));
+        Some(match over {
+            0 => say!(worst_within, rail = rail),
+            _ => say!(worst_over, rail = rail, count = count, all = all),
         })
     }
 
@@ -266,13 +265,13 @@ impl ProfileAnswer {
     }
 
     /// Levels with their limit, and the moving RMS along each rail.
-    pub fn figure(&self, path: &Path, limits: &[LimitTable]) -> LineFigure {
-        figure::of_profile(path, self, limits)
+    pub fn figure(&self, path: &Path, limits: &[LimitTable], language: Language) -> LineFigure {
+        figure::of_profile(path, self, limits, language)
     }
 
     /// The moving RMS of each band along a rail, each with its limit.
-    pub fn moving_rms(&self, rail: &RailAnswer) -> LinePanel {
-        figure::moving_rms(rail, [self.record.from, self.record.to])
+    pub fn moving_rms(&self, rail: &RailAnswer, language: Language) -> LinePanel {
+        figure::moving_rms(rail, [self.record.from, self.record.to], language)
     }
 
     /// What was computed as data: what `riffel roughness --json` prints.
@@ -305,19 +304,17 @@ impl ProfileAnswer {
 }
 
 /// What the reader should know of the bands.
-fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> Vec<String> {
+fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> Vec<Message> {
     let mut remarks = Vec::new();
     for band in &settings.bands {
         if bands.iter().all(|found| found.band != *band) {
-            let why = if riffel::roughness::BandPass::resolves(*band, spacing) {
-                format!(
-                    "no stretch is four of its longest waves long, {} m",
-                    4.0 * band.to()
-                )
-            } else {
-                format!("samples are {:.3} mm apart", 1e3 * spacing)
-            };
-            remarks.push(format!("no statistics of {} mm: {why}", name(band)));
+            let resolves = riffel::roughness::BandPass::resolves(*band, spacing);
+            let (length, step) = (number(4.0 * band.to()), fixed(1e3 * spacing, 3));
+            let band = name(band);
+            remarks.push(match resolves {
+                true => say!(stretches_too_short_for_band, band = band, length = length),
+                false => say!(samples_too_far_for_band, band = band, step = step),
+            });
         }
     }
     let unlike = |band: &&BandSummary| {
@@ -325,10 +322,8 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
             && !(LIKELY_RMS.0..LIKELY_RMS.1).contains(&band.rms)
     };
     if let Some(band) = bands.iter().find(unlike) {
-        remarks.push(format!(
-            "an rms of {:.3e} µm between 30 and 100 mm is unlike any rail: check the unit of the heights",
-            1e6 * band.rms
-        ));
+        let rms = number(format_args!("{:.3e}", 1e6 * band.rms));
+        remarks.push(say!(rms_unlike_any_rail, rms = rms));
     }
     remarks
 }

@@ -4,13 +4,13 @@ use std::io::{self, Write};
 use std::path::Path;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Language, Message, Value, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{LimitTable, Survey};
+use riffel_rail::{LimitTable, Survey, rail_in_words};
 
 use super::document::{GroupDocument, Removed, RoughnessDocument, levels};
 use super::figure;
-use super::verdict::{Judged, Verdict, rail_in_words, worst_first};
+use super::verdict::{Judged, Verdict, worst_first};
 
 /// Decibels by which a band stands over both its neighbours to be called a peak.
 const PEAK: f64 = 3.0;
@@ -37,7 +37,7 @@ pub struct SpectraAnswer {
     /// By limit table, the worst rail of a group first.
     pub verdicts: Vec<Verdict>,
     /// What peaks do from group to group.
-    pub findings: Vec<String>,
+    pub findings: Vec<Message>,
 }
 
 impl SpectraAnswer {
@@ -95,8 +95,8 @@ impl SpectraAnswer {
     }
 
     /// Means of energies and means of levels of each group with their limits.
-    pub fn figure(&self, path: &Path, limits: &[LimitTable]) -> LineFigure {
-        figure::of_spectra(path, &self.groups, limits)
+    pub fn figure(&self, path: &Path, limits: &[LimitTable], language: Language) -> LineFigure {
+        figure::of_spectra(path, &self.groups, limits, language)
     }
 
     /// What was computed as data: what `riffel roughness --json` prints.
@@ -170,14 +170,18 @@ fn verdicts(group: &str, survey: &Survey, limits: &[LimitTable]) -> Vec<Verdict>
     let mut judged: Vec<RailOfGroup> = rails
         .into_iter()
         .map(|(rail, spectra)| {
-            let group = if group == "all" { "" } else { group };
-            let name = match (several, group) {
-                (false, group) => group.to_owned(),
-                (true, "") => rail_in_words(&rail),
-                (true, group) => format!("{group}, {}", rail_in_words(&rail)),
+            let group = Some(group).filter(|group| *group != "all");
+            let subject = match (several, group) {
+                (false, group) => group.map(Message::verbatim),
+                (true, None) => Some(rail_in_words(&rail)),
+                (true, Some(group)) => Some(say!(
+                    group_and_rail,
+                    group = group,
+                    rail = rail_in_words(&rail)
+                )),
             };
             let verdicts = Verdict::all(limits, &spectra.mean(), None).into_iter();
-            let verdicts = verdicts.map(|verdict| verdict.of(&name));
+            let verdicts = verdicts.map(|verdict| verdict.of(subject.as_ref()));
             RailOfGroup {
                 verdicts: verdicts
                     .map(|verdict| {
@@ -206,7 +210,7 @@ fn bands(groups: &[MeanSpectra]) -> Vec<ThirdOctave> {
 }
 
 /// What peaks of the first group do from group to group.
-fn findings(groups: &[MeanSpectra]) -> Vec<String> {
+fn findings(groups: &[MeanSpectra]) -> Vec<Message> {
     let [first, _, ..] = groups else {
         return Vec::new();
     };
@@ -219,20 +223,21 @@ fn findings(groups: &[MeanSpectra]) -> Vec<String> {
         .iter()
         .filter(|band| peak(band))
         .filter_map(|band| {
-            let levels: Vec<f64> = groups.iter().filter_map(|group| group.arithmetic.level(*band)).collect();
-            let list: Vec<String> = levels.iter().map(|level| format!("{level:.1}")).collect();
+            let levels: Vec<f64> = groups
+                .iter()
+                .filter_map(|group| group.arithmetic.level(*band))
+                .collect();
             let all = |holds: fn(&[f64]) -> bool| levels.windows(2).all(holds);
-            let what = if all(|pair| pair[1] < pair[0]) {
-                "falls every time: a fixed wavelength that fades, as a grinding mark does, and not growing \
-                 corrugation"
-            } else if all(|pair| pair[1] > pair[0]) {
-                "rises every time: it grows under traffic"
-            } else {
-                "neither rises nor falls every time"
-            };
-            let wavelength = band.nominal_millimetres();
+            let list: Value = levels.iter().map(|level| fixed(*level, 1)).collect();
+            let wavelength = number(band.nominal_millimetres());
             (levels.len() == groups.len()).then(|| {
-                format!("the peak at {wavelength} mm, {} dB re 1 µm, {what}", list.join(", "))
+                if all(|pair| pair[1] < pair[0]) {
+                    say!(peak_falls, wavelength = wavelength, levels = list)
+                } else if all(|pair| pair[1] > pair[0]) {
+                    say!(peak_rises, wavelength = wavelength, levels = list)
+                } else {
+                    say!(peak_stays, wavelength = wavelength, levels = list)
+                }
             })
         })
         .collect()

@@ -2,11 +2,13 @@
 
 use riffel::roughness::{
     BandSummary, JUDGED_LENGTH, JudgedSection, LevelExcess, LevelLimit, RailAnalysis, RmsLimit,
-    Spectrum, ThirdOctave, WavelengthBand,
+    Spectrum, ThirdOctave,
 };
-use riffel_keys::decimal;
+use riffel_keys::{Message, Value, fixed, number, say};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
+
+use super::words::name;
 
 /// What a limit table says of a record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -37,7 +39,7 @@ pub struct Verdict {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sections_over_levels: Vec<SectionOverLevels>,
     /// The verdict in a sentence.
-    pub sentence: String,
+    pub sentence: Message,
 }
 
 /// A section that is over a limit of RMS on more of its length than that allows.
@@ -78,21 +80,24 @@ impl SectionOverLevels {
         sections
     }
 
-    /// Where the worst is, where the mean over the record hides it by 3 dB or more.
-    fn in_words(over: &[Self], all: usize, excess: f64) -> String {
+    /// The verdict, with where the worst is, where the mean over the record hides it by 3 dB or more.
+    fn in_words(verdict: Message, over: &[Self], all: usize, excess: f64) -> Message {
         const HIDDEN: f64 = 3.0;
         let Some(worst) = over.first().filter(|one| one.excess_db >= excess + HIDDEN) else {
-            return String::new();
+            return verdict;
         };
         let wavelength = ThirdOctave::containing(worst.wavelength_m);
-        format!(
-            "; by themselves {} of {all} sections of {JUDGED_LENGTH:.0} m are over it, at worst {}–{:.0} m by {:.1} dB at {} mm",
-            over.len(),
-            decimal(worst.from_m, 0),
-            worst.to_m,
-            worst.excess_db,
-            wavelength.map_or(0.0, ThirdOctave::nominal_millimetres)
-        )
+        let by_themselves = say!(
+            sections_over_levels,
+            over = number(over.len()),
+            all = number(all),
+            length = fixed(JUDGED_LENGTH, 0),
+            from = fixed(worst.from_m, 0),
+            to = fixed(worst.to_m, 0),
+            decibels = fixed(worst.excess_db, 1),
+            wavelength = number(wavelength.map_or(0.0, ThirdOctave::nominal_millimetres))
+        );
+        say!(one_after_other, one = verdict, other = by_themselves)
     }
 }
 
@@ -139,18 +144,9 @@ pub(crate) fn worst_first<T: Judged>(all: &mut [T]) {
     });
 }
 
-/// A rail in a sentence.
-pub(crate) fn rail_in_words(name: &str) -> String {
-    if name.starts_with("rail") || name.starts_with("column") {
-        name.to_owned()
-    } else {
-        format!("rail {name}")
-    }
-}
-
 impl Verdict {
-    fn new(table: &LimitTable, within: bool, rest: &str) -> Self {
-        let verdict = if within { "within" } else { "over" };
+    fn new(table: &LimitTable, within: bool, rest: Message) -> Self {
+        let edition = &table.edition;
         Self {
             rail: None,
             excess_db: None,
@@ -162,14 +158,17 @@ impl Verdict {
             edition: table.edition.clone(),
             source: table.source.clone(),
             within,
-            sentence: format!("{}: {verdict} the limit, {rest}", table.edition),
+            sentence: match within {
+                true => say!(verdict_within, edition = edition, rest = rest),
+                false => say!(verdict_over, edition = edition, rest = rest),
+            },
         }
     }
 
-    /// The verdict with the name of what it is on in front, unless that is empty.
-    pub(crate) fn of(mut self, name: &str) -> Self {
-        if !name.is_empty() {
-            self.sentence = format!("{name}: {}", self.sentence);
+    /// The verdict with the name of what it is on in front, where that is named.
+    pub(crate) fn of(mut self, subject: Option<&Message>) -> Self {
+        if let Some(subject) = subject {
+            self.sentence = self.sentence.about(subject.clone());
         }
         self
     }
@@ -194,26 +193,50 @@ impl Verdict {
                 let all = limit.spectrum().levels().len();
                 let over = compared.iter().filter(|band| band.excess() > 0.0);
                 let worst = worst_band(&compared)?;
-                let (excess, wavelength) = (worst.excess(), worst.band.nominal_millimetres());
-                let count = over.count();
-                let measured = match compared.len() {
-                    measured if measured == all => format!("{all} bands"),
-                    measured => format!("{measured} bands that were measured, of {all}"),
-                };
-                let rest = if count == 0 {
-                    let room = -excess;
-                    format!("{measured}; {room:.1} dB are left at {wavelength} mm")
-                } else {
-                    format!("{count} of {measured}, at worst by {excess:.1} dB at {wavelength} mm")
+                let (excess, count) = (worst.excess(), over.count());
+                let wavelength = number(worst.band.nominal_millimetres());
+                let (measured, all) = (number(compared.len()), number(all));
+                let are_all = measured == all;
+                let rest = match (count, fixed(excess.abs(), 1)) {
+                    (0, room) if are_all => {
+                        say!(
+                            all_bands_within,
+                            all = all,
+                            room = room,
+                            wavelength = wavelength
+                        )
+                    }
+                    (0, room) => say!(
+                        measured_bands_within,
+                        measured = measured,
+                        all = all,
+                        room = room,
+                        wavelength = wavelength
+                    ),
+                    (count, decibels) if are_all => say!(
+                        bands_over,
+                        count = number(count),
+                        all = all,
+                        decibels = decibels,
+                        wavelength = wavelength
+                    ),
+                    (count, decibels) => say!(
+                        measured_bands_over,
+                        count = number(count),
+                        measured = measured,
+                        all = all,
+                        decibels = decibels,
+                        wavelength = wavelength
+                    ),
                 };
                 let sections = analysis
                     .map_or_else(Vec::new, |analysis| SectionOverLevels::all(limit, analysis));
                 let judged = analysis.map_or(0, |analysis| analysis.section_spectra.len());
-                let hidden = SectionOverLevels::in_words(&sections, judged, excess);
+                let rest = SectionOverLevels::in_words(rest, &sections, judged, excess);
                 Some(Self {
                     excess_db: Some(excess),
                     sections_over_levels: sections,
-                    ..Self::new(table, count == 0, &(rest + &hidden))
+                    ..Self::new(table, count == 0, rest)
                 })
             }
             Limit::Rms(limit) => Self::by_sections(table, limit, analysis?),
@@ -232,25 +255,33 @@ impl Verdict {
         let over: Vec<&JudgedSection> = (sections.iter())
             .filter(|section| section.is_over(limit))
             .collect();
-        let shares: Vec<String> = judged
-            .iter()
-            .map(|(band, share)| format!("{} mm {:.1} %", millimetres(band.band), 100.0 * share))
+        let shares: Value = (judged.iter())
+            .map(|(band, share)| {
+                let share = fixed(100.0 * share, 1);
+                say!(share_of_band, band = name(&band.band), share = share)
+            })
             .collect();
-        let (allowed, all) = (100.0 * limit.share(), sections.len());
-        let rule = match (all, over.first()) {
-            (..=1, _) => format!("{allowed:.0} % of the length may be over"),
-            (_, None) => format!(
-                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and none of {all} sections is more"
+        let (allowed, all) = (fixed(100.0 * limit.share(), 0), number(sections.len()));
+        let length = fixed(JUDGED_LENGTH, 0);
+        let rule = match (sections.len(), over.first()) {
+            (..=1, _) => say!(length_may_be_over, allowed = allowed),
+            (_, None) => say!(
+                no_section_over,
+                allowed = allowed,
+                length = length,
+                all = all
             ),
-            (_, Some(worst)) => format!(
-                "{allowed:.0} % of any {JUDGED_LENGTH:.0} m may be over, and {} of {all} sections are more, at worst {}–{:.0} m \
-                 with {:.0} % at {} mm, up to {:.1} times the limit",
-                over.len(),
-                decimal(worst.from, 0),
-                worst.to,
-                100.0 * worst.share,
-                millimetres(worst.band),
-                worst.ratio
+            (_, Some(worst)) => say!(
+                sections_over,
+                allowed = allowed,
+                length = length,
+                over = number(over.len()),
+                all = all,
+                from = fixed(worst.from, 0),
+                to = fixed(worst.to, 0),
+                share = fixed(100.0 * worst.share, 0),
+                band = name(&worst.band),
+                ratio = fixed(worst.ratio, 1)
             ),
         };
         let ratios = judged
@@ -266,14 +297,10 @@ impl Verdict {
             ..Self::new(
                 table,
                 over.is_empty(),
-                &format!("{rule}; {}", shares.join(", ")),
+                say!(one_after_other, one = rule, other = shares),
             )
         })
     }
-}
-
-fn millimetres(band: WavelengthBand) -> String {
-    format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
 }
 
 #[cfg(test)]
@@ -313,11 +340,11 @@ mod tests {
             "{long:?}"
         );
         let said = "by themselves 2 of 60 sections of 100 m are over it, at worst 1200–1300 m by 12.1 dB at 50 mm";
-        assert!(long.sentence.contains(said), "{long:?}");
+        assert!(long.sentence.to_string().contains(said), "{long:?}");
         assert_eq!(long.sections_over_levels.len(), 2);
         let short = verdict(150.0, 0.0);
         assert!(
-            !short.within && !short.sentence.contains("themselves"),
+            !short.within && !short.sentence.to_string().contains("themselves"),
             "{short:?}"
         );
     }
@@ -348,7 +375,7 @@ mod tests {
         };
         for length in [200.0, 800.0] {
             let found = verdict(length);
-            let said = &found.sentence;
+            let said = found.sentence.to_string();
             assert!(!found.within, "{said}");
             let all = length / 100.0;
             assert!(

@@ -1,45 +1,48 @@
 //! What was computed of a profile, in words.
 
 use riffel::roughness::{BandSummary, GrindSection, WavelengthBand};
-use riffel_keys::decimal;
+use riffel_keys::{Message, Value, decimal, fixed, number, say};
+use riffel_rail::name_in_words;
 
 use super::{ProfileAnswer, RailAnswer};
 
 impl ProfileAnswer {
     /// What was understood of the file.
-    pub fn understood(&self) -> String {
+    pub fn understood(&self) -> Message {
         let format = &self.record.format;
         let header = match format.header_lines {
-            0 => "no header".to_owned(),
-            1 => "a header of one line".to_owned(),
-            lines => format!("a header of {lines} lines"),
+            0 => say!(no_header),
+            1 => say!(header_of_one_line),
+            lines => say!(header_of_lines, count = number(lines)),
         };
-        let position = match &format.position {
-            Some(column) => {
-                let order = if self.record.falling { ", falling" } else { "" };
-                format!(
-                    "position in column {} [{}]{order}",
-                    column.column, column.unit
-                )
-            }
-            None => "no position".to_owned(),
-        };
-        let rails: Vec<String> = format
-            .rails
-            .iter()
-            .zip(&self.record.rails)
+        let position = format.position.as_ref().map_or_else(
+            || say!(no_position),
+            |column| {
+                let (unit, column) = (&column.unit, number(column.column));
+                match self.record.falling {
+                    true => say!(falling_position_in_column, column = column, unit = unit),
+                    false => say!(position_in_column, column = column, unit = unit),
+                }
+            },
+        );
+        let rails = format.rails.iter().zip(&self.record.rails);
+        let rails: Value = rails
             .map(|(column, rail)| {
-                format!(
-                    "{} in column {} [{}]",
-                    rail.name, column.column, column.unit
+                say!(
+                    rail_in_column,
+                    name = name_in_words(&rail.name),
+                    column = number(column.column),
+                    unit = &column.unit
                 )
             })
             .collect();
-        format!(
-            "read as: {}, {}, {header}; {position}; {}\n",
-            format.delimiter.words(),
-            format.decimal.words(),
-            rails.join(", ")
+        say!(
+            read_as,
+            delimiter = format.delimiter.words(),
+            decimal = format.decimal.words(),
+            header = header,
+            position = position,
+            rails = rails
         )
     }
 
@@ -52,22 +55,26 @@ impl ProfileAnswer {
     }
 
     /// The sums of what to grind in a sentence.
-    pub fn total(&self) -> String {
+    pub fn total(&self) -> Message {
         let (line, share) = self.line_to_grind();
-        let share = 100.0 * share;
-        let rails: Vec<String> = self
-            .rails
-            .iter()
-            .map(|rail| {
-                let length: f64 = rail.sections.iter().map(GrindSection::length).sum();
-                format!("{} {length:.1} m", rail.name)
-            })
-            .collect();
-        let rails = match &rails[..] {
-            [_, _, ..] => format!(" ({})", rails.join(", ")),
-            _ => String::new(),
-        };
-        format!("in all {line:.1} m of line to grind{rails}, {share:.1} % of the line measured")
+        let (line, share) = (fixed(line, 1), fixed(100.0 * share, 1));
+        match &self.rails[..] {
+            [_, _, ..] => {
+                let rails = self.rails.iter().map(|rail| {
+                    let length: f64 = rail.sections.iter().map(GrindSection::length).sum();
+                    let name = name_in_words(&rail.name);
+                    say!(metres_of_rail, name = name, length = fixed(length, 1))
+                });
+                let rails: Value = rails.collect();
+                say!(
+                    line_of_rails_to_grind,
+                    length = line,
+                    rails = rails,
+                    share = share
+                )
+            }
+            _ => say!(line_to_grind, length = line, share = share),
+        }
     }
 }
 
@@ -98,11 +105,6 @@ pub fn grind_row(index: usize, rail: &str, section: &GrindSection) -> [String; 7
         name(&section.band),
         format!("{:.2}", section.ratio),
     ]
-}
-
-/// So many of something.
-pub fn counted(count: usize, what: &str) -> String {
-    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
 }
 
 /// A band in millimetres.

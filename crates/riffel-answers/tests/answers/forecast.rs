@@ -12,6 +12,7 @@ use riffel_answers::report::{
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, NOMINAL_CASE, TRAFFIC};
+use riffel_keys::{Language, Message, say};
 use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Survey};
 
 fn case() -> Case {
@@ -78,6 +79,7 @@ fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
     let forecast = forecast(&case, ForecastHorizon::Months(12.0))?;
     let map = MapAnswer::new(&case, |_| ());
     let page = report(ReportRequest {
+        language: Language::English,
         title: None,
         site: &Site::default(),
         limits: &limits,
@@ -90,8 +92,8 @@ fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
         case: Some((&case, &map)),
         forecast: Ok(&forecast),
         posterior_forecast: None,
-        compare: Err("no variant was given."),
-        noise: Err("no train was given.".to_owned()),
+        compare: Err(say!(no_variant_given)),
+        noise: Err(Message::verbatim("no train was given")),
         inputs: &Inputs::default(),
     })?;
     assert!(page.contains("One-third-octave levels under"), "{page}");

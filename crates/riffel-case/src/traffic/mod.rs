@@ -10,6 +10,7 @@ mod spreads;
 mod through_curve;
 mod traffic_file;
 mod usual;
+mod vehicle_name;
 mod wheel_on_case;
 mod wheels_of_vehicle;
 
@@ -23,6 +24,7 @@ pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
 pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
 pub use usual::{LineKind, UsualTraffic, traffic_at_speeds};
+pub use vehicle_name::{WHEEL_OF_THE_CASE, vehicle_in_words};
 
 use crate::Case;
 

@@ -7,7 +7,7 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, fixed, say};
 
 use super::wheels_of_vehicle::{Asked, KeptWheels};
-use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth};
+use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth, vehicle_in_words};
 use crate::{Case, Hold, Variant};
 
 /// Traffic on a case: growth rates, and what the reader should know.
@@ -124,7 +124,7 @@ impl Traffic {
                 .filter(|remark| said.insert(remark.id()));
             merged.extend(new.map(|remark| match alone {
                 true => remark,
-                false => say!(about, subject = &vehicle.name, remark = remark),
+                false => remark.about(vehicle_in_words(&vehicle.name)),
             }));
         }
         merged

@@ -2,7 +2,7 @@
 
 use riffel_keys::{CaseError, Message, fixed, say, significant};
 
-use super::{Line, Traffic, TrafficFile, Vehicle};
+use super::{Line, Traffic, TrafficFile, Vehicle, WHEEL_OF_THE_CASE};
 use crate::Case;
 
 /// A kind of line.
@@ -117,7 +117,7 @@ impl UsualTraffic {
     /// # Errors
     /// [`CaseError`] for speeds that are none.
     pub fn traffic(&self) -> Result<Traffic, CaseError> {
-        let vehicle = Vehicle::named("the wheel of the case").at_even_speeds(self.speeds);
+        let vehicle = Vehicle::named(WHEEL_OF_THE_CASE).at_even_speeds(self.speeds);
         let file = TrafficFile {
             title: None,
             line: Line {

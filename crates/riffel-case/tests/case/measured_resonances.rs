@@ -166,7 +166,7 @@ fn peaks_are_candidates() {
     assert!(
         unknown
             .iter()
-            .all(|sentence| !sentence.contains("no support")),
+            .all(|sentence| !sentence.to_string().contains("no support")),
         "{unknown:?}"
     );
 }

@@ -6,7 +6,7 @@ use riffel_answers::compare::{CompareAnswer, CompareRequest, compare_over};
 use riffel_answers::forecast::per_million;
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{CaseError, say};
+use riffel_keys::{CaseError, Language, Message, fixed, say};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
@@ -40,7 +40,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     results.hand_out(
         document,
         |staging| {
-            staging.write_figure("compare", &answer.figure(&case))?;
+            staging.write_figure("compare", &answer.figure(&case, Language::English))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
             staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
             if let Some(over) = &answer.over_posterior {
@@ -122,11 +122,12 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
     if let Some(ground) = &answer.ground {
         text += &format!("from {} to {}\n", ground.words, answer.table.edition);
     }
-    let mut header = vec![""];
-    header.extend(answer.header());
-    let mut rows = table(&header);
+    let header = answer.header().into_iter();
+    let header: Vec<String> = header.map(|head| head.to_string()).collect();
+    let header = std::iter::once("").chain(header.iter().map(String::as_str));
+    let mut rows = table(&header.collect::<Vec<_>>());
     for outcome in &answer.comparison.outcomes {
-        let mut row = vec![outcome.title.clone()];
+        let mut row = vec![Message::verbatim(&outcome.title)];
         row.extend(answer.row(outcome));
         rows.add_row(row);
     }
@@ -168,14 +169,14 @@ fn bands(answer: &CompareAnswer) -> String {
 
 /// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one of
 /// its line.
-fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, String)> {
+fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, Message)> {
     if let Some(path) = &arguments.traffic {
         return Ok(titled(Traffic::read(path)?));
     }
     let Some(mean) = &arguments.speed else {
         let usual = UsualTraffic::of(case);
         let under = say!(compared_under, traffic = usual.in_words());
-        return Ok((usual.traffic()?, under.to_string()));
+        return Ok((usual.traffic()?, under));
     };
     let mean = mean.within("--speed")?;
     let deviation = arguments.speed_deviation;
@@ -189,15 +190,22 @@ fn traffic(case: &Case, arguments: &Compare) -> miette::Result<(Traffic, String)
 }
 
 /// A traffic with its title.
-fn titled(traffic: Traffic) -> (Traffic, String) {
+fn titled(traffic: Traffic) -> (Traffic, Message) {
     let title = traffic.file.title.clone();
-    (traffic, title.unwrap_or_else(|| "traffic".to_owned()))
+    (
+        traffic,
+        title.map_or_else(|| say!(traffic_word), Message::verbatim),
+    )
 }
 
-fn in_words(speeds: &SpeedDistribution) -> String {
-    let kmh = 3.6 * speeds.mean();
+fn in_words(speeds: &SpeedDistribution) -> Message {
+    let speed = fixed(3.6 * speeds.mean(), 1);
     match 3.6 * speeds.deviation() {
-        0.0 => format!("{kmh:.1} km/h"),
-        deviation => format!("{kmh:.1} km/h with a standard deviation of {deviation:.1} km/h"),
+        0.0 => say!(at_speed, speed = speed),
+        deviation => say!(
+            at_spread_speed,
+            speed = speed,
+            deviation = fixed(deviation, 1)
+        ),
     }
 }

@@ -413,3 +413,76 @@ fn a_cost_is_told_where_it_is_given() {
         outcome.text
     );
 }
+
+/// The words of a page with all parts, but for what stays as somebody wrote it: inputs, sources of limits, and names in
+/// quotation marks.
+fn own_words(page: &str) -> Vec<String> {
+    let body = page.split_once("</style>").unwrap().1;
+    let (before, inputs) = body.split_once("Eingaben und Versionen").unwrap();
+    let after = inputs.split_once("</section>").unwrap().1;
+    let text = [before, after].concat();
+    let lines = text.split('<').filter_map(|part| part.split_once('>'));
+    let quoted = |line: &str| {
+        let line = line.replace("&quot;", "\"").replace(['„', '“'], "\"");
+        line.split('"').step_by(2).collect::<String>()
+    };
+    let is_own = |line: &&str| {
+        let sources = ["Values of EN ISO 3095", "S. L. Grassie"];
+        !sources.iter().any(|source| line.contains(source))
+    };
+    let lines = lines.map(|(_, line)| line).filter(is_own);
+    lines.map(quoted).collect()
+}
+
+/// A German report says nothing in English, and its numbers have a comma.
+#[test]
+fn a_german_report_is_german() {
+    // Without which English gets nowhere, and which German does not have.
+    const ENGLISH: &str = "the of and is are at from with by on not over under after which that must no rail rails wheel \
+                           wheels track speed force level growth limit left right now length wavelength sleepers pads";
+    let sandbox = Sandbox::new();
+    made(&sandbox);
+    let cost = "[cost]\ncurrency = \"EUR\"\ngrinding_shift = 7000\nlength_a_shift = \"1 km\"\n";
+    fs::write(
+        sandbox.path("site.toml"),
+        format!("[site]\nline = \"U2\"\n{cost}"),
+    )
+    .unwrap();
+    let soft = "title = \"weich\"\n[track]\npad = { stiffness = \"40 MN/m\" }\n";
+    fs::write(sandbox.path("soft.toml"), soft).unwrap();
+    let traffic = fs::read_to_string(sandbox.path("cases/traffic.toml")).unwrap();
+    let traffic = traffic.replace("Mixed traffic of a main line", "Mischverkehr");
+    fs::write(sandbox.path("traffic.toml"), traffic).unwrap();
+    let outcome = sandbox.riffel(
+        "--language de report cases/bhaskar-track.toml --roughness profile.csv --traffic traffic.toml \
+         --speed \"70 km/h\" --with soft.toml --site site.toml --limit-dba 90 -o page.html",
+    );
+    assert_eq!(outcome.status, Some(0), "{}", outcome.text);
+    let page = fs::read_to_string(sandbox.path("page.html")).unwrap();
+    stands_alone(&page);
+    assert!(page.starts_with("<!DOCTYPE html>\n<html lang=\"de\">"));
+    let words = own_words(&page);
+    let english: Vec<&str> = ENGLISH.split_whitespace().collect();
+    let is_english = |line: &&String| {
+        let mut words = line.split(|c: char| !c.is_alphanumeric() && !"._-".contains(c));
+        words.any(|word| english.contains(&word))
+    };
+    let found: Vec<&String> = words.iter().filter(is_english).collect();
+    assert!(found.is_empty(), "{found:#?}");
+    for part in [
+        "In Kürze",
+        "12 Warnungen und Grenzen der Modelle",
+        "zu hören mit <b>",
+    ] {
+        assert!(page.contains(part), "{part}");
+    }
+    // As of levels in tables and figures; dates and versions have points of their own.
+    let has_point = |line: &&String| {
+        let digits = line.as_bytes().windows(3);
+        let mut points =
+            digits.filter(|at| at[1] == b'.' && at[0].is_ascii_digit() && at[2].is_ascii_digit());
+        points.next().is_some()
+    };
+    let points: Vec<&String> = words.iter().filter(has_point).collect();
+    assert!(points.is_empty(), "{points:#?}");
+}

@@ -16,7 +16,6 @@ mod translations;
 mod value;
 pub mod wording;
 
-use std::collections::BTreeMap;
 use std::fmt;
 
 use serde::ser::{Serialize, Serializer};
@@ -50,6 +49,12 @@ impl Message {
     /// Words that are the same in every language, such as the title of a case that somebody wrote.
     pub fn verbatim(words: impl Into<String>) -> Self {
         say!(verbatim, words = words.into())
+    }
+
+    /// With what it is about before it: a rail, a file.
+    #[must_use]
+    pub fn about(self, subject: impl Into<Value>) -> Self {
+        say!(about, subject = subject.into(), remark = self)
     }
 
     /// Which message it is, as in the Fluent files.
@@ -144,32 +149,6 @@ impl From<&Self> for Message {
     fn from(message: &Self) -> Self {
         message.clone()
     }
-}
-
-/// The English and the German wording of each message that is one line, with the names of its values in braces.
-pub fn wordings() -> impl Iterator<Item = (String, String)> {
-    let of = |language: Language| {
-        let lines = language.wordings().lines();
-        let entries = lines.filter(|line| line.starts_with(|c: char| c.is_ascii_lowercase()));
-        let entries = entries.filter_map(|line| line.split_once(" = "));
-        let plain = |text: &str| {
-            text.replace("{ $", "{")
-                .replace(" }", "}")
-                .replace("{\" \"}", " ")
-        };
-        entries.map(move |(id, text)| (id, plain(text)))
-    };
-    let german: BTreeMap<_, _> = of(Language::German).collect();
-    let pairs = of(Language::English).map(move |(id, english)| {
-        let german = german.get(id).cloned().unwrap_or_default();
-        (english, german)
-    });
-    // Marks with a word between two values, as in "{one} and {other}", would be found in everything.
-    let is_sentence = |english: &str| {
-        let own = english.split(['{', '}']).step_by(2).collect::<String>();
-        !english.contains("->") && (own.len() > 8 || !english.contains('{'))
-    };
-    pairs.filter(move |(english, _)| is_sentence(english))
 }
 
 /// In English.

@@ -1,5 +1,6 @@
 //! What stands between cells, and before decimals.
 
+use crate::{Message, say};
 use serde::{Deserialize, Serialize};
 
 /// What stands between two cells.
@@ -39,12 +40,12 @@ impl Delimiter {
     }
 
     /// In words, as in "separated by semicolons".
-    pub const fn words(self) -> &'static str {
+    pub fn words(self) -> Message {
         match self {
-            Self::Comma => "commas",
-            Self::Semicolon => "semicolons",
-            Self::Tab => "tabs",
-            Self::Space => "blanks",
+            Self::Comma => say!(commas),
+            Self::Semicolon => say!(semicolons),
+            Self::Tab => say!(tabs),
+            Self::Space => say!(blanks),
         }
     }
 }
@@ -67,10 +68,10 @@ impl DecimalMark {
     }
 
     /// In words.
-    pub const fn words(self) -> &'static str {
+    pub fn words(self) -> Message {
         match self {
-            Self::Point => "decimal point",
-            Self::Comma => "decimal comma",
+            Self::Point => say!(decimal_point),
+            Self::Comma => say!(decimal_comma),
         }
     }
 }

@@ -17,10 +17,9 @@ use crate::color::Rgb;
 use crate::error::PlotError;
 use crate::grid::Grid;
 use crate::map_figure::{MapFigure, MapPanel};
+use crate::map_words::MapWords;
 use crate::steps::Steps;
 
-const SPEED_KM_PER_H: &str = "speed V [km/h]";
-const SPEED_M_PER_S: &str = "speed V [m/s]";
 /// Grid points drawn along an axis: two per pixel of the frame would not be seen.
 const MOST_GRID_POINTS: usize = 500;
 /// Distance by which drawn contours may leave the computed ones, pixels: half a unit of the sheet.
@@ -36,6 +35,14 @@ impl MapFigure {
     /// [`PlotError::NoPanel`], [`PlotError::GridShape`], [`PlotError::TooFewGridPoints`],
     /// [`PlotError::GridOrder`].
     pub fn picture(&self) -> Result<Picture, PlotError> {
+        self.picture_with(&MapWords::default())
+    }
+
+    /// The same with words of its own, as in another language.
+    ///
+    /// # Errors
+    /// Those of [`picture`](Self::picture).
+    pub fn picture_with(&self, words: &MapWords) -> Result<Picture, PlotError> {
         self.check()?;
         let labels = self.observation_labels();
         let columns = self.panels.len().min(2);
@@ -55,12 +62,12 @@ impl MapFigure {
             subtitles: self.panels.iter().map(|panel| &*panel.subtitle).collect(),
             columns,
             frame_size,
-            left: widest(&|panel| beside(&panel.speed_ticks.0, SPEED_KM_PER_H)),
-            right: widest(&|panel| beside(&panel.speed_ticks.1, SPEED_M_PER_S)),
+            left: widest(&|panel| beside(&panel.speed_ticks.0, &words.speed_km_per_h)),
+            right: widest(&|panel| beside(&panel.speed_ticks.1, &words.speed_m_per_s)),
             below: vec![frame::BELOW + 8.0 + color_bar::HEIGHT; self.panels.len()],
-            legend: &legend_entries(&panels, &labels),
+            legend: &legend_entries(&panels, &labels, words),
         };
-        Ok(sheet.picture(|picture, index, frame| panels[index].draw(picture, &frame)))
+        Ok(sheet.picture(|picture, index, frame| panels[index].draw(picture, &frame, words)))
     }
 }
 
@@ -95,7 +102,7 @@ impl<'a> Drawing<'a> {
         self.grid.values.iter().any(|value| !value.is_finite())
     }
 
-    fn draw(&self, picture: &mut Picture, frame: &SheetBox) {
+    fn draw(&self, picture: &mut Picture, frame: &SheetBox, words: &MapWords) {
         let window = self.panel.window();
         let (x_low, x_high) = window.wavelength_m;
         let (y_low, y_high) = window.speed_m_per_s;
@@ -124,9 +131,11 @@ impl<'a> Drawing<'a> {
         let mut axis = |side, axis, ticks, title| {
             frame::draw_axis(picture, frame, side, axis, ticks, title);
         };
-        axis(Side::Bottom, &x, &x_ticks, "wavelength λ [mm]");
-        axis(Side::Left, &km_per_h, &self.speed_ticks.0, SPEED_KM_PER_H);
-        axis(Side::Right, &m_per_s, &self.speed_ticks.1, SPEED_M_PER_S);
+        axis(Side::Bottom, &x, &x_ticks, &words.wavelength);
+        let speed = &words.speed_km_per_h;
+        axis(Side::Left, &km_per_h, &self.speed_ticks.0, speed);
+        let speed = &words.speed_m_per_s;
+        axis(Side::Right, &m_per_s, &self.speed_ticks.1, speed);
         let bar = (frame.left, frame.right, frame.bottom + frame::BELOW + 8.0);
         color_bar::draw(picture, bar, self.steps.as_ref(), &self.panel.value_label)
     }
@@ -187,7 +196,7 @@ fn snap(value: f64, low: f64, high: f64) -> f64 {
     }
 }
 
-fn legend_entries(panels: &[Drawing<'_>], labels: &[&str]) -> Vec<Entry> {
+fn legend_entries(panels: &[Drawing<'_>], labels: &[&str], words: &MapWords) -> Vec<Entry> {
     let mut entries = Vec::new();
     let mut add = |present: bool, sample: Sample, name: &str| {
         if present {
@@ -208,16 +217,12 @@ fn legend_entries(panels: &[Drawing<'_>], labels: &[&str]) -> Vec<Entry> {
         })
     };
     let mark = |at_edge| Sample::Mark(ridge_marker(at_edge), RIDGE_RADIUS, Rgb::BLACK);
-    add(ridge(false), mark(false), "strongest growth at each speed");
-    add(
-        ridge(true),
-        mark(true),
-        "strongest at the edge of the window",
-    );
+    add(ridge(false), mark(false), &words.ridge);
+    add(ridge(true), mark(true), &words.ridge_at_edge);
     add(
         any(&|drawing| drawing.panel.best_fit_frequency_hz.is_some()),
         Sample::Line(BEST_FIT_RAY),
-        "constant frequency of the strongest branch",
+        &words.best_fit_ray,
     );
     add(
         any(&|drawing| {
@@ -228,22 +233,22 @@ fn legend_entries(panels: &[Drawing<'_>], labels: &[&str]) -> Vec<Entry> {
                 .any(|branch| branch.points.len() > 1)
         }),
         Sample::Line(BRANCH),
-        "branches of growth",
+        &words.branches,
     );
     add(
         any(&|drawing| drawing.panel.other_rays().next().is_some()),
         Sample::Line(RAY),
-        "constant frequency V = fλ",
+        &words.rays,
     );
     add(
         any(&|drawing| drawing.steps.is_some()),
         Sample::Line(ZERO_CONTOUR),
-        "neither growth nor decay",
+        &words.zero,
     );
     add(
         any(&|drawing| drawing.has_missing_values()),
         Sample::Patch(Rgb::NOT_COMPUTED),
-        "not computed",
+        &words.not_computed,
     );
     for (index, label) in labels.iter().enumerate() {
         add(

@@ -167,6 +167,21 @@ impl Picture {
         picture
     }
 
+    /// The same with the numbers of axes and the like written with another decimal mark.
+    #[must_use]
+    pub fn with_decimal_mark(mut self, mark: &str) -> Self {
+        for shape in &mut self.shapes {
+            let Shape::Text(words, ..) = shape else {
+                continue;
+            };
+            let first = words.split(' ').next().unwrap_or_default();
+            if first.replace('\u{2212}', "-").parse::<f64>().is_ok() {
+                *words = words.replace('.', mark);
+            }
+        }
+        self
+    }
+
     /// A line through points.
     pub(crate) fn line(&mut self, points: &[Point], stroke: Stroke) {
         if points.len() > 1 {

@@ -6,7 +6,7 @@ mod tables;
 use jiff::civil::Date;
 use riffel::diagnosis::{Course, DominantWavelength, FineSpectrum, Place, TimeUnit};
 use riffel::roughness::{RailDefect, Spectrum};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 
 use crate::{RailRecord, RailRoughness};
 
@@ -34,9 +34,9 @@ pub struct Measured {
 /// What a figure shows of the records.
 pub enum Curves {
     /// Levels of a profile in narrow bands, of each rail and of the places that tell most; the worst first.
-    Fine(Vec<(String, FineSpectrum)>),
+    Fine(Vec<(Message, FineSpectrum)>),
     /// Means of levels of one-third octaves, by group.
-    Levels(Vec<(String, Spectrum)>),
+    Levels(Vec<(Message, Spectrum)>),
 }
 
 /// What stands out of the records of a rail, and what became of it.
@@ -47,11 +47,11 @@ pub struct RailHistory {
     /// What a figure shows of the records.
     pub curves: Curves,
     /// What the records are, in words.
-    pub words: String,
+    pub words: Message,
     /// Welds, joints and squats of the present record by rail, which its spectra leave out unless they were kept.
     pub defects: Vec<(String, RailDefect)>,
     /// What was put right in the records.
-    pub warnings: Vec<String>,
+    pub warnings: Vec<Message>,
 }
 
 /// Which spectra of a table are meant.
@@ -110,8 +110,4 @@ fn times(records: usize, dates: &[Date]) -> (Vec<f64>, TimeUnit) {
     let days = |date: &Date| date.duration_since(*first).as_secs_f64() / 86_400.0;
     let years = dates.iter().map(|date| days(date) / DAYS_A_YEAR);
     (years.collect(), TimeUnit::Year)
-}
-
-fn counted(count: usize, one: &str, many: &str) -> String {
-    format!("{count} {}", if count == 1 { one } else { many })
 }

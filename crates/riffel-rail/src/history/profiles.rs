@@ -2,16 +2,16 @@
 
 use jiff::civil::Date;
 use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWavelength, WINDOW};
-use riffel_keys::{CaseError, decimal};
+use riffel_keys::{CaseError, Message, fixed, number, say};
 
-use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
-use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words};
+use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
+use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, name_in_words};
 
 /// The history of rails whose heights were measured.
 pub(super) fn history(
     present: &RailRecord<'_>,
     rails: &[Rail],
-    warnings: &[String],
+    warnings: &[Message],
     earlier: &[RailRecord<'_>],
     choice: SpectraChoice<'_>,
 ) -> Result<RailHistory, CaseError> {
@@ -35,7 +35,7 @@ pub(super) fn history(
         let own = clean.defects().iter();
         defects.extend(own.map(|defect| (rail.name.clone(), *defect)));
         let left_out = defects_in_words(&rail.name, clean.defects(), DefectsAre::LeftOut);
-        warnings.extend(left_out.map(|said| said.to_string()));
+        warnings.extend(left_out);
     }
     let found = FoundWavelengths::of(&clean).map_err(wrong)?;
     let curves = found.curves(rails, &clean).map_err(wrong)?;
@@ -98,23 +98,29 @@ fn in_words(
     clean: &[CleanRail],
     spectrum: &FineSpectrum,
     earlier: usize,
-) -> String {
-    format!(
-        "profile, {} of {:.1} m{}, {} segments of {:.2} m averaged{}",
-        counted(rails.len(), "rail", "rails"),
-        rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64,
-        if clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW) {
-            format!(", whole and in windows of {WINDOW:.0} m")
-        } else {
-            String::new()
-        },
-        spectrum.segments(),
-        spectrum.segment_length(),
-        match earlier {
-            0 => String::new(),
-            count => format!("; {}", counted(count, "earlier record", "earlier records")),
-        }
-    )
+) -> Message {
+    let length = rails.iter().map(Rail::length).sum::<f64>() / rails.len().max(1) as f64;
+    let is_windowed = clean.iter().any(|rail| rail.length() >= 2.0 * WINDOW);
+    let windows = match is_windowed {
+        true => say!(in_windows, window = fixed(WINDOW, 0)),
+        false => Message::verbatim(""),
+    };
+    let words = say!(
+        profile_of_rails,
+        count = rails.len(),
+        length = fixed(length, 1),
+        windows = windows,
+        segments = number(spectrum.segments()),
+        segment = fixed(spectrum.segment_length(), 2)
+    );
+    match earlier {
+        0 => words,
+        count => say!(
+            one_after_other,
+            one = words,
+            other = say!(earlier_records, count = count)
+        ),
+    }
 }
 
 /// Dominant wavelengths of each rail, by its place in the record; the rail with the highest of all levels leads.
@@ -148,15 +154,16 @@ impl FoundWavelengths {
         &self,
         rails: &[Rail],
         clean: &[CleanRail],
-    ) -> Result<Vec<(String, FineSpectrum)>, riffel::Error> {
+    ) -> Result<Vec<(Message, FineSpectrum)>, riffel::Error> {
         let mut curves = Vec::new();
         for (index, peaks) in &self.0 {
-            let name = &rails[*index].name;
-            curves.push((name.clone(), clean[*index].spectrum()?));
+            let name = || name_in_words(&rails[*index].name);
+            curves.push((name(), clean[*index].spectrum()?));
             let local = peaks.iter().find(|one| !one.all_along);
             curves.extend(local.and_then(|one| {
                 let place = one.places.first()?;
-                let label = format!("{name}, {}–{:.0} m", decimal(place.from, 0), place.to);
+                let (from, to) = (fixed(place.from, 0), fixed(place.to, 0));
+                let label = say!(rail_from_to, rail = name(), from = from, to = to);
                 Some((label, clean[*index].spectrum_between(place.from, place.to)?))
             }));
         }
@@ -170,7 +177,7 @@ impl FoundWavelengths {
         rails: &[Rail],
         earlier: &[RailRecord<'_>],
         choice: SpectraChoice<'_>,
-        warnings: &mut Vec<String>,
+        warnings: &mut Vec<Message>,
     ) -> Result<Vec<Vec<LevelOfRecord>>, CaseError> {
         let mut levels = vec![Vec::new(); self.all().count()];
         for (place, record) in earlier.iter().enumerate() {
@@ -187,8 +194,8 @@ impl FoundWavelengths {
                     ),
                 ));
             };
-            let name = record.name.display();
-            warnings.extend(remarks.iter().map(|remark| format!("{name}: {remark}")));
+            let of_record = |said: Message| said.about(record.name.display());
+            warnings.extend(remarks.iter().cloned().map(of_record));
             for (index, rail) in rails.iter().enumerate() {
                 let findings = || {
                     self.all()
@@ -199,10 +206,8 @@ impl FoundWavelengths {
                     continue;
                 }
                 let Some(same) = same_rail(past, rails, index) else {
-                    warnings.push(format!(
-                        "{name}: has no rail {}, whose course is not known",
-                        rail.name
-                    ));
+                    let name = name_in_words(&rail.name);
+                    warnings.push(of_record(say!(record_lacks_rail, rail = name)));
                     continue;
                 };
                 let same = clean_rail(same, choice);
@@ -211,10 +216,12 @@ impl FoundWavelengths {
                     levels[finding].extend(level.map(|level| (place, level)));
                     if level.is_none() {
                         let place = one.places[0];
-                        warnings.push(format!(
-                            "{name}: rail {} was not measured from {:.1} m to {:.1} m, so that its course there is not known",
-                            rail.name, place.from, place.to
-                        ));
+                        warnings.push(of_record(say!(
+                            rail_not_measured_there,
+                            rail = name_in_words(&rail.name),
+                            from = fixed(place.from, 1),
+                            to = fixed(place.to, 1)
+                        )));
                     }
                 }
             }

@@ -5,10 +5,10 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel::diagnosis::{Course, CoursePoint, DominantWavelength, TimeUnit, dominant_levels};
 use riffel::roughness::{Spectrum, ThirdOctave};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, number, say};
 
-use super::{Curves, Measured, RailHistory, SpectraChoice, counted, dates, times};
-use crate::{LabelledSpectrum, RailRecord, RailRoughness, Survey};
+use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
+use crate::{LabelledSpectrum, RailRecord, RailRoughness, Survey, name_in_words};
 
 /// The history of rails whose levels were measured.
 pub(super) fn history(
@@ -55,19 +55,20 @@ pub(super) fn history(
         None => sorted_by_date(&mut records)?.unwrap_or_default(),
     };
     let (times, unit) = times(records.len(), &dates);
-    let words = format!(
-        "{}, {}{}",
-        counted(
-            records.iter().map(|record| record.1.records.len()).sum(),
-            "one-third-octave spectrum",
-            "one-third-octave spectra"
-        ),
-        counted(records.len(), "record", "records"),
-        match rails.len() {
-            1 => String::new(),
-            several => format!(", {several} rails judged one by one"),
-        }
+    let spectra: usize = records.iter().map(|record| record.1.records.len()).sum();
+    let (spectra, count) = (
+        say!(one_third_octave_spectra, count = spectra),
+        records.len(),
     );
+    let words = match rails.len() {
+        1 => say!(spectra_of_records, spectra = spectra, count = count),
+        rails => say!(
+            spectra_of_records_by_rail,
+            spectra = spectra,
+            count = count,
+            rails = number(rails)
+        ),
+    };
     let mut warnings = Vec::new();
     let records: Vec<(&str, f64, &Survey)> = (records.iter().zip(&times))
         .map(|((name, survey), &time)| (name.as_str(), time, survey))
@@ -101,7 +102,7 @@ fn groups(
     rail: &Option<String>,
     are_several: bool,
     records: &[(&str, f64, &Survey)],
-    warnings: &mut Vec<String>,
+    warnings: &mut Vec<Message>,
 ) -> Vec<Group> {
     let mut groups = Vec::new();
     for &(name, time, survey) in records {
@@ -121,9 +122,10 @@ fn groups(
                 time,
                 spectra: survey.spectra(),
             }),
-            (None, Some(rail)) => warnings.push(format!(
-                "{name}: has no rail {rail}, whose course is not known there"
-            )),
+            (None, Some(rail)) => {
+                let said = say!(record_lacks_rail_there, rail = name_in_words(rail));
+                warnings.push(said.about(Message::verbatim(name)));
+            }
             (None, None) => {}
         }
     }
@@ -228,13 +230,16 @@ impl RailTable {
     }
 
     /// Mean levels of each record, with the name of the rail where there are `several`.
-    fn curves(&self, several: bool) -> impl Iterator<Item = (String, Spectrum)> + '_ {
+    fn curves(&self, several: bool) -> impl Iterator<Item = (Message, Spectrum)> + '_ {
         let rail = self.rail.as_deref().filter(|_| several);
         self.groups.iter().filter_map(move |group| {
             let name = match (rail, self.groups.len()) {
-                (None, _) => group.name.clone(),
-                (Some(rail), 1) => rail.to_owned(),
-                (Some(rail), _) => format!("{rail}, {}", group.name),
+                (None, _) => Message::verbatim(&group.name),
+                (Some(rail), 1) => name_in_words(rail),
+                (Some(rail), _) => {
+                    let rail = name_in_words(rail);
+                    say!(rail_and_group, rail = rail, group = &group.name)
+                }
             };
             Some((name, Spectrum::arithmetic_mean(&group.spectra)?))
         })

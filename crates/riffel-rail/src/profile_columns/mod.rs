@@ -6,6 +6,7 @@ mod tests;
 use std::collections::{BTreeMap, BTreeSet};
 
 use riffel_keys::table::{self, Table, is_one_of, words};
+use riffel_keys::{Message, number, say};
 
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
@@ -118,7 +119,7 @@ impl<'a> ProfileTable<'a> {
 
     /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside
     /// [columns of lengths](Self::columns_of_lengths).
-    fn left_out(&self, column: usize, lengths: &[usize]) -> Option<&'static str> {
+    fn left_out(&self, column: usize, lengths: &[usize]) -> Option<Message> {
         const COMPUTED: &str =
             "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|rms";
         let (table, heading) = (self.table, &self.table.heading);
@@ -129,11 +130,11 @@ impl<'a> ProfileTable<'a> {
             if heading.foreign_unit_of(column).is_some()
                 && beside(&|other| heading.unit_of(other).is_some())
             {
-                return Some("its unit is no length");
+                return Some(say!(its_unit_is_no_length));
             }
             let is_computed = |column: usize| heading.is(column, COMPUTED);
             (is_computed(column) && beside(&|other| !is_computed(other)))
-                .then_some("it is computed from other columns")
+                .then(|| say!(it_is_computed))
         })
     }
 
@@ -221,33 +222,35 @@ impl<'a> ProfileTable<'a> {
     }
 
     /// Columns whose unit no head gives, as a sentence on where it was taken from, and what was left out.
-    pub(super) fn assumptions(&self, format: &ReaderFormat) -> Vec<String> {
+    pub(super) fn assumptions(&self, format: &ReaderFormat) -> Vec<Message> {
         let heading = &self.table.heading;
         let source = |column: &Column, kind: Kind| {
             let place = column.column - 1;
-            let what = format!("{} in {}", kind.words().0, column.unit);
             if self.is_said(kind) || self.is_chainage(place) || heading.unit_of(place).is_some() {
                 return None;
             }
-            Some(match self.stated.unit(kind) {
-                Some(stated) => (what, format!("by line {}", stated.line)),
-                None => (what, "taken for granted".to_owned()),
-            })
+            let stated = self.stated.unit(kind);
+            Some((column.unit.clone(), stated.map(|stated| stated.line)))
         };
         let mut position = format.position.iter();
         let position = position.find_map(|column| source(column, Kind::Position));
-        let heights = format
-            .rails
-            .iter()
-            .find_map(|column| source(column, Kind::Height));
-        let mut sentences: Vec<String> = match (position, heights) {
-            (Some(a), Some(b)) if a.1 == b.1 => vec![format!("{} and {} {}", a.0, b.0, a.1)],
-            (a, b) => a
-                .into_iter()
-                .chain(b)
-                .map(|(what, from)| format!("{what} {from}"))
-                .collect(),
+        let mut heights = format.rails.iter();
+        let heights = heights.find_map(|column| source(column, Kind::Height));
+        let what = match (position, heights) {
+            (Some(a), Some(b)) if a.1 == b.1 => {
+                vec![(say!(position_and_heights_in, unit = a.0, other = b.0), a.1)]
+            }
+            (a, b) => {
+                let position = a.map(|(unit, line)| (say!(position_in, unit = unit), line));
+                let heights = b.map(|(unit, line)| (say!(heights_in, unit = unit), line));
+                position.into_iter().chain(heights).collect()
+            }
         };
+        let sentences = what.into_iter().map(|(what, line)| match line {
+            Some(line) => say!(by_line, what = what, line = number(line)),
+            None => say!(taken_for_granted, what = what),
+        });
+        let mut sentences: Vec<Message> = sentences.collect();
         let count = self.table.count();
         let lengths = self.columns_of_lengths(&self.position_and_others().1);
         sentences.extend((0..count).filter_map(|column| {
@@ -258,8 +261,8 @@ impl<'a> ProfileTable<'a> {
             }
             let why = match self.left_out(column, &lengths) {
                 Some(why) => why,
-                None if self.table.is_index(column) => "it numbers the rows",
-                None => "it is neither a position nor a height",
+                None if self.table.is_index(column) => say!(it_numbers_the_rows),
+                None => say!(it_is_neither),
             };
             let name = heading.name(column).unwrap_or_default();
             Some(left_out_sentence(column, name, why))
@@ -273,9 +276,9 @@ impl<'a> ProfileTable<'a> {
         let is_label_behind = self.labels.iter().any(|&label| label >= count);
         match (&text[..], self.table.text_behind && !is_label_behind) {
             ([], false) => {}
-            ([], true) => sentences.push(format!("the text behind column {count} is left out")),
+            ([], true) => sentences.push(say!(text_behind_left_out, column = number(count))),
             (columns, _) => {
-                sentences.push(format!("text in column {} is left out", columns.join(", ")));
+                sentences.push(say!(text_columns_left_out, columns = columns.join(", ")));
             }
         }
         sentences
@@ -323,25 +326,31 @@ fn is_something_else(table: &Table, column: usize) -> bool {
 }
 
 /// That a column is left out, and why.
-pub(super) fn left_out_sentence(column: usize, name: &str, why: &str) -> String {
+pub(super) fn left_out_sentence(column: usize, name: &str, why: Message) -> Message {
+    let column = number(column + 1);
     match name {
-        "" => format!("column {} is left out: {why}", column + 1),
-        name => format!("column {}, \"{name}\", is left out: {why}", column + 1),
+        "" => say!(column_left_out, column = column, reason = why),
+        name => say!(
+            headed_column_left_out,
+            column = column,
+            head = name,
+            reason = why
+        ),
     }
 }
 
 /// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.
-fn left_out(table: &Table, column: usize) -> Option<&'static str> {
+fn left_out(table: &Table, column: usize) -> Option<Message> {
     const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|versine|pfeilhöhe|pfeilhoehe|\
                         twist|verwindung|curvature|krümmung|kruemmung|alignment|crosslevel|dévers|\
                         écartement|flèche|peralte|ancho|flecha|alabeo|sopraelevazione|scartamento|freccia|sghembo";
     /// Lines along the head of a rail.
     const LINES: &str = "corner|side|face";
     if table.heading.is(column, GEOMETRY) && !table.heading.is(column, LINES) {
-        return Some("it is geometry of the track");
+        return Some(say!(it_is_geometry));
     }
     let name = words(table.heading.name(column)?);
-    is_statistic(&name).then_some("it is a limit or a statistic, no measured rail")
+    is_statistic(&name).then(|| say!(it_is_a_statistic))
 }
 
 /// Whether the words of a name are those of a scatter, a count or a limit.

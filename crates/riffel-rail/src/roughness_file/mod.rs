@@ -5,9 +5,9 @@ mod tests;
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
 use riffel_keys::table::{NumberColumns, Table, is_comment, lines, rows};
 use riffel_keys::text_file::Encoding;
+use riffel_keys::{CaseError, Message};
 
 use crate::format::ReaderFormat;
 use crate::labelled_spectrum::LabelledSpectrum;
@@ -23,7 +23,7 @@ pub enum RoughnessFile {
     /// A longitudinal profile.
     Profile(Record),
     /// One-third-octave spectra, and what was left out of their table.
-    Spectra(Vec<LabelledSpectrum>, Vec<String>),
+    Spectra(Vec<LabelledSpectrum>, Vec<Message>),
 }
 
 impl RoughnessFile {

@@ -156,7 +156,8 @@ fn what_can_be_put_right_is_counted() {
     some[1500] = some[1499].clone();
     some.insert(3, "# a remark".to_owned());
     let record = profile(&some.join("\n"));
-    let warnings = record.warnings.join("\n");
+    let warnings: Vec<String> = record.warnings.iter().map(ToString::to_string).collect();
+    let warnings = warnings.join("\n");
     assert!(
         warnings.contains("2 heights missing") && warnings.contains("line 502"),
         "{warnings}"
@@ -260,7 +261,7 @@ fn marks_of_missing_values_are_no_heights() {
             record
                 .warnings
                 .iter()
-                .any(|warning| warning.starts_with(&said)),
+                .any(|warning| warning.to_string().starts_with(&said)),
             "{mark}"
         );
         let heights = record.rails[0].stretches[0].heights();

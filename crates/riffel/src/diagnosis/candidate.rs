@@ -50,10 +50,78 @@ pub struct Candidate {
     pub frequency: Option<f64>,
     /// Wavelengths that it predicts at the speeds of the traffic \[m\].
     pub wavelengths: Option<(f64, f64)>,
-    /// What speaks for it, in sentences.
-    pub reasons_for: Vec<String>,
-    /// What speaks against it, in sentences.
-    pub reasons_against: Vec<String>,
+    /// What speaks for it.
+    pub reasons_for: Vec<Reason>,
+    /// What speaks against it.
+    pub reasons_against: Vec<Reason>,
+}
+
+/// What speaks for a mechanism or against it; lengths in metres, frequencies in hertz.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Reason {
+    /// What is not listed explains any wavelength and any course, none of them well.
+    Unlisted,
+    /// The contact patch averages over a wave of this length, of which it passes a part.
+    AverageOverPatch {
+        /// The wave.
+        wavelength: f64,
+        /// What is left of it \[-\].
+        passes: f64,
+    },
+    /// A trolley measures the rail alone.
+    WithoutWheels,
+    /// A frequency makes wavelengths at the speeds of the traffic.
+    Frequency {
+        /// The frequency.
+        frequency: f64,
+        /// How well it is known, as a part of it.
+        spread: f64,
+        /// Of the resonance, where it is known.
+        damping_ratio: Option<f64>,
+        /// Shortest and longest that it makes.
+        wavelengths: (f64, f64),
+        /// What was measured.
+        measured: f64,
+    },
+    /// The case grows fastest at one wavelength.
+    Growth {
+        /// Where, and its rate per passage.
+        highest: (f64, f64),
+        /// What was measured.
+        measured: f64,
+        /// Rate per passage there.
+        rate: f64,
+    },
+    /// The case lets no wavelength grow.
+    NothingGrows {
+        /// What was measured.
+        measured: f64,
+    },
+    /// What was measured is none of the wavelengths at which the case can grow.
+    OutsideGrowth {
+        /// What was measured.
+        measured: f64,
+    },
+    /// Wavelengths from one to another, whatever the speed.
+    Range {
+        /// The wavelengths.
+        wavelengths: (f64, f64),
+        /// What was measured.
+        measured: f64,
+    },
+    /// An order of a length, whatever the speed.
+    Order {
+        /// The length.
+        length: f64,
+        /// Which order.
+        order: u32,
+        /// The length over it.
+        nearest: f64,
+        /// What was measured.
+        measured: f64,
+    },
+    /// What the level did from record to record, beside what the mechanism lets expect.
+    Course(Expectation),
 }
 
 impl Candidate {
@@ -79,9 +147,7 @@ pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
             share: 0.0,
             frequency: None,
             wavelengths: Some(ANY),
-            reasons_for: vec![
-                "It explains any wavelength and any course, none of them well.".to_owned(),
-            ],
+            reasons_for: vec![Reason::Unlisted],
             reasons_against: Vec::new(),
         },
     ));
@@ -99,13 +165,13 @@ pub fn rank(evidence: &Evidence, mechanisms: &[Mechanism]) -> Vec<Candidate> {
 /// Reasons being collected, with the product of what they weigh.
 struct Scales {
     weight: f64,
-    reasons_for: Vec<String>,
-    reasons_against: Vec<String>,
+    reasons_for: Vec<Reason>,
+    reasons_against: Vec<Reason>,
 }
 
 impl Scales {
     /// A reason that makes the mechanism `factor` times as likely.
-    fn put(&mut self, factor: f64, reason: String) {
+    fn put(&mut self, factor: f64, reason: Reason) {
         self.weight *= factor;
         if factor >= 1.0 {
             self.reasons_for.push(reason);
@@ -132,22 +198,17 @@ fn weigh(evidence: &Evidence, mechanism: &Mechanism) -> (f64, Candidate) {
         if left < 0.7 {
             scales.put(
                 left,
-                format!(
-                    "The contact patch averages over waves this short: of {} it passes {:.0} %.",
-                    millimetres(wavelength),
-                    100.0 * left
-                ),
+                Reason::AverageOverPatch {
+                    wavelength,
+                    passes: left,
+                },
             );
         }
     }
     if mechanism.kind == MechanismKind::WheelCircumference
         && evidence.instrument == Instrument::Trolley
     {
-        scales.put(
-            0.1,
-            "A trolley measures the rail alone, and wheels of many diameters do not print one pattern on it."
-                .to_owned(),
-        );
+        scales.put(0.1, Reason::WithoutWheels);
     }
     let candidate = Candidate {
         kind: mechanism.kind,
@@ -167,61 +228,41 @@ fn weigh_wavelength(evidence: &Evidence, mechanism: &Mechanism, scales: &mut Sca
     let density = mechanism.density(peak.wavelength, peak.uncertainty(), speeds);
     let covered = mechanism.covers(peak.wavelength, peak.uncertainty(), speeds);
     let factor = (1.0 - SURPRISE) * density / even + SURPRISE;
-    let measured = millimetres(peak.wavelength);
-    let at = speeds.words();
-    let range = |range: (f64, f64)| span(1e3 * range.0, 1e3 * range.1, "mm");
+    let measured = peak.wavelength;
     let reason = match &mechanism.prediction {
         Prediction::Frequency {
             frequency,
             spread,
             damping_ratio,
-        } => {
-            let predicted = (speeds.slowest() / frequency, speeds.fastest() / frequency);
-            let damping = damping_ratio.map_or_else(String::new, |ratio| {
-                format!("damping {:.1} %, ", 100.0 * ratio)
-            });
-            format!(
-                "{frequency:.0} Hz ({damping}±{:.0} %) makes {} at {at}; measured {measured}, which is {}.",
-                100.0 * spread,
-                range(predicted),
-                frequencies(peak.wavelength, speeds)
-            )
-        }
-        Prediction::Growth(density) => match (density.rate_at(peak.wavelength), density.peak()) {
-            (Some(rate), Some((highest_at, highest))) => format!(
-                "At {at} the case grows fastest at {} ({highest:.1e} per passage); at {measured} {}.",
-                millimetres(highest_at),
-                if rate > 0.0 {
-                    format!(
-                        "it grows by {rate:.1e}, {:.0} % of that",
-                        100.0 * rate / highest
-                    )
-                } else {
-                    format!("it decays by {:.1e}", -rate)
-                }
-            ),
-            (Some(_), None) => {
-                format!("At {at} the case lets no wavelength grow, {measured} included.")
-            }
-            (None, _) => format!(
-                "{measured} lies outside the wavelengths at which the case can grow: those of its map, and not below 1.5 contact \
-                 lengths."
-            ),
+        } => Reason::Frequency {
+            frequency: *frequency,
+            spread: *spread,
+            damping_ratio: *damping_ratio,
+            wavelengths: (speeds.slowest() / frequency, speeds.fastest() / frequency),
+            measured,
         },
-        Prediction::Range { from, to } => format!(
-            "Its wavelengths are {}, whatever the speed of the traffic; measured {measured}.",
-            range((*from, *to))
-        ),
+        Prediction::Growth(density) => match (density.rate_at(measured), density.peak()) {
+            (Some(rate), Some(highest)) => Reason::Growth {
+                highest,
+                measured,
+                rate,
+            },
+            (Some(_), None) => Reason::NothingGrows { measured },
+            (None, _) => Reason::OutsideGrowth { measured },
+        },
+        Prediction::Range { from, to } => Reason::Range {
+            wavelengths: (*from, *to),
+            measured,
+        },
         Prediction::Orders { length, .. } => {
-            let (order, nearest) = mechanism
-                .nearest_order(peak.wavelength)
-                .unwrap_or((1, *length));
-            format!(
-                "{} over {order} is {}, {:.2} times the measured {measured}, whatever the speed of the traffic.",
-                millimetres(*length),
-                millimetres(nearest),
-                nearest / peak.wavelength
-            )
+            let nearest = mechanism.nearest_order(measured);
+            let (order, nearest) = nearest.unwrap_or((1, *length));
+            Reason::Order {
+                length: *length,
+                order,
+                nearest,
+                measured,
+            }
         }
     };
     // What a prediction does not cover does not speak for it, however wide it is.
@@ -236,46 +277,14 @@ fn weigh_course(evidence: &Evidence, kind: MechanismKind, scales: &mut Scales) {
         return;
     };
     let rises = course.probability_of_rise();
-    let (expected, words) = match kind.expectation() {
-        Expectation::Grows => (rises, "Corrugation grows under traffic"),
-        Expectation::Fades => (1.0 - rises, "A mark of machining fades under traffic"),
+    let expectation = kind.expectation();
+    let expected = match expectation {
+        Expectation::Grows => rises,
+        Expectation::Fades => 1.0 - rises,
         Expectation::Either => return,
     };
     let factor = ((1.0 - 2.0 * SURPRISE) * expected + SURPRISE) / 0.5;
-    scales.put(
-        factor,
-        format!("{words}; this level is {}.", course.words()),
-    );
-}
-
-/// A wavelength \[m\] in millimetres.
-fn millimetres(wavelength: f64) -> String {
-    let value = 1e3 * wavelength;
-    if value < 100.0 {
-        format!("{value:.1} mm")
-    } else {
-        format!("{value:.0} mm")
-    }
-}
-
-/// Two numbers with a unit: "31–39 mm", or one where they are the same.
-fn span(from: f64, to: f64, unit: &str) -> String {
-    let decimals = usize::from(to < 100.0 && unit == "mm");
-    let (from, to) = (format!("{from:.decimals$}"), format!("{to:.decimals$}"));
-    if from == to {
-        format!("{from} {unit}")
-    } else {
-        format!("{from}–{to} {unit}")
-    }
-}
-
-/// Frequencies of a wavelength \[m\] at the speeds of the traffic: "1375–1958 Hz".
-pub(super) fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> String {
-    span(
-        speeds.slowest() / wavelength,
-        speeds.fastest() / wavelength,
-        "Hz",
-    )
+    scales.put(factor, Reason::Course(expectation));
 }
 
 #[cfg(test)]
@@ -367,7 +376,14 @@ mod tests {
             .iter()
             .find(|candidate| candidate.kind == MechanismKind::PinnedPinned)
             .unwrap();
-        assert!(pinned.reasons_for[0].contains("1000 Hz (±5 %) makes 30.0 mm at 108 km/h"));
-        assert!(pinned.reasons_against[0].contains("5.0, 3.0, 0.0 dB re 1 µm: falls every time"));
+        let expected = Reason::Frequency {
+            frequency: 1000.0,
+            spread: 0.05,
+            damping_ratio: None,
+            wavelengths: (0.030, 0.030),
+            measured: 0.030,
+        };
+        assert_eq!(pinned.reasons_for, [expected]);
+        assert_eq!(pinned.reasons_against, [Reason::Course(Expectation::Grows)]);
     }
 }

@@ -133,29 +133,6 @@ impl Course {
         let scatter = self.points.last()?.scatter.unwrap_or(Self::ASSUMED_SCATTER);
         (self.slope.abs() > self.slope_scatter).then(|| 3.0 * scatter / self.slope.abs())
     }
-
-    /// The course in words: "-4.2, -8.4, -10.7 dB re 1 µm: falls every time, -3.2 ± 0.6 dB a year".
-    pub fn words(&self) -> String {
-        let levels: Vec<String> = self
-            .points
-            .iter()
-            .map(|point| format!("{:.1}", point.level))
-            .collect();
-        let how = if self.falls_every_time() {
-            "falls every time"
-        } else if self.rises_every_time() {
-            "rises every time"
-        } else {
-            "neither rises nor falls every time"
-        };
-        format!(
-            "{} dB re 1 µm: {how}, {:+.1} ± {:.1} dB a {}",
-            levels.join(", "),
-            self.slope,
-            self.slope_scatter,
-            self.unit.name()
-        )
-    }
 }
 
 #[cfg(test)]

@@ -28,13 +28,13 @@ mod normal;
 mod prediction;
 mod traffic_speeds;
 
-pub use candidate::{Candidate, Evidence, Instrument, rank};
+pub use candidate::{Candidate, Evidence, Instrument, Reason, rank};
 pub use course::{Course, CoursePoint, TimeUnit};
 pub use dominant::{DominantWavelength, FineBand, FineSpectrum};
 pub use growth_density::GrowthDensity;
 pub use levels::dominant_levels;
 pub use located::{CleanRail, LocatedWavelength, Place, WINDOW};
-pub use measurement::tell_apart;
+pub use measurement::{Measurement, tell_apart};
 pub use mechanism::{Expectation, MechanismKind};
 pub use prediction::{Mechanism, Prediction};
 pub use traffic_speeds::TrafficSpeeds;

@@ -1,6 +1,7 @@
 //! Figures of a rail after many wheels.
 
 use riffel_case::Case;
+use riffel_keys::Language;
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::{BandDocument, EvolutionAnswer, WornProfile};
@@ -84,16 +85,19 @@ impl EvolutionAnswer {
             let linear = bands.iter().map(|band| drawn(band.level(profile.passages)));
             let levels = LinePanel {
                 y_range: Some(around(low, high)),
-                ..level_panel(vec![
-                    curve(
-                        "before any wheel",
-                        all[0].clone(),
-                        LineStyle::Dotted,
-                        Rgb::BLACK,
-                    ),
-                    curve("linear", linear.collect(), LineStyle::Dashed, OKABE_ITO[1]),
-                    curve("now", all[index].clone(), LineStyle::Solid, OKABE_ITO[2]),
-                ])
+                ..level_panel(
+                    vec![
+                        curve(
+                            "before any wheel",
+                            all[0].clone(),
+                            LineStyle::Dotted,
+                            Rgb::BLACK,
+                        ),
+                        curve("linear", linear.collect(), LineStyle::Dashed, OKABE_ITO[1]),
+                        curve("now", all[index].clone(), LineStyle::Solid, OKABE_ITO[2]),
+                    ],
+                    Language::English,
+                )
             };
             let name = after(profile.passages);
             let figure = LineFigure {
@@ -235,7 +239,7 @@ impl EvolutionAnswer {
         ));
         LinePanel {
             y_range: Some(around(lowest, highest)),
-            ..level_panel(series)
+            ..level_panel(series, Language::English)
         }
     }
 
@@ -376,21 +380,24 @@ fn growth(bands: &[BandDocument]) -> LinePanel {
                 .map(|band| (band.wavelength_m, of(band).map_or(f64::NAN, per_million))),
         )
     };
-    rate_panel(vec![
-        curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| {
-            band.first_growth_per_passage
-        }),
-        curve("last quarter", LineStyle::Solid, OKABE_ITO[2], |band| {
-            band.last_growth_per_passage
-        }),
-        curve(
-            "linear, first step",
-            LineStyle::Markers,
-            Rgb::BLACK,
-            |band| band.first_linear_growth_per_passage,
-        ),
-        zero(&wavelengths),
-    ])
+    rate_panel(
+        vec![
+            curve("first step", LineStyle::Solid, OKABE_ITO[1], |band| {
+                band.first_growth_per_passage
+            }),
+            curve("last quarter", LineStyle::Solid, OKABE_ITO[2], |band| {
+                band.last_growth_per_passage
+            }),
+            curve(
+                "linear, first step",
+                LineStyle::Markers,
+                Rgb::BLACK,
+                |band| band.first_linear_growth_per_passage,
+            ),
+            zero(&wavelengths),
+        ],
+        Language::English,
+    )
 }
 
 /// How fast waves move along the rail.

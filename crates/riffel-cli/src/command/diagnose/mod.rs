@@ -3,6 +3,8 @@
 mod request;
 mod words;
 
+use riffel_keys::Language;
+
 use super::roughness::read;
 use crate::arguments::Diagnose;
 use crate::messages::print_remarks;
@@ -28,7 +30,7 @@ pub(crate) fn run(arguments: &Diagnose) -> miette::Result<()> {
         .case
         .folder(arguments.results.output.as_deref(), "diagnosis");
     let mut staging = Staging::new("diagnose", &folder)?;
-    staging.write_figure("diagnosis", &diagnosis.figure(&file))?;
+    staging.write_figure("diagnosis", &diagnosis.figure(&file, Language::English))?;
     staging.write_with("candidates.csv", |file| diagnosis.candidates_csv(file))?;
     staging.write_with("places.csv", |file| diagnosis.places_csv(file))?;
     staging.write("diagnosis.json", document)?;

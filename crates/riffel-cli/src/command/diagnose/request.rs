@@ -8,6 +8,7 @@ use riffel_answers::diagnose::{Diagnosis, DiagnosisSettings};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::{Frequency, Kind, Quantity, Speed};
+use riffel_keys::{Message, say};
 use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 
@@ -96,7 +97,7 @@ fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
 fn speeds(
     case: &Case,
     arguments: &DiagnosisArguments,
-) -> miette::Result<(TrafficSpeeds, Option<String>)> {
+) -> miette::Result<(TrafficSpeeds, Option<Message>)> {
     let wrong = |value: &str, rule: &str| CliError::Argument {
         argument: "--speed",
         value: value.to_owned(),
@@ -114,7 +115,7 @@ fn speeds(
     if arguments.speed.is_empty() {
         let (speeds, sentence) = Diagnosis::speeds_of_map(case)
             .map_err(|error| wrong("the map's", &error.to_string()))?;
-        let remark = format!("neither --speed nor --traffic given: {sentence}");
+        let remark = sentence.about(say!(neither_speed_nor_traffic));
         return Ok((speeds, Some(remark)));
     }
     let mut ranges = Vec::new();

@@ -1,10 +1,11 @@
 //! A diagnosis in words.
 
-use riffel::diagnosis::TrafficSpeeds;
-use riffel_answers::capital;
 use riffel_answers::diagnose::{Diagnosis, Finding, candidate_row};
+use riffel_answers::sentence;
 use riffel_case::Case;
+use riffel_keys::Language;
 
+use crate::messages::language;
 use crate::output::table;
 
 /// Share from which a candidate's reasons are printed.
@@ -22,34 +23,38 @@ pub(super) fn readable(diagnosis: &Diagnosis, file: &str, case: &Case) -> String
         text += "no dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance\n";
     }
     for finding in &diagnosis.findings {
-        text += &format!("\n{}", of_finding(finding, &diagnosis.speeds));
+        text += &format!("\n{}", of_finding(finding));
     }
     text
 }
 
-fn of_finding(finding: &Finding, speeds: &TrafficSpeeds) -> String {
-    let mut text = format!("{}\n  {}\n", finding.headline(speeds), finding.sureness());
+fn of_finding(finding: &Finding) -> String {
+    let mut text = format!("{}\n  {}\n", finding.headline(), finding.sureness());
     if let Some(course) = finding.course() {
         text += &format!("  course: {course}\n");
     }
     let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
     for candidate in &finding.candidates {
-        rows.add_row(candidate_row(candidate));
+        rows.add_row(candidate_row(finding, candidate, language()));
     }
-    text += &format!("{rows}\n{}\n", capital(&finding.summary()));
+    text += &format!(
+        "{rows}\n{}\n",
+        finding.summary().capitalised(Language::English)
+    );
     let shown = finding.candidates.iter().enumerate();
     let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
     for (_, candidate) in shown {
-        text += &format!("{}\n", candidate.name());
-        for reason in &candidate.reasons_for {
+        text += &format!("{}\n", finding.name(candidate));
+        for reason in finding.reasons(&candidate.reasons_for) {
             text += &format!("  for:     {reason}\n");
         }
-        for reason in &candidate.reasons_against {
+        for reason in finding.reasons(&candidate.reasons_against) {
             text += &format!("  against: {reason}\n");
         }
     }
     text += "to tell them apart\n";
-    for measurement in &finding.measurements {
+    for measurement in finding.measurements() {
+        let measurement = sentence(&measurement, Language::English);
         text += &format!("  {measurement}\n");
     }
     text

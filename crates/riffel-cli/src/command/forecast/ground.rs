@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use riffel::roughness::LevelLimit;
+use riffel_keys::Message;
 use riffel_rail::{GroundRail, LimitTable};
 
 use crate::arguments::{Ground, Layout};
@@ -31,7 +32,7 @@ pub(crate) fn ground_rail(
     if !GroundRail::is_table(name) {
         return Ok(Some(GroundRail {
             spectrum: survey(Path::new(name), &Layout::default())?.mean(),
-            words: name.clone(),
+            words: Message::verbatim(name),
         }));
     }
     let ground = GroundRail::of_table(name)?;

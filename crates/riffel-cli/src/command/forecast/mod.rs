@@ -12,6 +12,7 @@ use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest}
 use riffel_answers::{AnswerError, level_limit};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
+use riffel_keys::Language;
 use riffel_rail::Survey;
 use wear::wear_report;
 
@@ -46,7 +47,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     results.hand_out(
         document,
         |staging| {
-            staging.write_figure("forecast", &answer.figure(&case))?;
+            staging.write_figure("forecast", &answer.figure(&case, Language::English))?;
             staging.write_with("bands.csv", |file| answer.bands_csv(file))?;
             staging.write_with("growth.csv", |file| answer.growth_csv(file))?;
             if answer.has_cracks() {

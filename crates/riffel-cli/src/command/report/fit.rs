@@ -6,6 +6,7 @@ use jiff::civil::Date;
 use riffel_answers::forecast::WearReport;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
+use riffel_keys::{Message, say};
 use riffel_rail::Survey;
 
 use super::Now;
@@ -57,7 +58,7 @@ pub(super) fn fit(
     traffic: &Path,
     before: &Before,
     now: &Now<'_>,
-) -> miette::Result<Result<WearReport, String>> {
+) -> miette::Result<Result<WearReport, Message>> {
     let traffic = Traffic::read(traffic)?;
     let progress = Progress::new("fit of the wear coefficient", traffic.file.vehicle.len());
     let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|by| {
@@ -69,12 +70,7 @@ pub(super) fn fit(
     });
     let by_date = days.and_then(|days| on.passages_in(days));
     let Some(passages) = arguments.passages_between.or(by_date) else {
-        return Ok(Err(
-            "the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: \
-             they follow from the dates of both records and from a traffic file that says how much traffic there is, or \
-             are given (--passages-between)"
-                .to_owned(),
-        ));
+        return Ok(Err(say!(not_fitted_without_passages)));
     };
     let record = &arguments.record;
     let measured = Measured {
@@ -85,7 +81,7 @@ pub(super) fn fit(
         },
     };
     let report = measured.fit(case, &on, passages);
-    Ok(report.map_err(|error| format!("the wear coefficient is not fitted: {error}")))
+    Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))
 }
 
 /// `Ok` if passages between two records are given only where there are two.

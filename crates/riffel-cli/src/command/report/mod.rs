@@ -21,9 +21,8 @@ use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::quantity::Quantity;
 use riffel_keys::text_file::is_standard_input;
-use riffel_keys::{CaseError, Language, question};
+use riffel_keys::{CaseError, Message, number, question, say};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
-use riffel_words::page_in_german;
 
 use crate::arguments::{
     CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Posterior, Report,
@@ -44,15 +43,12 @@ use fit::Before;
 
 /// Months for which the level of a train is told ahead where no other time is asked for.
 const MONTHS_OF_NOISE: f64 = 12.0;
-/// Why a part is left out.
-const NO_ROUGHNESS: &str = "no roughness was given.";
-const NO_LEVEL_LIMIT: &str = "it needs a limit of levels (--limit).";
 
 /// What was measured of the rail.
 struct Measured {
     roughness: MeasuredRoughness,
     /// What the file was understood as.
-    understood: String,
+    understood: Message,
     /// The latest date of a table of spectra.
     date: Option<Date>,
     /// The latest spectra, with what is to be said of them.
@@ -153,8 +149,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         }
         _ => None,
     };
-    let (mut forecast, mut compare) = (Err(NO_ROUGHNESS), Err(NO_ROUGHNESS));
-    let mut noise = Err(NO_ROUGHNESS.to_owned());
+    let no_roughness = || say!(no_roughness_given);
+    let (mut forecast, mut compare) = (Err(no_roughness()), Err(no_roughness()));
+    let mut noise = Err(no_roughness());
     if let Some(given) = &given {
         if let Some(now) = &now {
             forecast = outlook(arguments, given, &limits, now, wear)?;
@@ -162,7 +159,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         }
         compare = what_if(arguments, given, &limits, now.as_ref())?;
     }
-    let understood = rail.as_ref().map(|(_, rail)| rail.understood.as_str());
+    let understood = rail.as_ref().map(|(_, rail)| rail.understood.clone());
     let inputs = inputs(arguments, given.as_ref(), understood)?;
     let rail_warnings = rail.as_ref().map(|(_, rail)| rail.survey.warnings.clone());
     let rail_warnings = rail_warnings.unwrap_or_default();
@@ -171,6 +168,7 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         None => (None, None),
     };
     let page = report(ReportRequest {
+        language: language(),
         title: arguments.title.as_deref(),
         site: &site,
         limits: &limits,
@@ -181,16 +179,12 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             diagnosis: diagnosis.as_ref(),
         }),
         case: case.zip(map.as_ref()),
-        forecast: forecast.as_ref().map_err(|why| *why),
+        forecast: forecast.as_ref().map_err(Message::clone),
         posterior_forecast: posterior_forecast.as_ref(),
-        compare: compare.as_ref().map_err(|why| *why),
-        noise: noise.as_ref().map_err(String::clone),
+        compare: compare.as_ref().map_err(Message::clone),
+        noise: noise.as_ref().map_err(Message::clone),
         inputs: &inputs,
     })?;
-    let page = match language() {
-        Language::English => page,
-        Language::German => page_in_german(&page),
-    };
     let existing = Existing::page(&arguments.output, arguments.force, GENERATOR);
     write_file(&arguments.output, &page, existing)?;
     print(&format!(
@@ -218,43 +212,59 @@ fn measured_rail<'a>(
 fn inputs(
     arguments: &Report,
     given: Option<&GivenCase<'_>>,
-    understood: Option<&str>,
+    understood: Option<Message>,
 ) -> Result<Inputs, CaseError> {
     let mut inputs = Inputs::default();
     let record = &arguments.record;
     if let (Some(path), Some(understood)) = (&arguments.roughness, understood) {
-        add(&mut inputs, "roughness", path, understood)?;
+        add(&mut inputs, say!(input_roughness), path, understood)?;
         for earlier in &record.earlier {
-            add(&mut inputs, "earlier record", earlier, "of the same rail")?;
+            let origin = say!(input_of_the_same_rail);
+            add(&mut inputs, say!(input_earlier_record), earlier, origin)?;
         }
     }
     if let Some(given) = given {
         let file = &given.case.file;
-        let title = file.title.as_deref().unwrap_or("a case");
-        let overrides = match &given.overrides[..] {
-            [] => String::new(),
-            overrides => format!(", with {}", overrides.join(", ")),
+        let title = file.title.as_deref();
+        let title = title.map_or_else(|| say!(a_case), Message::verbatim);
+        let words = match &given.overrides[..] {
+            [] => title,
+            overrides => say!(input_with, title = title, values = overrides.join(", ")),
         };
-        let words = format!("{title}{overrides}");
-        add(&mut inputs, "case", given.path, &words)?;
+        add(&mut inputs, say!(input_case), given.path, words)?;
         if let Some(measurement) = &file.track.measurement {
             let folder = given.path.parent().unwrap_or_else(|| Path::new(""));
             let file = folder.join(&measurement.file);
-            add(&mut inputs, "track receptance", &file, "measured")?;
+            add(
+                &mut inputs,
+                say!(input_track_receptance),
+                &file,
+                say!(measured_word),
+            )?;
         }
     }
     if let Some(traffic) = &record.traffic {
-        add(&mut inputs, "traffic", traffic, "vehicles, speeds, loads")?;
+        add(
+            &mut inputs,
+            say!(input_traffic),
+            traffic,
+            say!(input_vehicles),
+        )?;
     }
     for variant in &arguments.variants {
-        add(&mut inputs, "variant", variant, "changes to the case")?;
+        add(
+            &mut inputs,
+            say!(variant_head),
+            variant,
+            say!(input_changes),
+        )?;
     }
     if let Some(format) = &record.layout.format {
         add(
             &mut inputs,
-            "reader profile",
+            say!(input_reader_profile),
             format,
-            "how profiles are laid out",
+            say!(input_layout),
         )?;
     }
     for name in arguments
@@ -262,23 +272,34 @@ fn inputs(
         .iter()
         .filter(|name| name.ends_with(".toml"))
     {
-        add(&mut inputs, "limit table", name.as_ref(), "of your own")?;
+        add(
+            &mut inputs,
+            say!(input_limit_table),
+            name.as_ref(),
+            say!(input_of_your_own),
+        )?;
     }
     if let Some(site) = &arguments.site {
-        add(&mut inputs, "site", site, "the words at the top")?;
+        add(
+            &mut inputs,
+            say!(input_site),
+            site,
+            say!(input_words_at_the_top),
+        )?;
     }
     Ok(inputs)
 }
 
 /// Put a file among the inputs, with its fingerprint.
-fn add(inputs: &mut Inputs, role: &str, path: &Path, origin: &str) -> Result<(), CaseError> {
-    let hash = if is_standard_input(path) || question::holds(path) {
-        "standard input".to_owned()
-    } else {
-        fingerprint(path)
-            .map_err(|reason| CaseError::data(path, format!("cannot read the file: {reason}")))?
-    };
-    inputs.add(role, path, origin, &hash);
+fn add(inputs: &mut Inputs, role: Message, path: &Path, origin: Message) -> Result<(), CaseError> {
+    let hash =
+        match is_standard_input(path) || question::holds(path) {
+            true => say!(standard_input),
+            false => Message::verbatim(fingerprint(path).map_err(|reason| {
+                CaseError::data(path, format!("cannot read the file: {reason}"))
+            })?),
+        };
+    inputs.add(role, path, origin, hash);
     Ok(())
 }
 
@@ -334,7 +355,7 @@ fn measured(
     Ok(match file {
         RoughnessFile::Profile(profile) => {
             choose_nothing(path, &record.choose, record.by.as_deref())?;
-            let strips = ProfileStrips::new(&profile).map_err(CliError::from)?;
+            let strips = ProfileStrips::new(&profile, language()).map_err(CliError::from)?;
             let growing = match record.layout.keep_defects {
                 true => profile.clone(),
                 false => profile.clone().without_defects(),
@@ -346,7 +367,7 @@ fn measured(
             };
             let answer = judged(path, profile, limits, &statistics)?;
             Measured {
-                understood: answer.understood().trim().to_owned(),
+                understood: answer.understood(),
                 date: None,
                 survey,
                 before: None,
@@ -364,14 +385,14 @@ fn measured(
             let (latest, date) = survey.clone().latest();
             let answer = SpectraAnswer::new(&survey, limits, by)?;
             Measured {
-                understood: format!(
-                    "{} one-third-octave spectra{}",
-                    answer.count(),
-                    match &record.choose[..] {
-                        [] => String::new(),
-                        choose => format!(", those with {}", choose.join(", ")),
-                    }
-                ),
+                understood: match (answer.count(), &record.choose[..]) {
+                    (count, []) => say!(one_third_octave_spectra, count = count),
+                    (count, choose) => say!(
+                        chosen_spectra,
+                        count = number(count),
+                        choices = choose.join(", ")
+                    ),
+                },
                 date,
                 survey: latest,
                 before,
@@ -399,13 +420,13 @@ fn outlook(
     given: &GivenCase<'_>,
     limits: &[LimitTable],
     now: &Now<'_>,
-    wear: Option<Result<WearReport, String>>,
-) -> miette::Result<Result<ForecastAnswer, &'static str>> {
+    wear: Option<Result<WearReport, Message>>,
+) -> miette::Result<Result<ForecastAnswer, Message>> {
     let Some(limit) = level_limit(arguments, limits) else {
-        return Ok(Err(NO_LEVEL_LIMIT));
+        return Ok(Err(say!(needs_a_limit_of_levels)));
     };
     let Some(traffic) = &arguments.record.traffic else {
-        return Ok(Err("no traffic was given (--traffic)."));
+        return Ok(Err(say!(no_traffic_given)));
     };
     let asked = Forecast {
         case: given.arguments(),
@@ -452,9 +473,9 @@ fn heard(
     limits: &[LimitTable],
     now: &Now<'_>,
     draws: Option<&PosteriorDraws>,
-) -> miette::Result<Result<NoiseAnswer, String>> {
+) -> miette::Result<Result<NoiseAnswer, Message>> {
     let Some(limit) = level_limit(arguments, limits) else {
-        return Ok(Err(NO_LEVEL_LIMIT.to_owned()));
+        return Ok(Err(say!(needs_a_limit_of_levels)));
     };
     let traffic = arguments.record.traffic.as_deref();
     let question = NoiseQuestion {
@@ -469,7 +490,7 @@ fn heard(
         answer.over_posterior = over(draws, |draws, progress| question.over(draws, progress))?;
         Ok(answer)
     });
-    Ok(answer.map_err(|error| format!("{error}.")))
+    Ok(answer.map_err(|error| error.message()))
 }
 
 /// What would help, with what is measured now if anything is, or why that is left out.
@@ -478,12 +499,12 @@ fn what_if(
     given: &GivenCase<'_>,
     limits: &[LimitTable],
     now: Option<&Now<'_>>,
-) -> miette::Result<Result<CompareAnswer, &'static str>> {
+) -> miette::Result<Result<CompareAnswer, Message>> {
     let Some(limit) = level_limit(arguments, limits) else {
-        return Ok(Err(NO_LEVEL_LIMIT));
+        return Ok(Err(say!(needs_a_limit_of_levels)));
     };
     if arguments.variants.is_empty() {
-        return Ok(Err("no variant was given (--with)."));
+        return Ok(Err(say!(no_variant_given)));
     }
     let traffic = arguments.record.traffic.clone();
     let asked = Compare {

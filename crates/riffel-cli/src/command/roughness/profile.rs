@@ -2,7 +2,8 @@
 
 use std::path::Path;
 
-use riffel_answers::roughness::{ProfileAnswer, band_row, counted};
+use riffel_answers::roughness::{ProfileAnswer, band_row};
+use riffel_keys::{Language, say};
 use riffel_rail::{LimitTable, LinePlace, Record};
 
 use super::{folder, grind_table, with_progress};
@@ -35,7 +36,10 @@ pub(super) fn run(
     }
     let folder = folder(path, arguments.output.as_deref());
     let mut staging = Staging::new("roughness", &folder)?;
-    staging.write_figure("roughness", &profile.figure(path, limits))?;
+    staging.write_figure(
+        "roughness",
+        &profile.figure(path, limits, Language::English),
+    )?;
     staging.write_with("spectrum.csv", |file| profile.spectrum_csv(file))?;
     staging.write_with("blocks.csv", |file| profile.block_csv(file))?;
     staging.write_with("grind.csv", |file| profile.grind_csv(file))?;
@@ -67,15 +71,15 @@ pub(crate) fn judged(
 /// What was computed of a profile, for the terminal.
 fn readable(profile: &ProfileAnswer, path: &Path) -> String {
     let removed = profile.removed();
-    let mut text = format!("{}\n{}", path.display(), profile.understood());
+    let mut text = format!("{}\n{}\n", path.display(), profile.understood());
     text += &format!(
         "{:.3} m to {:.3} m, {:.3} m of rail sampled every {:.4} mm; {} and {} removed\n",
         profile.record.from,
         profile.record.to,
         profile.length,
         1e3 * profile.record.spacing,
-        counted(removed.spikes, "spike"),
-        counted(removed.pits, "pit"),
+        say!(spikes, count = removed.spikes),
+        say!(pits, count = removed.pits),
     );
     let mut rows = table(&[
         "rail",

@@ -1,6 +1,7 @@
 //! A table of spectra on the command line.
 
 use riffel_answers::roughness::SpectraAnswer;
+use riffel_keys::Language;
 use riffel_rail::{LimitTable, Survey};
 
 use super::folder;
@@ -55,7 +56,7 @@ pub(super) fn run(
     }
     let folder = folder(path, arguments.output.as_deref());
     let mut staging = Staging::new("roughness", &folder)?;
-    staging.write_figure("roughness", &answer.figure(path, limits))?;
+    staging.write_figure("roughness", &answer.figure(path, limits, Language::English))?;
     staging.write_with("spectrum.csv", |file| answer.spectrum_csv(file))?;
     staging.write("summary.json", document)?;
     let files = staging.publish()?;

@@ -5,7 +5,7 @@ use std::io;
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-use riffel_answers::forecast::{number, per_million};
+use riffel_answers::forecast::{per_million, three_digits};
 use riffel_answers::simulate::{
     EvolutionAnswer, EvolutionDocument, EvolutionRequest, EvolutionRun,
 };
@@ -178,7 +178,7 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
     let lifts = lifts.map_or_else(String::new, |passages| {
         format!(
             "the wheel leaves the rail from {} passages on\n",
-            number(passages as f64)
+            three_digits(passages as f64)
         )
     });
     let supports = document.stages.support_pattern_level_db.as_ref();
@@ -196,11 +196,11 @@ fn readable(case: &Case, answer: &EvolutionAnswer) -> String {
             .title
             .as_deref()
             .unwrap_or("A rail under many wheels"),
-        number(document.passages as f64),
+        three_digits(document.passages as f64),
         document.length_m,
         3.6 * document.speed_m_per_s,
         1e3 * document.step_m,
-        number(1e6 * document.mean_depth_m),
+        three_digits(1e6 * document.mean_depth_m),
     )
 }
 

@@ -1,0 +1,201 @@
+//! What speaks for a mechanism or against it, and what would tell it from others, in words.
+
+use riffel::diagnosis::{Course, Expectation, Measurement, Reason, TimeUnit, TrafficSpeeds};
+use riffel_keys::{Message, Value, fixed, number, say};
+
+use super::mechanism_words::settled_by;
+
+/// A reason in a sentence. That of a course is not there without one.
+pub(super) fn in_words(
+    reason: &Reason,
+    speeds: &TrafficSpeeds,
+    course: Option<&Course>,
+) -> Message {
+    match *reason {
+        Reason::Unlisted => say!(explains_any_wavelength),
+        Reason::AverageOverPatch { wavelength, passes } => say!(
+            patch_averages,
+            wavelength = millimetres(wavelength),
+            percent = fixed(100.0 * passes, 0)
+        ),
+        Reason::WithoutWheels => say!(trolley_measures_rail_alone),
+        Reason::Frequency {
+            frequency,
+            spread,
+            damping_ratio,
+            wavelengths: (from, to),
+            measured,
+        } => {
+            let spread = fixed(100.0 * spread, 0);
+            let known = match damping_ratio {
+                Some(ratio) => {
+                    let ratio = fixed(100.0 * ratio, 1);
+                    say!(known_with_damping, ratio = ratio, spread = spread)
+                }
+                None => say!(known_to, spread = spread),
+            };
+            say!(
+                frequency_makes,
+                frequency = fixed(frequency, 0),
+                known = known,
+                range = span(1e3 * from, 1e3 * to, "mm"),
+                speeds = speeds.words(),
+                measured = millimetres(measured),
+                frequencies = frequencies(measured, speeds)
+            )
+        }
+        Reason::Growth {
+            highest: (at, highest),
+            measured,
+            rate,
+        } => {
+            let own = number(format_args!("{:.1e}", rate.abs()));
+            let [at, measured] = [at, measured].map(millimetres);
+            let (speeds, shown) = (speeds.words(), number(format_args!("{highest:.1e}")));
+            match rate > 0.0 {
+                true => say!(
+                    case_grows_at_measured,
+                    speeds = speeds,
+                    wavelength = at,
+                    rate = shown,
+                    measured = measured,
+                    own = own,
+                    percent = fixed(100.0 * rate / highest, 0)
+                ),
+                false => say!(
+                    case_decays_at_measured,
+                    speeds = speeds,
+                    wavelength = at,
+                    rate = shown,
+                    measured = measured,
+                    own = own
+                ),
+            }
+        }
+        Reason::NothingGrows { measured } => say!(
+            case_lets_nothing_grow,
+            speeds = speeds.words(),
+            measured = millimetres(measured)
+        ),
+        Reason::OutsideGrowth { measured } => {
+            say!(measured_outside_growth, measured = millimetres(measured))
+        }
+        Reason::Range {
+            wavelengths: (from, to),
+            measured,
+        } => say!(
+            wavelengths_at_any_speed,
+            range = span(1e3 * from, 1e3 * to, "mm"),
+            measured = millimetres(measured)
+        ),
+        Reason::Order {
+            length,
+            order,
+            nearest,
+            measured,
+        } => say!(
+            order_of_length,
+            length = millimetres(length),
+            order = number(order),
+            nearest = millimetres(nearest),
+            ratio = fixed(nearest / measured, 2),
+            measured = millimetres(measured)
+        ),
+        Reason::Course(expectation) => {
+            let course = course.map_or_else(|| Message::verbatim(""), course_in_words);
+            match expectation {
+                Expectation::Fades => say!(marks_fade_under_traffic, course = course),
+                _ => say!(corrugation_grows_under_traffic, course = course),
+            }
+        }
+    }
+}
+
+/// A measurement that tells candidates for a wavelength \[m\] apart.
+pub(super) fn measurement(
+    measurement: Measurement,
+    wavelength: f64,
+    speeds: &TrafficSpeeds,
+) -> Message {
+    let millimetres = |length: f64| fixed(1e3 * length, 1);
+    let when = match measurement {
+        Measurement::OtherSpeed => {
+            return say!(
+                measure_at_other_speed,
+                frequencies = frequencies(wavelength, speeds),
+                moved = millimetres(0.8 * wavelength),
+                wavelength = millimetres(wavelength)
+            );
+        }
+        Measurement::Of(kind) => return settled_by(kind),
+        Measurement::Again(Some((TimeUnit::Year, years))) => {
+            say!(in_weeks_moves, weeks = fixed((52.0 * years).ceil(), 0))
+        }
+        Measurement::Again(Some((TimeUnit::Record, records))) => {
+            say!(intervals_move, records = fixed(records, 1))
+        }
+        Measurement::Again(None) => say!(after_three_months),
+    };
+    say!(measure_again, when = when)
+}
+
+/// A course: levels of the records, what they do, and how fast.
+pub(crate) fn course_in_words(course: &Course) -> Message {
+    let levels: Value = (course.points.iter())
+        .map(|point| fixed(point.level, 1))
+        .collect();
+    let slope = number(format_args!("{:+.1}", course.slope));
+    let scatter = fixed(course.slope_scatter, 1);
+    let unit = match course.unit {
+        TimeUnit::Year => say!(year),
+        TimeUnit::Record => say!(record),
+    };
+    if course.falls_every_time() {
+        say!(
+            course_falls,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    } else if course.rises_every_time() {
+        say!(
+            course_rises,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    } else {
+        say!(
+            course_is_open,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    }
+}
+
+/// A wavelength \[m\] in millimetres.
+fn millimetres(wavelength: f64) -> Value {
+    let value = 1e3 * wavelength;
+    let digits = usize::from(value < 100.0);
+    number(format_args!("{value:.digits$} mm"))
+}
+
+/// Two numbers with a unit: "31–39 mm", or one where they are the same.
+fn span(from: f64, to: f64, unit: &str) -> Value {
+    let digits = usize::from(to < 100.0 && unit == "mm");
+    let (from, to) = (format!("{from:.digits$}"), format!("{to:.digits$}"));
+    match from == to {
+        true => number(format_args!("{from} {unit}")),
+        false => number(format_args!("{from}–{to} {unit}")),
+    }
+}
+
+/// Frequencies of a wavelength \[m\] at the speeds of the traffic: "1375–1958 Hz".
+fn frequencies(wavelength: f64, speeds: &TrafficSpeeds) -> Value {
+    let [slowest, fastest] = [speeds.slowest(), speeds.fastest()].map(|speed| speed / wavelength);
+    span(slowest, fastest, "Hz")
+}
