@@ -10,13 +10,13 @@ mod wheelset;
 
 use std::sync::Arc;
 
-use riffel::contact::MeanRolling;
+use riffel::contact::{CreepLaw, MeanRolling};
 use riffel::feedback::{Hubs, OneWheel};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
-    Receptance, WearCorners as Corners, WearRegimes,
+    Axis, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
+    WearCorners as Corners, WearRegimes,
 };
 use riffel_keys::{CaseError, Message};
 
@@ -36,7 +36,7 @@ pub(crate) struct BuiltCase {
     pub(crate) track: Track,
     pub(crate) hertz: HertzContact,
     pub(crate) steady: MeanRolling,
-    pub(crate) carter: Option<Carter3d>,
+    pub(crate) law: Option<Arc<dyn CreepLaw>>,
     pub(crate) wheelset: Option<Arc<CaseWheelset>>,
     pub(crate) spatial_track: Option<SpatialTrack>,
     pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
@@ -50,7 +50,7 @@ struct ClosedLoop {
     feedback: Loop,
     hertz: HertzContact,
     steady: MeanRolling,
-    carter: Option<Carter3d>,
+    law: Option<Arc<dyn CreepLaw>>,
     wheelset: Option<Arc<CaseWheelset>>,
     spatial_track: Option<SpatialTrack>,
     lateral_resonances: Vec<(ResonanceKind, f64)>,
@@ -66,7 +66,7 @@ impl CheckedKeys {
             feedback,
             hertz,
             steady,
-            carter,
+            law,
             wheelset,
             spatial_track,
             lateral_resonances,
@@ -87,7 +87,7 @@ impl CheckedKeys {
             track,
             hertz,
             steady,
-            carter,
+            law,
             wheelset,
             spatial_track,
             lateral_resonances,
@@ -143,7 +143,7 @@ impl CheckedKeys {
                 .with_damage(|_| damage.clone()),
             hertz,
             steady,
-            carter: contact.carter,
+            law: contact.law,
             wheelset: None,
             spatial_track: None,
             lateral_resonances: Vec::new(),
