@@ -125,33 +125,27 @@ impl Case {
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
         let BuiltCase {
-            feedback,
             track,
-            hertz,
-            steady,
-            law,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            closed,
             wavelength,
             speed,
             mut remarks,
         } = keys.build()?;
-        let other_forces = Self::of_other_forces(&keys, &steady);
+        let other_forces = Self::of_other_forces(&keys, &closed.steady);
         let of_curve = keys.text.curve_remarks.iter().cloned();
         remarks.splice(0..0, of_curve.chain(other_forces));
         Ok(Self {
             file: keys.file.clone(),
             keys,
             unfilled,
-            feedback,
+            feedback: closed.feedback,
             track,
-            hertz,
-            steady,
-            law,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            hertz: closed.hertz,
+            steady: closed.steady,
+            law: closed.law,
+            wheelset: closed.wheelset,
+            spatial_track: closed.spatial_track,
+            lateral_resonances: closed.lateral_resonances,
             wavelength,
             speed,
             remarks,
@@ -283,7 +277,7 @@ impl Case {
         window.min = Quantity::new(shortest.min(from));
         window.max = Quantity::new(longest.max(to));
         Ok(Self {
-            feedback: keys.build()?.feedback,
+            feedback: keys.build()?.closed.feedback,
             ..self.clone()
         })
     }

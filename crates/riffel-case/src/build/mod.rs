@@ -32,28 +32,22 @@ use crate::window::Window;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {
-    pub(crate) feedback: Loop,
     pub(crate) track: Track,
-    pub(crate) hertz: HertzContact,
-    pub(crate) steady: MeanRolling,
-    pub(crate) law: Option<Arc<dyn CreepLaw>>,
-    pub(crate) wheelset: Option<Arc<CaseWheelset>>,
-    pub(crate) spatial_track: Option<SpatialTrack>,
-    pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
+    pub(crate) closed: ClosedLoop,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
     pub(crate) remarks: Vec<Message>,
 }
 
 /// A loop with its contact under study.
-struct ClosedLoop {
-    feedback: Loop,
-    hertz: HertzContact,
-    steady: MeanRolling,
-    law: Option<Arc<dyn CreepLaw>>,
-    wheelset: Option<Arc<CaseWheelset>>,
-    spatial_track: Option<SpatialTrack>,
-    lateral_resonances: Vec<(ResonanceKind, f64)>,
+pub(crate) struct ClosedLoop {
+    pub(crate) feedback: Loop,
+    pub(crate) hertz: HertzContact,
+    pub(crate) steady: MeanRolling,
+    pub(crate) law: Option<Arc<dyn CreepLaw>>,
+    pub(crate) wheelset: Option<Arc<CaseWheelset>>,
+    pub(crate) spatial_track: Option<SpatialTrack>,
+    pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
     remarks: Vec<Message>,
 }
 
@@ -62,35 +56,24 @@ impl CheckedKeys {
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
         let (wavelength, speed) = self.window()?;
         let (track, closed) = self.close()?;
-        let ClosedLoop {
-            feedback,
-            hertz,
-            steady,
-            law,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
-            remarks: of_loop,
-        } = closed;
         let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
-        remarks.extend(of_loop);
-        let axes = [wavelength, speed];
+        remarks.extend(closed.remarks.iter().cloned());
         if self.window != Window::BesideAnother {
-            let wheelset = wheelset.as_deref();
+            let wheelset = closed.wheelset.as_deref();
+            let (feedback, axes) = (&closed.feedback, [wavelength, speed]);
             remarks.extend(validity::remarks(
-                self, &track, wheelset, &feedback, hertz, axes,
+                self,
+                &track,
+                wheelset,
+                feedback,
+                closed.hertz,
+                axes,
             ));
         }
         Ok(BuiltCase {
-            feedback,
             track,
-            hertz,
-            steady,
-            law,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            closed,
             wavelength,
             speed,
             remarks,

@@ -16,7 +16,6 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::f64::consts::TAU;
 
-use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::forecast::{LINES_PER_BAND, band_lines};
 use riffel::noise::BandRadiation;
 use riffel::roughness::ThirdOctave;
@@ -25,12 +24,11 @@ use riffel_case::LoopOnTrack;
 use self::measured::{LevelRow, RowPlace, Weights};
 use self::pass_by::Passing;
 use self::row::Row;
-use super::{Block, Group, Held, Observable, Place, UNIT, differences, sum_of, sums, table};
-use crate::gaussian::{Density, Gaussian};
+use super::{Block, Group, Held, Observable, Place, UNIT, sum_of, table};
+use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
 use crate::model::Trial;
-use crate::nuts::normal;
 
 /// Fewest dates of which one can be left out: two of the rest tell of growth.
 const LEAST_DATES: usize = 3;
@@ -273,24 +271,8 @@ impl Block for Levels {
         Ok(self.contrast(&self.levels(trial)?))
     }
 
-    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        let residuals = differences(&self.observed(), predicted);
-        self.gaussian.density(&residuals, sizes)
-    }
-
-    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        self.gaussian
-            .of_each(&differences(&self.observed(), predicted), sizes)
-    }
-
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
-        let errors = self.gaussian.draw(sizes, || normal(random))?;
-        Some(sums(predicted, &errors))
+    fn gaussian(&self) -> Option<&Gaussian> {
+        Some(&self.gaussian)
     }
 
     /// The first level of each band stays.
