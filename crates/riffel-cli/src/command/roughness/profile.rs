@@ -2,13 +2,13 @@
 
 use std::path::Path;
 
-use riffel_answers::roughness::{ProfileAnswer, band_row, counted};
+use riffel_answers::roughness::{ProfileAnswer, counted};
 use riffel_rail::{LimitTable, LinePlace, Record};
 
-use super::{folder, grind_table, with_progress};
+use super::{bands_table, folder, grind_table, with_progress};
 use crate::arguments::{Roughness, Statistics};
 use crate::messages::print_remarks;
-use crate::output::{json, print, table};
+use crate::output::{json, print};
 use crate::staging::{Existing, Staging, write_file};
 
 pub(super) fn run(
@@ -77,22 +77,7 @@ fn readable(profile: &ProfileAnswer, path: &Path) -> String {
         counted(removed.spikes, "spike"),
         counted(removed.pits, "pit"),
     );
-    let mut rows = table(&[
-        "rail",
-        "band mm",
-        "rms µm",
-        "highest moving rms µm",
-        "highest peak-to-peak µm",
-        "window m",
-        "limit µm",
-        "over limit",
-    ]);
-    for rail in &profile.rails {
-        for band in &rail.analysis.bands {
-            rows.add_row(band_row(&rail.name, band));
-        }
-    }
-    text += &format!("{rows}\n");
+    text += &bands_table(profile.rails.iter());
     if let Some(worst) = profile.worst() {
         text += &format!("{worst}\n");
     }
