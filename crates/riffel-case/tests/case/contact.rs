@@ -6,8 +6,7 @@ use riffel_keys::CaseError;
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {
     // A coarse grid: these tests ask whether, not how well.
     let overrides = [&["contact.grid=16"], overrides].concat();
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &overrides)
+    crate::parsed(NOMINAL_CASE, &overrides)
 }
 
 #[test]
