@@ -23,7 +23,7 @@ pub(crate) fn hertz_semi_axis() -> Row {
 
 pub(crate) fn creep_curve() -> Row {
     let case = nominal(&[]);
-    let law = case.carter.expect("the paper's law");
+    let law = case.law.expect("the paper's law");
     let limit = law.friction() * case.steady.normal_force;
     let (low, high) = extent(
         include_str!("../reference/contact/creep_curve.csv")
@@ -50,10 +50,8 @@ pub(crate) fn creep_curve() -> Row {
 }
 
 pub(crate) fn saturation_creepage() -> Row {
-    let got = nominal(&[])
-        .carter
-        .expect("the paper's law")
-        .saturation_creepage();
+    let law = nominal(&[]).law.expect("the paper's law");
+    let got = law.own_slope().expect("one of its own").saturation_creepage;
     Row {
         statement: "Saturation creepage ξ_max of the nominal contact",
         source: "(6), (7), 40-digit arithmetic",

@@ -24,11 +24,7 @@ fn recipe(length: f64) -> Recipe {
         length,
         spacing: SPACING,
         seed: 15610,
-        sinusoids: Vec::new(),
-        noise: None,
-        spikes: Vec::new(),
-        pits: Vec::new(),
-        dropouts: Vec::new(),
+        ..Recipe::default()
     }
 }
 

@@ -2,6 +2,7 @@
 
 mod browser;
 mod check;
+mod compiler;
 mod dependencies;
 mod environment;
 mod page;

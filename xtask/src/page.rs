@@ -14,7 +14,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 
 use crate::step::{run_beside, run_unseen};
-use crate::{Outcome, output, release, root};
+use crate::{Outcome, compiler, output, root};
 
 const TARGET: &str = "wasm32-unknown-unknown";
 
@@ -79,7 +79,7 @@ fn build(profile: &str) -> Result<PathBuf, String> {
         TARGET,
     ]);
     cargo.args(["--package", "riffel-wasm", "--target-dir", FOLDER]);
-    cargo.env("CARGO_ENCODED_RUSTFLAGS", release::flags()?);
+    cargo.env("CARGO_ENCODED_RUSTFLAGS", compiler::flags()?);
     if let Toolchain::Debian(folder) = &toolchain {
         cargo.arg("-Zbuild-std=std,panic_abort");
         let (compiler, linker) = (folder.join("usr/bin/rustc"), linker(folder)?);
@@ -207,7 +207,7 @@ fn linker(folder: &Path) -> Result<PathBuf, String> {
 
 /// The folder of the libraries among unpacked packages.
 fn libraries(folder: &Path) -> Result<PathBuf, String> {
-    let host = release::host()?;
+    let host = compiler::host()?;
     let machine = host.split('-').next().unwrap_or_default();
     Ok(folder.join(format!("usr/lib/{machine}-linux-gnu")))
 }

@@ -8,6 +8,7 @@ use flate2::Compression;
 use flate2::write::GzEncoder;
 use tar::{Builder, EntryType, Header};
 
+use crate::compiler::{flags, host};
 use crate::step::{cargo, run};
 use crate::{Outcome, dependencies, environment, output, page, python, root};
 
@@ -72,19 +73,6 @@ fn python_package(variables: &[(&str, &str)]) -> Outcome {
     built?;
     let sources = ["-m", "maturin", "sdist", "--out", FOLDER];
     run(&mut environment::command(&python, &sources))
-}
-
-/// Flags of the compiler that keep the folders of this machine out of the program.
-pub(crate) fn flags() -> Result<String, String> {
-    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
-    let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
-    let home = home.ok_or("there is no home folder")?;
-    let project = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
-    let project = project.ok_or("there is no folder of the project")?;
-    Ok([(home.as_path(), "cargo"), (project, "riffel")]
-        .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()))
-        // As cargo takes them apart, whatever is in a path.
-        .join("\u{1f}"))
 }
 
 /// The program with its manual, completions, example cases and all licences. The same commit gives the same bytes.
@@ -169,12 +157,6 @@ fn time_of_commit() -> Result<u64, String> {
     text.trim()
         .parse()
         .map_err(|_| format!("git says that the commit is of {text}"))
-}
-
-/// The system that the compiler builds for.
-pub(crate) fn host() -> Result<String, String> {
-    let text = output(Path::new("rustc"), &["--print", "host-tuple"])?;
-    Ok(String::from_utf8_lossy(&text).trim().to_owned())
 }
 
 #[cfg(test)]

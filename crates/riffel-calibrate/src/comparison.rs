@@ -174,9 +174,10 @@ fn scores_of(
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::{Chain, Draw};
+    use crate::chain::Chain;
     use crate::conjugate::U1;
     use crate::data::Held;
+    use crate::draw::Draw;
     use rayon::prelude::*;
 
     fn model(title: &str, logs: &[f64], error: f64) -> ModelScore {

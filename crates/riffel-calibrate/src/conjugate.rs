@@ -4,7 +4,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel_study::Distribution;
 use serde_json::Value;
 
-use crate::data::{Block, Given, Group, Place, differences, sums};
+use crate::data::{Block, Given, Group, Place, sums};
 use crate::gaussian::{Density, Gaussian};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
@@ -213,9 +213,8 @@ impl Block for Levels {
         Ok(self.predicted(trial.values))
     }
 
-    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        self.gaussian
-            .density(&differences(&self.data, predicted), sizes)
+    fn gaussian(&self) -> Option<&Gaussian> {
+        Some(&self.gaussian)
     }
 
     fn views(&self) -> Vec<usize> {
@@ -228,11 +227,6 @@ impl Block for Levels {
 
     fn places(&self) -> Vec<Place> {
         Vec::new()
-    }
-
-    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        self.gaussian
-            .of_each(&differences(&self.data, predicted), sizes)
     }
 
     fn replicate(

@@ -286,7 +286,7 @@ fn add(sum: &mut [f64], factor: f64, of: &[f64]) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain;
+    use crate::draw::random;
 
     /// Products up to the highest power or to 400: of no coordinate, of one, two, seven and eleven.
     #[test]
@@ -315,7 +315,7 @@ mod tests {
             .map(|it| it.prior.variance().sqrt() / 3.0)
             .collect();
         let spread = Matrix::of(size, |i, j| if i == j { deviation[i] } else { 0.0 });
-        let mut random = chain::random(1, 0, 0);
+        let mut random = random(1, 0, 0);
         let emulator = Emulator::train(&posterior, (&middle, &spread), &mut random).unwrap();
         let mut squares = 0.0;
         for _ in 0..20 {

@@ -5,7 +5,7 @@
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel_study::sensitivity::quantile;
 
-use crate::chain::{Draw, random};
+use crate::draw::{Draw, random};
 use crate::nuts::{Statistics, normal, uniform};
 use crate::posterior::{Placed, Posterior};
 

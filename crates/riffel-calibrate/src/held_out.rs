@@ -3,9 +3,9 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::chain::Draw;
 use crate::data::{Given, Group, Held};
 use crate::diagnostics::ess_bulk;
+use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::plan::Plan;
 use crate::run::Chains;

@@ -14,6 +14,7 @@ mod conjugate;
 mod data;
 mod decision;
 pub mod diagnostics;
+mod draw;
 mod drawn;
 mod emulator;
 mod ensemble;

@@ -3,8 +3,8 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
-use crate::chain::Draw;
 use crate::data::{Observable, differences};
+use crate::draw::Draw;
 use crate::matrix::Matrix;
 use crate::plan::Plan;
 use crate::posterior::Named;
@@ -114,7 +114,7 @@ impl Chains {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::random;
+    use crate::draw::random;
     use crate::nuts::Statistics;
 
     /// The third set with an error added to one of its data, held against its truth: draws about that would say the same.

@@ -2,8 +2,8 @@
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
-use crate::chain::Draw;
 use crate::data::{Block, Size};
+use crate::draw::Draw;
 use crate::gaussian::Density;
 use crate::matrix::{Matrix, dot};
 use crate::model::Model;

@@ -4,8 +4,8 @@ use rayon::prelude::*;
 use riffel_study::sensitivity::quantile;
 use serde::Serialize;
 
-use crate::chain::{Draw, random};
 use crate::data::{Observable, Place};
+use crate::draw::{Draw, random};
 use crate::plan::Plan;
 use crate::posterior::Named;
 use crate::run::Chains;

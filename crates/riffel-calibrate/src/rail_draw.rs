@@ -6,8 +6,8 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
 
-use crate::chain::random;
 use crate::data::Levels;
+use crate::draw::random;
 use crate::error::CalibrationError;
 use crate::nuts::normal;
 use crate::plan::Plan;

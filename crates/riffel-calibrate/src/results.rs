@@ -6,7 +6,7 @@ use jiff::Timestamp;
 use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
 use serde_json::{Value, json};
 
-use crate::chain::Draw;
+use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
 use crate::given::columns;

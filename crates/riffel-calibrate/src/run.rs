@@ -9,7 +9,7 @@ use riffel_study::Stop;
 use serde_json::{Value, json};
 use sha2::{Digest, Sha256};
 
-use crate::chain::Draw;
+use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::nuts::Statistics;
 use crate::plan::Plan;

@@ -2,7 +2,8 @@
 
 use riffel_study::Stop;
 
-use crate::chain::{Chain, Draw};
+use crate::chain::Chain;
+use crate::draw::Draw;
 use crate::ensemble::Ensemble;
 use crate::file::{SamplerFile, SamplerKind};
 use crate::posterior::Posterior;

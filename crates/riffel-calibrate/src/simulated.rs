@@ -9,7 +9,7 @@ use riffel_study::Stop;
 use serde::Serialize;
 use statrs::distribution::{ChiSquared, ContinuousCDF};
 
-use crate::chain::random;
+use crate::draw::random;
 use crate::error::CalibrationError;
 use crate::file::SamplerFile;
 use crate::nuts::uniform;

@@ -4,7 +4,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel_study::Stop;
 
-use crate::chain::{Draw, random};
+use crate::draw::{Draw, random};
 use crate::ensemble::difference;
 use crate::nuts::{Statistics, uniform};
 use crate::posterior::{Placed, Posterior};

@@ -101,8 +101,8 @@ fn pareto(values: &[f64]) -> (f64, f64) {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::chain::random;
     use crate::data::{Given, Held};
+    use crate::draw::random;
     use crate::held_out::Score;
     use crate::nuts::{normal, uniform};
 

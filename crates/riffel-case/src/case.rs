@@ -3,15 +3,16 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use riffel::contact::MeanRolling;
+use riffel::contact::{CreepLaw, MeanRolling};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
-use riffel::{Axis, Carter3d, Direction, HertzContact, Loop};
+use riffel::{Axis, Direction, HertzContact, Loop};
 use riffel_keys::quantity::Quantity;
 use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 
 use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
+use crate::curving::CurvingCase;
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::measurement;
 use crate::setting::Setting;
@@ -37,8 +38,8 @@ pub struct Case {
     pub hertz: HertzContact,
     /// The mean state of rolling.
     pub steady: MeanRolling,
-    /// The paper's creep law, where it is that of the case.
-    pub carter: Option<Carter3d>,
+    /// The creep law; none where that is Kalker's exact theory.
+    pub law: Option<Arc<dyn CreepLaw>>,
     /// The wheelset; none for a lone wheel.
     pub wheelset: Option<Arc<CaseWheelset>>,
     /// The track on all axes of a general loop, where a model tells it.
@@ -124,33 +125,27 @@ impl Case {
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {
         let BuiltCase {
-            feedback,
             track,
-            hertz,
-            steady,
-            carter,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            closed,
             wavelength,
             speed,
             mut remarks,
         } = keys.build()?;
-        let other_forces = Self::of_other_forces(&keys, &steady);
+        let other_forces = Self::of_other_forces(&keys, &closed.steady);
         let of_curve = keys.text.curve_remarks.iter().cloned();
         remarks.splice(0..0, of_curve.chain(other_forces));
         Ok(Self {
             file: keys.file.clone(),
             keys,
             unfilled,
-            feedback,
+            feedback: closed.feedback,
             track,
-            hertz,
-            steady,
-            carter,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            hertz: closed.hertz,
+            steady: closed.steady,
+            law: closed.law,
+            wheelset: closed.wheelset,
+            spatial_track: closed.spatial_track,
+            lateral_resonances: closed.lateral_resonances,
             wavelength,
             speed,
             remarks,
@@ -282,7 +277,7 @@ impl Case {
         window.min = Quantity::new(shortest.min(from));
         window.max = Quantity::new(longest.max(to));
         Ok(Self {
-            feedback: keys.build()?.feedback,
+            feedback: keys.build()?.closed.feedback,
             ..self.clone()
         })
     }
@@ -393,6 +388,17 @@ impl Case {
             self.speed.min() / self.wavelength.max(),
             self.speed.max() / self.wavelength.min(),
         )
+    }
+
+    /// The tables of curving of the case, with overrides after those it was read with.
+    ///
+    /// # Errors
+    /// As [`CurvingCase::read`].
+    pub fn curving(&self, overrides: &[String]) -> Result<CurvingCase, CaseError> {
+        let mut text = self.unfilled.clone();
+        text.apply(overrides)?;
+        let folder = self.keys.folder.as_deref().unwrap_or(Path::new(""));
+        CurvingCase::of_text(text, folder)
     }
 
     /// A sentence about a key of the case.

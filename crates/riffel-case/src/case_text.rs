@@ -74,6 +74,15 @@ impl CaseText {
         }
     }
 
+    /// The error of a case that names a file by a key and may not.
+    pub(crate) fn names_a_file(&self, key: &str) -> CaseError {
+        self.keys.invalid(
+            key,
+            say!(is_a_file_and_this_case),
+            say!(use_it_in_a_case_file),
+        )
+    }
+
     /// Apply overrides `key=value` in their order. One of two keys that exclude each other replaces the
     /// other, unless the overrides give both; a wheelset replaces the wheel of a file without one.
     pub(crate) fn apply(&mut self, assignments: &[String]) -> Result<(), CaseError> {

@@ -53,7 +53,7 @@ impl CheckedKeys {
         let file_keys = ["track.measurement.file", "wheelset.file"];
         let named = file_keys.into_iter().find(|key| text.keys.has(key));
         if let (None, Some(key)) = (folder, named) {
-            return Err(Self::names_a_file(&text, key));
+            return Err(text.names_a_file(key));
         }
         let wheel = &mut file.wheel;
         if let Some(mass) = wheel.mass.filter(|_| file.wheelset.is_none()) {
@@ -72,15 +72,6 @@ impl CheckedKeys {
         keys.check_wheel()?;
         keys.general()?;
         Ok(keys)
-    }
-
-    /// The error of a case that names a file by a key and may not.
-    pub(crate) fn names_a_file(text: &CaseText, key: &str) -> CaseError {
-        text.keys.invalid(
-            key,
-            say!(is_a_file_and_this_case),
-            say!(use_it_in_a_case_file),
-        )
     }
 
     /// The creep law: as written, or the exact one with a non-steady response, or the paper's.

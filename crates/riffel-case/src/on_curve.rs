@@ -35,13 +35,6 @@ const IN_ITS_PLACE: [&str; 6] = [
     "body",
     "profiles",
 ];
-/// Laws without a slope where the whole contact slides, as under the leading wheels of tight curves.
-const ENDING_IN_SLIDING: [&str; 4] = [
-    "carter-3d",
-    "carter-2d",
-    "johnson-vermeulen",
-    "shen-hedrick-elkins",
-];
 const LAW: &str = "contact.creep_law";
 
 impl Case {
@@ -62,7 +55,7 @@ impl Case {
             .creep_law
             .unwrap_or(CreepLawName::CARTER_3D);
         let is_steady = self.file.contact.response != ContactDynamics::NonSteady;
-        if is_steady && ENDING_IN_SLIDING.contains(&law.name()) {
+        if is_steady && law.entry().is_some_and(|law| law.ends_in_sliding) {
             text.write(&[(LAW.to_owned(), "fastsim".into())])?;
         }
         let on_wheel = |(wheelset, rail): (i64, &str)| {

@@ -13,12 +13,20 @@ use crate::staging::Staging;
 /// folder that is named.
 pub(crate) struct Results<'a> {
     /// The command, which gives the folder its name where none is named.
-    pub(crate) command: &'static str,
-    pub(crate) case: &'a CaseArguments,
-    pub(crate) to: &'a ResultsArguments,
+    command: &'static str,
+    case: &'a CaseArguments,
+    to: &'a ResultsArguments,
 }
 
-impl Results<'_> {
+impl<'a> Results<'a> {
+    pub(crate) fn of(
+        command: &'static str,
+        case: &'a CaseArguments,
+        to: &'a ResultsArguments,
+    ) -> Self {
+        Self { command, case, to }
+    }
+
     /// Hand out the document, or files and what is said of them on a terminal; with `--json` and a folder both, and nothing
     /// is said.
     pub(crate) fn hand_out(

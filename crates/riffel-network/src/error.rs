@@ -1,11 +1,15 @@
 //! What can be wrong with a network.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
 use riffel_keys::CaseError;
 use thiserror::Error;
+
+/// What is wrong with surveys, by the file of their record.
+pub(crate) type Damage = BTreeMap<PathBuf, NetworkError>;
 
 /// A store that cannot be made, read or added to, and why, in a sentence.
 #[derive(Debug, Error, Diagnostic)]

@@ -12,13 +12,10 @@ use serde::Serialize;
 use serde_json::json;
 
 use crate::grid::Gridded;
-use crate::layout::{arrays_name, record_name};
-use crate::record::{NetworkRecord, RailRecord, SurveyRecord};
+use crate::name::{array_name, arrays_name, record_name};
+use crate::record::{MOST_CELLS, NetworkRecord, RailRecord, SurveyRecord};
 use crate::store::{ROWS, Store, array, write_document};
 use crate::{NetworkError, SurveyFile};
-
-/// Most cells of a survey: a line of 10 000 km at 0.1 m.
-pub(crate) const MOST_CELLS: f64 = 1e8;
 
 /// What became of a survey.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -182,18 +179,6 @@ fn record(
 fn plain(name: &str) -> String {
     let kept = name.chars().filter(|letter| letter.is_alphanumeric());
     kept.flat_map(char::to_lowercase).collect()
-}
-
-/// The name of the array of a rail: its own where that is a plain word, which no coordinate has.
-pub(crate) fn array_name(rail: &str, index: usize) -> String {
-    let plain = rail
-        .bytes()
-        .all(|byte| byte.is_ascii_alphanumeric() || byte == b'_');
-    let taken = ["place", "band", "band_from", "band_to"].contains(&rail);
-    match plain && !taken && rail.len() <= 40 {
-        true => rail.to_owned(),
-        false => format!("rail_{}", index + 1),
-    }
 }
 
 /// All arrays of a survey below a folder.

@@ -9,48 +9,15 @@ use riffel_arrays::whole_file;
 use tempfile::TempDir;
 
 use crate::NetworkError;
+use crate::name::{day_of_arrays, line_name, record_name};
 use crate::store::Store;
 
-/// What a store says of itself: its mark.
-pub(crate) const RECORD: &str = "network.json";
 /// The surveys, a folder for each line.
 const SURVEYS: &str = "surveys";
 /// Held while surveys are added.
 const LOCK: &str = "network.lock";
 /// An empty file in a folder of half-written arrays: the mark by which it is known.
 const HALF_WRITTEN: &str = "half-written";
-/// Digits of the SHA-256 of a survey in the name of its arrays.
-const DIGITS: usize = 12;
-
-/// The folder of the arrays of a survey, in that of its line.
-pub(crate) fn arrays_name(date: Date, sha256: &str) -> String {
-    format!("{date}-{}.zarr", sha256.get(..DIGITS).unwrap_or(sha256))
-}
-
-/// The day of arrays, if a folder has a name as [`arrays_name`] gives it.
-fn day_of_arrays(name: &str) -> Option<Date> {
-    let (day, digits) = name.strip_suffix(".zarr")?.rsplit_once('-')?;
-    let is_own = digits.len() == DIGITS && digits.bytes().all(|digit| digit.is_ascii_hexdigit());
-    day.parse().ok().filter(|_| is_own)
-}
-
-/// The file of the record of a survey, in the folder of its line.
-pub(crate) fn record_name(date: Date) -> String {
-    format!("{date}.json")
-}
-
-/// The folder of a line, in a name in which there is nothing that a file system could take amiss.
-fn line_name(line: &str) -> String {
-    let mut name = String::new();
-    for byte in line.bytes() {
-        match byte {
-            b'a'..=b'z' | b'A'..=b'Z' | b'0'..=b'9' | b'-' | b'_' => name.push(byte.into()),
-            _ => name += &format!("%{byte:02X}"),
-        }
-    }
-    name
-}
-
 /// What is in a folder that is there, by name, without links; nothing where there is none.
 fn entries(folder: &Path) -> Result<Vec<(String, fs::FileType)>, NetworkError> {
     let mut found = Vec::new();

@@ -19,7 +19,6 @@
 //! ```
 
 mod alignment;
-mod damage;
 mod error;
 mod grid;
 mod growth;
@@ -27,6 +26,7 @@ mod ingest;
 mod judgement;
 mod layout;
 mod most_track;
+mod name;
 mod plan;
 mod record;
 mod sections;
@@ -35,6 +35,7 @@ mod store;
 mod strip_chart;
 mod survey_file;
 mod survey_text;
+mod surveys;
 mod trend;
 mod worst;
 

@@ -4,11 +4,12 @@ use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use serde::{Deserialize, Serialize};
 
-use crate::ingest::MOST_CELLS;
 use crate::survey_file::FARTHEST;
 
 /// Version of the layout of a store.
 pub(crate) const FORMAT: u32 = 1;
+/// Most cells of a survey: a line of 10 000 km at 0.1 m.
+pub(crate) const MOST_CELLS: f64 = 1e8;
 /// Wavelengths that a band may end at \[m\]: farther than any instrument goes.
 const WAVELENGTHS: std::ops::RangeInclusive<f64> = 1e-4..=1e3;
 

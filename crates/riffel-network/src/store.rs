@@ -3,15 +3,14 @@
 use std::fs;
 use std::path::{Path, PathBuf};
 
-use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use riffel_arrays::{Array, DataType, Values, whole_file};
 use serde::Serialize;
 use serde_json::json;
 
 use crate::NetworkError;
-use crate::damage::Damage;
-use crate::layout::{RECORD, record_name};
+use crate::error::Damage;
+use crate::name::RECORD;
 use crate::record::{FORMAT, NetworkRecord, RailRecord, SurveyRecord};
 
 /// Cells of a chunk.
@@ -33,7 +32,7 @@ pub struct StoreSettings {
 #[derive(Debug)]
 pub struct Store {
     pub(crate) folder: PathBuf,
-    settings: StoreSettings,
+    pub(crate) settings: StoreSettings,
     /// Surveys that are left out.
     pub(crate) damage: Damage,
 }
@@ -74,29 +73,7 @@ impl Store {
         Ok(store)
     }
 
-    /// A store that is there. All of it is read, and surveys of which something is lost or damaged are left out: see
-    /// [`damaged`](Self::damaged).
-    ///
-    /// # Errors
-    /// [`NetworkError::NoNetwork`] where there is none; [`NetworkError::DamagedStore`].
-    pub fn open(folder: &Path) -> Result<Self, NetworkError> {
-        let mut store = Self {
-            folder: folder.to_owned(),
-            settings: StoreSettings::default(),
-            damage: Damage::new(),
-        };
-        match store.record()? {
-            Some(_) => {
-                store.damage = store.find_damage()?;
-                Ok(store)
-            }
-            None => Err(NetworkError::NoNetwork {
-                folder: folder.to_owned(),
-            }),
-        }
-    }
-
-    fn record(&self) -> Result<Option<NetworkRecord>, NetworkError> {
+    pub(crate) fn record(&self) -> Result<Option<NetworkRecord>, NetworkError> {
         let path = self.folder.join(RECORD);
         match fs::read(&path) {
             Ok(bytes) => {
@@ -171,37 +148,6 @@ impl Store {
         Ok(record)
     }
 
-    /// The surveys that are there, by line and date.
-    ///
-    /// # Errors
-    /// [`NetworkError::Read`].
-    pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
-        let (mut surveys, _) = self.records()?;
-        surveys.retain(|survey| {
-            let record = self
-                .line_folder(&survey.line)
-                .join(record_name(survey.date));
-            !self.damage.contains_key(&record)
-        });
-        Ok(surveys)
-    }
-
-    /// The latest survey of each line, or the latest up to a day.
-    ///
-    /// # Errors
-    /// As [`surveys`](Self::surveys).
-    pub fn latest(&self, until: Option<Date>) -> Result<Vec<SurveyRecord>, NetworkError> {
-        let mut latest: Vec<SurveyRecord> = Vec::new();
-        let surveys = self.surveys()?.into_iter();
-        for survey in surveys.filter(|survey| until.is_none_or(|day| survey.date <= day)) {
-            match latest.last_mut().filter(|last| last.line == survey.line) {
-                Some(last) => *last = survey,
-                None => latest.push(survey),
-            }
-        }
-        Ok(latest)
-    }
-
     /// RMS \[m\] of a chunk of cells of a rail, band by band; none where nothing is known.
     pub(crate) fn chunk(
         &self,
@@ -254,16 +200,6 @@ pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
         .map(|[from, to]| format!("{:.0}–{:.0} mm", 1e3 * from, 1e3 * to))
         .collect();
     texts.join(", ")
-}
-
-pub(crate) fn parsed<T: serde::de::DeserializeOwned>(
-    path: &Path,
-    bytes: &[u8],
-) -> Result<T, NetworkError> {
-    serde_json::from_slice(bytes).map_err(|error| NetworkError::Damaged {
-        path: path.to_owned(),
-        reason: error.to_string(),
-    })
 }
 
 pub(crate) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), NetworkError> {

@@ -29,7 +29,7 @@ impl GivenCase<'_> {
     fn read(&self, overrides: &Bound<'_, PyDict>) -> PyResult<CurvingCase> {
         let overrides = assignments(overrides)?;
         let case = match self {
-            Self::Case(case) => CurvingCase::of_case(&case.case, &overrides),
+            Self::Case(case) => case.case.curving(&overrides),
             Self::Keys(keys) => {
                 CurvingCase::parse("", &tables::table(keys, "")?.to_string(), &overrides)
             }

@@ -17,9 +17,9 @@ import riffel.plot
 MODULES = [
     riffel,
     *(
-        importlib.import_module(f"riffel.{module.name}")
-        for module in pkgutil.iter_modules(riffel.__path__)
-        if module.name != "_riffel"
+        importlib.import_module(module.name)
+        for module in pkgutil.walk_packages(riffel.__path__, "riffel.")
+        if module.name != "riffel._riffel"
     ),
 ]
 

@@ -1,11 +1,13 @@
 //! Roughness of wheels: data files with name, edition and source.
 
+use std::path::Path;
+
 use include_dir::{Dir, include_dir};
 use riffel::roughness::Spectrum;
 use riffel_keys::CaseError;
 
 use crate::built_in::built_in;
-use crate::{Limit, LimitTable};
+use crate::{Limit, LimitTable, Survey};
 
 /// The tables, built into the program; they are written as limits of levels are.
 static FILES: Dir<'static> = include_dir!("$CARGO_MANIFEST_DIR/wheels");
@@ -26,6 +28,26 @@ impl WheelRoughness {
     pub fn find(name: &str) -> Option<Self> {
         let mut tables = Self::all().into_iter();
         tables.find(|table| table.name.eq_ignore_ascii_case(name))
+    }
+
+    /// The levels of the table of a name, or else of a file, with what they are called; none where there is neither.
+    ///
+    /// # Errors
+    /// [`CaseError`] for a file that holds no roughness.
+    pub fn named_or_in(name: &str, path: &Path) -> Result<Option<(String, Spectrum)>, CaseError> {
+        if let Some(table) = Self::find(name) {
+            return Ok(Some((table.name, table.spectrum)));
+        }
+        if !(path.exists() || riffel_keys::question::holds(path)) {
+            return Ok(None);
+        }
+        Ok(Some((name.to_owned(), Survey::mean_of(path)?)))
+    }
+
+    /// The names of all tables, in one sentence.
+    pub fn names() -> String {
+        let names = Self::all().into_iter().map(|table| table.name);
+        names.collect::<Vec<_>>().join(", ")
     }
 
     /// All tables that come with Riffel, by name.

@@ -129,25 +129,6 @@ impl Uploads {
         Ok(upload)
     }
 
-    /// Write what comes to disk as an earlier record beside the file of a page; its number and its size in bytes.
-    pub(crate) async fn receive_earlier(
-        &self,
-        page: &str,
-        kind: &str,
-        announced: Option<u64>,
-        body: Body,
-    ) -> Result<(u32, u64), Fault> {
-        let upload = self.of(page)?;
-        self.receive_numbered(
-            upload.folder(),
-            &upload.earlier,
-            "earlier",
-            kind,
-            (announced, body),
-        )
-        .await
-    }
-
     /// Write what comes to disk as one of the files of a folder; its number and its size in bytes.
     pub(crate) async fn receive_numbered(
         &self,
@@ -383,9 +364,13 @@ mod tests {
     async fn earlier_records_lie_beside_the_file_and_go_with_it() {
         let place = tempfile::tempdir().unwrap();
         let uploads = Uploads::within(place.path(), 1000).unwrap();
-        let earlier = |bytes: usize| {
+        let earlier = async |bytes: usize| {
+            let upload = uploads.of("a")?;
+            let files = (upload.folder(), &upload.earlier);
             let body = Body::from(vec![b'1'; bytes]);
-            uploads.receive_earlier("a", "../../txt", None, body)
+            let received =
+                uploads.receive_numbered(files.0, files.1, "earlier", "../../txt", (None, body));
+            received.await
         };
         assert!(earlier(1).await.is_err(), "beside no record");
         let body = || Body::from("1,2\n");

@@ -134,11 +134,12 @@ impl DerivedDocument {
     /// Of a case.
     pub fn of(case: &Case) -> Self {
         let steady = case.steady;
+        let slope = case.law.as_ref().and_then(|law| law.own_slope());
         Self {
             semi_axis_longitudinal_m: case.hertz.semi_axis_longitudinal(),
             semi_axis_lateral_m: case.hertz.semi_axis_lateral(),
-            creep_coefficient: case.carter.map(|law| law.creep_coefficient()),
-            saturation_creepage: case.carter.map(|law| law.saturation_creepage()),
+            creep_coefficient: slope.map(|slope| slope.creep_coefficient),
+            saturation_creepage: slope.map(|slope| slope.saturation_creepage),
             creepage: steady.creepages.longitudinal,
             tractive_ratio: steady.tractive_ratio(),
             contact_stiffness_n_per_m: case.feedback.contacts()[0].stiffness,

@@ -8,7 +8,7 @@ mod remarks;
 mod sources;
 mod tables;
 
-use std::path::PathBuf;
+use std::path::Path;
 
 use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
@@ -16,9 +16,7 @@ use riffel_case::traffic::Traffic;
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::{Language, Message, PhysicalRange, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{
-    LimitTable, Survey, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
-};
+use riffel_rail::{LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness};
 use serde::Serialize;
 
 pub use course::Course;
@@ -288,22 +286,14 @@ impl<'a> Train<'a> {
         let wheels = match &question.wheel_roughness {
             None => None,
             Some(RoughWheels::Given(levels)) => Some(("given".to_owned(), levels.clone())),
-            Some(RoughWheels::Named(name)) => Some(match WheelRoughness::find(name) {
-                Some(table) => (table.name, table.spectrum),
-                None => {
-                    let path = PathBuf::from(name);
-                    if !(path.exists() || riffel_keys::question::holds(&path)) {
-                        let known = WheelRoughness::all().into_iter().map(|table| table.name);
-                        let known = known.collect::<Vec<_>>().join(", ");
-                        return Err(AnswerError::Argument {
-                            argument: "--wheel-roughness",
-                            value: format!("\"{name}\""),
-                            rule: format!("a spectrum or one of {known}"),
-                        });
-                    }
-                    (name.clone(), Survey::mean_of(&path)?)
-                }
-            }),
+            Some(RoughWheels::Named(name)) => {
+                let found = WheelRoughness::named_or_in(name, Path::new(name))?;
+                Some(found.ok_or_else(|| AnswerError::Argument {
+                    argument: "--wheel-roughness",
+                    value: format!("\"{name}\""),
+                    rule: format!("a spectrum or one of {}", WheelRoughness::names()),
+                })?)
+            }
         };
         let modes = question.wheel_modes.as_deref().map(WheelModesTable::find);
         let transfer = match &question.transfer {

@@ -68,6 +68,28 @@ pub struct RailAnswer {
     pub verdicts: Vec<Verdict>,
 }
 
+impl RailAnswer {
+    /// One rail, or one of several, held to limits.
+    fn new(
+        name: String,
+        analysis: RailAnalysis,
+        is_of_several: bool,
+        limits: &[LimitTable],
+        grinding: &GrindSettings,
+    ) -> Self {
+        let words = is_of_several.then(|| rail_in_words(&name));
+        let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
+        Self {
+            sections: analysis.grind(grinding),
+            verdicts: verdicts
+                .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
+                .collect(),
+            name,
+            analysis,
+        }
+    }
+}
+
 impl Judged for RailAnswer {
     fn verdicts(&self) -> &[Verdict] {
         &self.verdicts
@@ -110,28 +132,7 @@ impl ProfileAnswer {
         request: &ProfileRequest,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, AnswerError> {
-        let longest_stretch = record
-            .rails
-            .iter()
-            .map(|rail| {
-                rail.stretches
-                    .iter()
-                    .map(Profile::length)
-                    .fold(0.0, f64::max)
-            })
-            .fold(f64::INFINITY, f64::min);
-        if let Some(asked) = request.longest
-            && asked.si() > 0.25 * (longest_stretch + record.spacing)
-        {
-            return Err(AnswerError::Argument {
-                argument: "--longest",
-                value: asked.to_string(),
-                rule: format!(
-                    "at most {:.3} m, a quarter of the longest stretch without gaps",
-                    0.25 * (longest_stretch + record.spacing)
-                ),
-            });
-        }
+        check_longest(&record, request)?;
         let mut settings = AnalysisSettings {
             window: request.window,
             block: request.block,
@@ -163,19 +164,7 @@ impl ProfileAnswer {
         let names = record.rails.iter().map(|rail| rail.name.clone());
         let mut rails: Vec<RailAnswer> = names
             .zip(analyses)
-            .map(|(name, analysis)| {
-                let words = several.then(|| rail_in_words(&name));
-                let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis));
-                RailAnswer {
-                    sections: analysis.grind(&grinding),
-                    verdicts: verdicts
-                        .into_iter()
-                        .map(|verdict| verdict.on_rail(&name).of(words.as_ref()))
-                        .collect(),
-                    name,
-                    analysis,
-                }
-            })
+            .map(|(name, analysis)| RailAnswer::new(name, analysis, several, limits, &grinding))
             .collect();
         worst_first(&mut rails);
         let sections = rails.iter().flat_map(|rail| {
@@ -301,6 +290,33 @@ impl ProfileAnswer {
             warnings: self.warnings.clone(),
         }
     }
+}
+
+/// `Ok` if the record is long enough for the longest wavelength that is asked for.
+fn check_longest(record: &Record, request: &ProfileRequest) -> Result<(), AnswerError> {
+    let longest_stretch = record
+        .rails
+        .iter()
+        .map(|rail| {
+            rail.stretches
+                .iter()
+                .map(Profile::length)
+                .fold(0.0, f64::max)
+        })
+        .fold(f64::INFINITY, f64::min);
+    if let Some(asked) = request.longest
+        && asked.si() > 0.25 * (longest_stretch + record.spacing)
+    {
+        return Err(AnswerError::Argument {
+            argument: "--longest",
+            value: asked.to_string(),
+            rule: format!(
+                "at most {:.3} m, a quarter of the longest stretch without gaps",
+                0.25 * (longest_stretch + record.spacing)
+            ),
+        });
+    }
+    Ok(())
 }
 
 /// What the reader should know of the bands.

@@ -6,10 +6,7 @@ use riffel_answers::receptance::{ReceptanceAnswer, ReceptanceRequest};
 use riffel_case::{Case, NOMINAL_CASE};
 use serde_json::{Value, json};
 
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", text, &overrides).unwrap()
-}
+use crate::case;
 
 const CURVE: &str = include_str!("../../../../cases/curve.toml");
 

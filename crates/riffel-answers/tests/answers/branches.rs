@@ -9,13 +9,10 @@ use riffel_answers::ridge::{BranchDocument, best_fit_frequency};
 use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::Language;
 
+use crate::case;
+
 /// The case of the guide on discrete supports.
 const DISCRETE_SUPPORTS: &str = include_str!("../../../../cases/discrete-supports.toml");
-
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", text, &overrides).unwrap()
-}
 
 fn ridge(case: &Case) -> Ridge {
     Ridge::search(&case.feedback, case.wavelength, case.speed)

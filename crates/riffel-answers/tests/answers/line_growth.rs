@@ -5,17 +5,13 @@ use std::f64::consts::LN_2;
 use riffel_answers::LineGrowth;
 use riffel_case::traffic::{DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic};
 use riffel_case::{
-    Case, FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
+    FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
 };
+
+use crate::coarse;
 
 /// Its map goes from 5 to 15 m/s.
 const CURVE: &str = include_str!("../../../../cases/curve.toml");
-
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let window = ["map.wavelength.points=21", "map.speed.points=5"];
-    let overrides = window.iter().chain(overrides).map(|&it| it.to_owned());
-    Case::parse("case", text, &overrides.collect::<Vec<_>>()).unwrap()
-}
 
 fn in_words(growth: &LineGrowth) -> String {
     let words: Vec<String> = growth.remarks.iter().map(ToString::to_string).collect();
@@ -43,7 +39,7 @@ fn a_line_has_traffic_of_its_kind() {
             [80.0, 140.0],
         ),
     ] {
-        let usual = UsualTraffic::of(&case(text, overrides));
+        let usual = UsualTraffic::of(&coarse(text, overrides));
         assert_eq!(usual.line, line);
         for (found, expected) in usual.speeds.into_iter().zip(km_per_h) {
             assert!((3.6 * found - expected).abs() < 1e-9, "{line:?}: {found}");
@@ -54,7 +50,7 @@ fn a_line_has_traffic_of_its_kind() {
 /// At one speed the fastest growth of a line is the highest point of the loop there; months and the band follow from it by hand.
 #[test]
 fn at_one_speed_it_is_the_highest_growth_there() {
-    let case = case(NOMINAL_CASE, &["map.wavelength.max=200 mm"]);
+    let case = coarse(NOMINAL_CASE, &["map.wavelength.max=200 mm"]);
     let text =
         "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed.mean = 30\n";
     let growth = LineGrowth::new(&case, Some(&Traffic::parse("t", text).unwrap())).unwrap();
@@ -95,7 +91,7 @@ fn an_edge_is_told_as_an_edge() {
         ("map.wavelength.max=50 mm", "longer waves may grow faster"),
         ("map.wavelength.min=75 mm", "shorter waves may grow faster"),
     ] {
-        let growth = LineGrowth::new(&case(NOMINAL_CASE, &[window]), None).unwrap();
+        let growth = LineGrowth::new(&coarse(NOMINAL_CASE, &[window]), None).unwrap();
         assert!(growth.fastest.unwrap().at_edge);
         let words = in_words(&growth);
         assert!(words.contains(side), "{words}");
@@ -107,7 +103,7 @@ fn an_edge_is_told_as_an_edge() {
 fn growth_that_nobody_has_seen_is_remarked() {
     let seen = |coefficient: &str| {
         let coefficient = format!("wear.coefficient={coefficient} kg/J");
-        in_words(&LineGrowth::new(&case(NOMINAL_CASE, &[&coefficient]), None).unwrap())
+        in_words(&LineGrowth::new(&coarse(NOMINAL_CASE, &[&coefficient]), None).unwrap())
     };
     assert!(!seen("2.5e-9").contains("faster than any growth known"));
     let words = seen("2.5e-7");
@@ -115,7 +111,7 @@ fn growth_that_nobody_has_seen_is_remarked() {
         words.contains("faster than any growth known") && words.contains("days (80 %"),
         "{words}"
     );
-    let calm = case(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
+    let calm = coarse(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
     let growth = LineGrowth::new(&calm, None).unwrap();
     assert!(growth.fastest.is_none());
     assert!(

@@ -11,3 +11,17 @@ mod motions;
 mod pass_by;
 mod remedies;
 mod shakedown;
+
+use riffel_case::Case;
+
+/// The case of a text, with overrides.
+fn case(text: &str, overrides: &[&str]) -> Case {
+    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
+    Case::parse("case.toml", text, &overrides).unwrap()
+}
+
+/// The same with few points of the map.
+fn coarse(text: &str, overrides: &[&str]) -> Case {
+    let window = ["map.wavelength.points=21", "map.speed.points=5"];
+    case(text, &[&window, overrides].concat())
+}

@@ -6,13 +6,9 @@ use riffel_case::traffic::Traffic;
 use riffel_case::{Case, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE};
 use serde_json::Value;
 
-const TRAFFIC: &str = "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed = { mean = 15, standard_deviation = 2 }\n";
+use crate::coarse;
 
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let window = ["map.wavelength.points=21", "map.speed.points=5"];
-    let overrides = window.iter().chain(overrides).map(|&it| it.to_owned());
-    Case::parse("case", text, &overrides.collect::<Vec<_>>()).unwrap()
-}
+const TRAFFIC: &str = "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed = { mean = 15, standard_deviation = 2 }\n";
 
 fn remedies(case: &Case, traffic: &Traffic) -> RemediesAnswer {
     RemediesAnswer::new(case, Some(traffic), &|_| ()).unwrap()
@@ -37,7 +33,7 @@ fn of<'a>(answer: &'a RemediesAnswer, key: &str, value: f64) -> &'a Remedy {
 #[test]
 fn where_pads_decide_pads_lead() {
     let traffic = Traffic::parse("t", TRAFFIC).unwrap();
-    let own = case(METRO_CASE, &[]);
+    let own = coarse(METRO_CASE, &[]);
     let before = rate(&own, &traffic);
     let answer = remedies(&own, &traffic);
     let mut direct = Vec::new();
@@ -61,7 +57,7 @@ fn where_pads_decide_pads_lead() {
         ),
         ("wheel.mass", 0.8 * 769.5, &["wheel.mass=615.6 kg"]),
     ] {
-        let change = rate(&case(METRO_CASE, overrides), &traffic) / before - 1.0;
+        let change = rate(&coarse(METRO_CASE, overrides), &traffic) / before - 1.0;
         let ranked = of(&answer, key, value).change_of_fastest_growth;
         assert!((ranked - change).abs() < 1e-9, "{key}: {ranked} {change}");
         direct.push(change);
@@ -91,7 +87,7 @@ fn speeds_are_changed_as_a_traffic_file_would() {
         let text = TRAFFIC.replace("{ mean = 15, standard_deviation = 2 }", &speed);
         Traffic::parse("t", &text).unwrap()
     };
-    let own = case(METRO_CASE, &[]);
+    let own = coarse(METRO_CASE, &[]);
     let before = traffic(15.0, 2.0);
     let answer = remedies(&own, &before);
     for (key, value, after) in [
@@ -113,7 +109,7 @@ fn what_a_case_has_no_key_for_is_left_out() {
         let reasons = reasons.map(|it| format!("{}: {}", it.title, it.reason));
         reasons.collect::<Vec<_>>().join("\n")
     };
-    let free = left_out(&case(NOMINAL_CASE, &[]), &traffic);
+    let free = left_out(&coarse(NOMINAL_CASE, &[]), &traffic);
     assert!(
         free.contains("pads of half the stiffness: the case has no value of track.pad.stiffness"),
         "{free}"
@@ -125,14 +121,14 @@ fn what_a_case_has_no_key_for_is_left_out() {
         "{free}"
     );
     assert!(!free.contains("friction"), "{free}");
-    let slippery = case(NOMINAL_CASE, &["contact.friction=0.2"]);
+    let slippery = coarse(NOMINAL_CASE, &["contact.friction=0.2"]);
     assert!(left_out(&slippery, &traffic).contains("friction is 0.2 already"));
     let wide = Traffic::parse("t", &TRAFFIC.replace("deviation = 2", "deviation = 3.6")).unwrap();
-    assert!(left_out(&case(METRO_CASE, &[]), &wide).contains("about as widely"));
-    let calm = case(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
+    assert!(left_out(&coarse(METRO_CASE, &[]), &wide).contains("about as widely"));
+    let calm = coarse(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
     let answer = remedies(&calm, &traffic);
     assert!(answer.remedies.is_empty() && answer.helps_most().is_none());
-    let curve = case(METRO_CURVE_CASE, &["contact.creep_law=polach"]);
+    let curve = coarse(METRO_CURVE_CASE, &["contact.creep_law=polach"]);
     let curve = RemediesAnswer::new(&curve, None, &|_| ()).unwrap();
     assert_eq!(of(&curve, "contact.friction", 0.25).changes.len(), 1);
 }
@@ -142,7 +138,7 @@ fn what_a_case_has_no_key_for_is_left_out() {
 fn times_stand_in_one_unit() {
     let traffic = Traffic::parse("t", TRAFFIC).unwrap();
     for coefficient in ["2.5e-9 kg/J", "5e-10 kg/J", "5e-11 kg/J"] {
-        let own = case(METRO_CASE, &[&format!("wear.coefficient={coefficient}")]);
+        let own = coarse(METRO_CASE, &[&format!("wear.coefficient={coefficient}")]);
         let answer = remedies(&own, &traffic);
         let unit = |text: String| text.rsplit(' ').next().unwrap().to_owned();
         let before = unit(answer.under_traffic.fastest.unwrap().time().to_string());

@@ -16,9 +16,10 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use serde::Serialize;
 
 pub(crate) use crate::gaussian::Given;
-use crate::gaussian::{Density, given_others};
+use crate::gaussian::{Density, Gaussian, given_others};
 use crate::matrix::Matrix;
 use crate::model::Trial;
+use crate::nuts::normal;
 
 /// Passages of the unit of what the model misses of growth.
 const UNIT: f64 = 1e6;
@@ -34,8 +35,16 @@ pub(crate) trait Block: Send + Sync {
         None
     }
 
+    /// The errors of the data, where they are normal whatever the model says.
+    fn gaussian(&self) -> Option<&Gaussian> {
+        None
+    }
+
     /// ln of the density of the data for predictions and sizes of what the model misses; none where these are beyond numbers.
-    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density>;
+    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
+        self.gaussian()?
+            .density(&differences(&self.observed(), predicted), sizes)
+    }
 
     /// Where the model looks at its case.
     fn views(&self) -> Vec<usize>;
@@ -47,7 +56,10 @@ pub(crate) trait Block: Send + Sync {
     fn places(&self) -> Vec<Place>;
 
     /// ln of the density of each datum given all others of the block; none where it is beyond numbers.
-    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>>;
+    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
+        self.gaussian()?
+            .of_each(&differences(&self.observed(), predicted), sizes)
+    }
 
     /// Data as they might have been measured: predictions with errors that are drawn.
     fn replicate(
@@ -55,7 +67,10 @@ pub(crate) trait Block: Send + Sync {
         predicted: &[f64],
         sizes: &[f64],
         random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>>;
+    ) -> Option<Vec<f64>> {
+        let errors = self.gaussian()?.draw(sizes, || normal(random))?;
+        Some(sums(predicted, &errors))
+    }
 
     /// The same with other data, in the order of the predictions; none where their errors are beyond numbers.
     fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>>;

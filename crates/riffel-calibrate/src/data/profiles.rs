@@ -3,20 +3,18 @@
 use std::f64::consts::{LN_10, TAU};
 use std::path::{Component, Path, PathBuf};
 
-use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
 use riffel::roughness::{Profile, WaveGrowth, WaveGrowths};
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile};
 
-use super::{Block, Observable, Place, UNIT, differences, sums, table};
+use super::{Block, Observable, Place, UNIT, table};
 use crate::file::Kind;
-use crate::gaussian::{Density, Gaussian};
+use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
 use crate::model::Trial;
-use crate::nuts::normal;
 
 /// Np of one dB.
 const OF_DECIBEL: f64 = LN_10 / 20.0;
@@ -285,26 +283,8 @@ impl Block for DatedProfiles {
         Ok(real.chain(imaginary).collect())
     }
 
-    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        self.gaussian
-            .density(&differences(&self.data, predicted), sizes)
-    }
-
-    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        self.gaussian
-            .of_each(&differences(&self.data, predicted), sizes)
-    }
-
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
-        Some(sums(
-            predicted,
-            &self.gaussian.draw(sizes, || normal(random))?,
-        ))
+    fn gaussian(&self) -> Option<&Gaussian> {
+        Some(&self.gaussian)
     }
 
     fn with_data(&self, data: &[f64]) -> Option<Box<dyn Block>> {

@@ -2,7 +2,6 @@
 
 use riffel::contact::ContactFilter;
 use riffel::noise::{FrequencyBand, PassBy, Surroundings};
-use riffel::roughness::Spectrum;
 use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_rail::{Survey, WheelRoughness};
@@ -90,28 +89,25 @@ impl Reading<'_> {
                 "",
             )
         })?;
-        let read = |name: &Option<String>| -> Result<Option<Spectrum>, CaseError> {
-            let path = name.as_ref().map(|name| beside(self.folder, name));
-            path.map(|path| Survey::mean_of(&path)).transpose()
-        };
+        let rest = data.roughness.as_ref();
+        let rest = rest.map(|name| Survey::mean_of(&beside(self.folder, name)));
         let wheel = match &data.wheel_roughness {
-            Some(name) => match WheelRoughness::find(name) {
-                Some(table) => Some(table.spectrum),
-                None if beside(self.folder, name).exists() => read(&data.wheel_roughness)?,
-                None => {
-                    let known = WheelRoughness::all().into_iter().map(|table| table.name);
-                    let known = known.collect::<Vec<String>>().join(", ");
+            Some(name) => {
+                let found = WheelRoughness::named_or_in(name, &beside(self.folder, name))?;
+                let (_, spectrum) = found.ok_or_else(|| {
+                    let known = WheelRoughness::names();
                     let rule = format!("is \"{name}\", but must be a file or one of {known}");
                     let key = format!("data[{index}].wheel_roughness");
-                    return Err(self.source.invalid(&key, &rule, ""));
-                }
-            },
+                    self.source.invalid(&key, &rule, "")
+                })?;
+                Some(spectrum)
+            }
             None => None,
         };
         Ok(Train {
             pass,
             wheel,
-            rest: read(&data.roughness)?,
+            rest: rest.transpose()?,
             filter,
         })
     }

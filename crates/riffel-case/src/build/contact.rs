@@ -9,7 +9,7 @@ use riffel::contact::{
     WaveGeometry,
 };
 use riffel::passage::{LateContact, WaveInTime};
-use riffel::{Carter3d, ElasticMaterial, HertzContact, RollingContact};
+use riffel::{ElasticMaterial, HertzContact, RollingContact};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{ContactDynamics, CreepLawName, HertzTheory, WavePatch};
@@ -29,8 +29,8 @@ pub(crate) fn mean_key(mean: MeanState) -> &'static str {
 /// A contact, built.
 pub(super) struct BuiltContact {
     pub(super) rolling: Arc<dyn RollingContact>,
-    /// The paper's law, where it is the one of the case.
-    pub(super) carter: Option<Carter3d>,
+    /// The creep law; none for the exact theory.
+    pub(super) law: Option<Arc<dyn CreepLaw>>,
 }
 
 /// How a contact creeps in time.
@@ -115,7 +115,12 @@ impl CheckedKeys {
             return Ok(None);
         };
         let inputs = self.creep_law_inputs(hertz, friction)?;
-        self.physics("contact", entry.build(&inputs)).map(Some)
+        let law = entry.build(&inputs);
+        if law.is_err() {
+            // An ellipse beyond their table has its own key.
+            self.kalker(hertz)?;
+        }
+        self.physics("contact", law).map(Some)
     }
 
     /// How a contact with that friction creeps about a mean state, for a loop in which these creepages oscillate.
@@ -128,21 +133,8 @@ impl CheckedKeys {
     ) -> Result<BuiltContact, CaseError> {
         self.check_contact()?;
         let load = hertz.normal_force();
-        if self.creep_law_name() == CreepLawName::CARTER_3D {
-            let law = self.physics("contact", Carter3d::new(hertz, friction))?;
-            let mut rolling = self.physics(mean_key(mean), QuasiStatic::new(law, load, mean))?;
-            if self.feels_waves() {
-                rolling = rolling.on_waves(|curvature| {
-                    let hertz = self.curved(hertz, curvature)?;
-                    self.physics("contact", Carter3d::new(hertz, friction))
-                })?;
-            }
-            return Ok(BuiltContact {
-                rolling: self.answering(rolling, hertz),
-                carter: Some(law),
-            });
-        }
-        let rolling = match self.creep_law(hertz, friction)? {
+        let law = self.creep_law(hertz, friction)?;
+        let rolling = match law.clone() {
             None => {
                 let key = || {
                     let contact = &self.file.contact;
@@ -169,10 +161,7 @@ impl CheckedKeys {
                 self.answering(rolling, hertz)
             }
         };
-        Ok(BuiltContact {
-            rolling,
-            carter: None,
-        })
+        Ok(BuiltContact { rolling, law })
     }
 
     /// A law that answers at once, or late by a spring.

@@ -37,14 +37,27 @@ impl CheckedKeys {
         hertz: HertzContact,
         friction: f64,
     ) -> Result<CreepLaws, CaseError> {
+        let kalker = self.kalker(hertz)?;
         let inputs = self.creep_law_inputs(hertz, friction)?;
         let laws = CREEP_LAWS
             .iter()
             .map(|entry| Ok((entry, entry.build(&inputs)?)));
         Ok(CreepLaws {
-            kalker: inputs.kalker,
+            kalker,
             laws: self.physics("contact", laws.collect())?,
         })
+    }
+
+    /// Kalker's coefficients of an ellipse.
+    pub(crate) fn kalker(&self, hertz: HertzContact) -> Result<KalkerCoefficients, CaseError> {
+        let poisson_ratio = hertz.material().poisson_ratio();
+        let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
+        let key = if poisson_ratio < 0.0 {
+            "steel.poisson_ratio"
+        } else {
+            "contact.transverse_radius"
+        };
+        self.physics(key, kalker)
     }
 
     /// What a creep law is made of.
@@ -53,18 +66,9 @@ impl CheckedKeys {
         hertz: HertzContact,
         friction: f64,
     ) -> Result<CreepLawInputs, CaseError> {
-        let poisson_ratio = hertz.material().poisson_ratio();
-        let kalker = KalkerCoefficients::new(poisson_ratio, hertz.axis_ratio());
-        let key = if poisson_ratio < 0.0 {
-            "steel.poisson_ratio"
-        } else {
-            "contact.transverse_radius"
-        };
-        let kalker = self.physics(key, kalker)?;
         let polach = self.polach(friction)?;
         Ok(CreepLawInputs {
             hertz,
-            kalker,
             friction,
             falling_friction: polach.friction,
             slope_reduction: polach.reduction,

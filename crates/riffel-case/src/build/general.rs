@@ -2,15 +2,13 @@
 
 use std::sync::Arc;
 
-use riffel::contact::{Conformity, MeanState, MovingContact, OscillatingCreepages};
+use riffel::contact::{Conformity, CreepLaw, MeanState, MovingContact, OscillatingCreepages};
 use riffel::feedback::{Contact, Hubs};
 use riffel::receptance::{
     ContactPoint, SpatialRail, SpatialTrack, Structure, Supports, Twist, TwistSection, Uncoupled,
 };
 use riffel::wheelset::{Motion, Wheelset};
-use riffel::{
-    Carter3d, Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY,
-};
+use riffel::{Direction, ElasticMaterial, HertzContact, Loop, Rail, Receptance, STEEL_DENSITY};
 use riffel_keys::{CaseError, Message, Value, fixed, say};
 
 use super::ClosedLoop;
@@ -24,7 +22,7 @@ use crate::wheelset::CaseWheelset;
 struct Side {
     contact: Contact,
     hertz: HertzContact,
-    carter: Option<Carter3d>,
+    law: Option<Arc<dyn CreepLaw>>,
 }
 
 /// That the ellipse takes the rolling radius where the wheel is much flatter.
@@ -62,7 +60,7 @@ impl CheckedKeys {
         let damage = study.contact.damage.iter();
         remarks.extend(damage.flat_map(|damage| self.damage_remarks(damage)));
         let steady = study.contact.rolling.steady();
-        let (hertz, carter) = (study.hertz, study.carter);
+        let (hertz, law) = (study.hertz, study.law);
         remarks.extend(of_flatness(&keys.contact));
         let mut sides = vec![study.contact];
         let mut points = vec![(keys.rail, keys.contact.lateral_offset)];
@@ -122,7 +120,7 @@ impl CheckedKeys {
             feedback,
             hertz,
             steady,
-            carter,
+            law,
             wheelset,
             spatial_track: spatial,
             lateral_resonances: lateral_resonances.unwrap_or_default(),
@@ -204,7 +202,7 @@ impl CheckedKeys {
                 damage: self.damage(hertz, &steady, track)?,
             },
             hertz,
-            carter: built.carter,
+            law: built.law,
         })
     }
 

@@ -11,13 +11,13 @@ mod wheelset;
 use riffel_keys::{CaseError, Message, say};
 use std::sync::Arc;
 
-use riffel::contact::MeanRolling;
+use riffel::contact::{CreepLaw, MeanRolling};
 use riffel::feedback::{Hubs, OneWheel};
 use riffel::receptance::{ResonanceKind, SpatialTrack};
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
-    Axis, Carter3d, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear,
-    Receptance, WearCorners as Corners, WearRegimes,
+    Axis, Direction, ElasticMaterial, EnergyWear, HertzContact, Loop, PlaceOfWear, Receptance,
+    WearCorners as Corners, WearRegimes,
 };
 
 pub(crate) use contact::{CreepInTime, mean_key};
@@ -32,28 +32,22 @@ use crate::window::Window;
 
 /// What is built of the keys of a case.
 pub(crate) struct BuiltCase {
-    pub(crate) feedback: Loop,
     pub(crate) track: Track,
-    pub(crate) hertz: HertzContact,
-    pub(crate) steady: MeanRolling,
-    pub(crate) carter: Option<Carter3d>,
-    pub(crate) wheelset: Option<Arc<CaseWheelset>>,
-    pub(crate) spatial_track: Option<SpatialTrack>,
-    pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
+    pub(crate) closed: ClosedLoop,
     pub(crate) wavelength: Axis,
     pub(crate) speed: Axis,
     pub(crate) remarks: Vec<Message>,
 }
 
 /// A loop with its contact under study.
-struct ClosedLoop {
-    feedback: Loop,
-    hertz: HertzContact,
-    steady: MeanRolling,
-    carter: Option<Carter3d>,
-    wheelset: Option<Arc<CaseWheelset>>,
-    spatial_track: Option<SpatialTrack>,
-    lateral_resonances: Vec<(ResonanceKind, f64)>,
+pub(crate) struct ClosedLoop {
+    pub(crate) feedback: Loop,
+    pub(crate) hertz: HertzContact,
+    pub(crate) steady: MeanRolling,
+    pub(crate) law: Option<Arc<dyn CreepLaw>>,
+    pub(crate) wheelset: Option<Arc<CaseWheelset>>,
+    pub(crate) spatial_track: Option<SpatialTrack>,
+    pub(crate) lateral_resonances: Vec<(ResonanceKind, f64)>,
     remarks: Vec<Message>,
 }
 
@@ -62,35 +56,24 @@ impl CheckedKeys {
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
         let (wavelength, speed) = self.window()?;
         let (track, closed) = self.close()?;
-        let ClosedLoop {
-            feedback,
-            hertz,
-            steady,
-            carter,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
-            remarks: of_loop,
-        } = closed;
         let mut remarks = self.text.remarks.clone();
         remarks.extend(track.remarks.iter().cloned());
-        remarks.extend(of_loop);
-        let axes = [wavelength, speed];
+        remarks.extend(closed.remarks.iter().cloned());
         if self.window != Window::BesideAnother {
-            let wheelset = wheelset.as_deref();
+            let wheelset = closed.wheelset.as_deref();
+            let (feedback, axes) = (&closed.feedback, [wavelength, speed]);
             remarks.extend(validity::remarks(
-                self, &track, wheelset, &feedback, hertz, axes,
+                self,
+                &track,
+                wheelset,
+                feedback,
+                closed.hertz,
+                axes,
             ));
         }
         Ok(BuiltCase {
-            feedback,
             track,
-            hertz,
-            steady,
-            carter,
-            wheelset,
-            spatial_track,
-            lateral_resonances,
+            closed,
             wavelength,
             speed,
             remarks,
@@ -143,7 +126,7 @@ impl CheckedKeys {
                 .with_damage(|_| damage.clone()),
             hertz,
             steady,
-            carter: contact.carter,
+            law: contact.law,
             wheelset: None,
             spatial_track: None,
             lateral_resonances: Vec::new(),

@@ -156,7 +156,7 @@ impl CheckedKeys {
         let folder = self
             .folder
             .as_ref()
-            .ok_or_else(|| Self::names_a_file(&self.text, "track.measurement.file"))?;
+            .ok_or_else(|| self.text.names_a_file("track.measurement.file"))?;
         let measured = measurement::read(measurement, folder).map_err(|error| {
             let key = match error.key {
                 "" => "track.measurement".to_owned(),

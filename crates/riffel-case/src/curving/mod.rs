@@ -17,9 +17,7 @@ use riffel_keys::{CaseError, Message, say, text_file};
 use serde::Deserialize;
 
 use self::build::is_cone;
-use crate::Case;
 use crate::case_text::CaseText;
-use crate::checked_keys::CheckedKeys;
 use crate::file::{CreepLawName, CurvingFile, CurvingLaw, Wheelset};
 use crate::model::half;
 
@@ -79,22 +77,11 @@ impl CurvingCase {
         Self::build(name, Path::new(""), text, overrides)
     }
 
-    /// The tables of curving of an ordinary case, with overrides after those it was read with.
-    ///
-    /// # Errors
-    /// As [`read`](Self::read).
-    pub fn of_case(case: &Case, overrides: &[String]) -> Result<Self, CaseError> {
-        let mut text = case.unfilled.clone();
-        text.apply(overrides)?;
-        let folder = case.keys.folder.as_deref().unwrap_or(Path::new(""));
-        Self::of_text(text, folder)
-    }
-
     /// The tables of curving of a text; without a folder its profiles may be no files.
     pub(crate) fn of_tables(text: CaseText, folder: Option<&Path>) -> Result<Self, CaseError> {
         let case = Self::of_text(text, folder.unwrap_or(Path::new("")))?;
         match (folder, case.key_of_a_profile_file()) {
-            (None, Some(key)) => Err(CheckedKeys::names_a_file(&case.text, key)),
+            (None, Some(key)) => Err(case.text.names_a_file(key)),
             _ => Ok(case),
         }
     }
@@ -117,7 +104,7 @@ impl CurvingCase {
         Self::of_text(text, folder)
     }
 
-    fn of_text(mut text: CaseText, folder: &Path) -> Result<Self, CaseError> {
+    pub(crate) fn of_text(mut text: CaseText, folder: &Path) -> Result<Self, CaseError> {
         const KEY: &str = "contact.creep_law";
         text.fill_in()?;
         keys::refuse_unknown(&text.keys)?;

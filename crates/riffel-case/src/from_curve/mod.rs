@@ -17,7 +17,6 @@ use riffel_keys::{CaseError, say};
 use serde::Deserialize;
 
 use crate::case_text::CaseText;
-use crate::checked_keys::CheckedKeys;
 use crate::curving::CurvingCase;
 use crate::file::FromCurve;
 pub(crate) use equilibrium::Equilibrium;
@@ -54,7 +53,7 @@ impl CaseText {
             return self.fill_in_of(&from, known, true);
         }
         if from.curve.is_some() && folder.is_none() {
-            return Err(CheckedKeys::names_a_file(self, "contact.from.curve"));
+            return Err(self.names_a_file("contact.from.curve"));
         }
         if from.curve.is_some()
             && let Some(table) = ["curve", "bogie", "body", "profiles"]

@@ -1,10 +1,7 @@
 //! The contacts of a case in time.
 
 use riffel_keys::{CaseError, Message, say};
-use std::sync::Arc;
-
 use riffel::Rail;
-use riffel::contact::CreepLaw;
 use riffel::feedback::Contact;
 use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime};
 
@@ -33,14 +30,9 @@ impl Case {
     /// The contact of one wheel along one axis.
     fn one_contact_in_time(&self, of_loop: &Contact) -> Result<ContactInTime, CaseError> {
         let (keys, friction) = (&self.keys, self.steady.friction);
-        // The paper's law does without Kalker's coefficients, which have a table that ends.
-        let law = match self.carter {
-            Some(carter) => Some(Arc::new(carter) as Arc<dyn CreepLaw>),
-            None => keys.creep_law(self.hertz, friction)?,
-        };
-        let CreepInTime { law, late, wave } = match law {
+        let CreepInTime { law, late, wave } = match &self.law {
             Some(law) => CreepInTime {
-                law,
+                law: law.clone(),
                 late: None,
                 wave: None,
             },

@@ -3,10 +3,7 @@
 use riffel::Complex64;
 use riffel_case::{Case, NOMINAL_CASE};
 
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", text, &overrides).unwrap()
-}
+use crate::case;
 
 /// Equal but for a share.
 fn alike(one: f64, other: f64, share: f64) {

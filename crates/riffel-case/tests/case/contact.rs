@@ -6,8 +6,7 @@ use riffel_keys::CaseError;
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {
     // A coarse grid: these tests ask whether, not how well.
     let overrides = [&["contact.grid=16"], overrides].concat();
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &overrides)
+    crate::parsed(NOMINAL_CASE, &overrides)
 }
 
 #[test]
@@ -41,7 +40,7 @@ fn every_creep_law_takes_either_mean_state() {
 #[test]
 fn non_steady_is_exact() {
     let case = case(&["contact.response=non-steady"]).unwrap();
-    assert!(case.carter.is_none());
+    assert!(case.law.is_none());
     assert!((1e3 * case.hertz.semi_axis_longitudinal() - 5.9437).abs() < 1e-3);
     let state = case.feedback.at(0.05, 20.0);
     assert!(state.response.by_longitudinal.force[0].im != 0.0);

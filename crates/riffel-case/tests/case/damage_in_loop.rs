@@ -15,8 +15,7 @@ const DAMAGE: &str = "\n[damage]\nshear_yield = \"230 MPa\"\nlimit = \"line\"\n\
     fatigue = { thresholds = [\"0.2 N\", \"1 N\", \"3 N\"], peak = 1e-5, loss = \"1 mm\" }\n";
 
 fn case(text: &str, damage: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Case::parse("case.toml", &format!("{text}{damage}"), &overrides).unwrap()
+    crate::parsed(&format!("{text}{damage}"), overrides).unwrap()
 }
 
 const METRO: &str = include_str!("../../cases/metro.toml");
@@ -316,8 +315,7 @@ fn bad_inputs_are_refused() {
         ),
         ("", vec!["wear.spread=0.5"], vec!["wear.spread", "usfd"]),
     ] {
-        let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-        let error = Case::parse("case.toml", &format!("{METRO}{damage}"), &overrides);
+        let error = crate::parsed(&format!("{METRO}{damage}"), &overrides);
         let error = match error {
             Ok(_) => panic!("{damage} {overrides:?}"),
             Err(error) => {

@@ -14,8 +14,7 @@ const TWIST: &str = include_str!("../general-loop/twist.toml");
 const TRAIN: &str = include_str!("../general-loop/eight-wheels.toml");
 
 fn error(text: &str, overrides: &[&str]) -> CaseError {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    let error = Case::parse("case.toml", text, &overrides).err();
+    let error = crate::parsed(text, overrides).err();
     error.expect("this case must be refused")
 }
 

@@ -4,16 +4,13 @@ use riffel::Complex64;
 use riffel_case::model::{FieldModel, Joint, ModelOnCase, NotOnCase};
 use riffel_case::{BHASKAR_TRACK_CASE, Case, MAIN_LINE_CASE, NOMINAL_CASE};
 
+use crate::case;
+
 /// A flexible wheelset in a curve, both wheels sliding across.
 const CURVE: &str = include_str!("../../cases/curve.toml");
 
 /// A wheelset whose preset brings the rolling radius.
 const TRAM: &str = include_str!("../../cases/wheelset-tram.toml");
-
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", text, &overrides).unwrap()
-}
 
 fn on(case: &Case, name: &str) -> Result<ModelOnCase, NotOnCase> {
     ModelOnCase::new(case, FieldModel::find(name).unwrap().joints)

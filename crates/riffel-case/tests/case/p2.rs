@@ -3,12 +3,10 @@
 use std::f64::consts::TAU;
 
 use riffel::receptance::ResonanceKind;
-use riffel_case::Case;
 
 /// P2 found and in closed form \[Hz\].
 fn p2(text: &str, overrides: &[&str]) -> (f64, f64) {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    let case = Case::parse("case.toml", text, &overrides).unwrap();
+    let case = crate::parsed(text, overrides).unwrap();
     let found: Vec<f64> = case
         .resonances()
         .iter()

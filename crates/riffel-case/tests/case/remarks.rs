@@ -4,10 +4,7 @@ use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::{Language, Message};
 
 fn remarks(overrides: &[&str]) -> Vec<Message> {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &overrides)
-        .unwrap()
-        .remarks
+    crate::parsed(NOMINAL_CASE, overrides).unwrap().remarks
 }
 
 /// The numbers of a sentence, smallest first, with a decimal point.

@@ -6,8 +6,7 @@ use riffel_case::{Case, NOMINAL_CASE};
 use riffel_keys::CaseError;
 
 fn case(overrides: &[&str]) -> Result<Case, CaseError> {
-    let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &overrides)
+    crate::parsed(NOMINAL_CASE, overrides)
 }
 
 fn message(overrides: &[&str]) -> String {

@@ -1,12 +1,17 @@
 //! Traffic files, files of changes and surveys as users write them.
 
-use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::traffic::{Traffic, TrafficOnCase, bands_of};
 use riffel_case::{Case, NOMINAL_CASE, TRAFFIC, Variant};
 use riffel_keys::CaseError;
 use riffel_rail::{Layout, RoughnessFile, Survey};
 
 fn nominal() -> Case {
     Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap()
+}
+
+/// What the traffic makes of the case as it is.
+fn on(traffic: &Traffic, case: &Case) -> Result<TrafficOnCase, CaseError> {
+    traffic.on(case, &bands_of(case), &Variant::none(""), &|_| {})
 }
 
 const VEHICLE: &str = "[[vehicle]]\nname = \"unit\"\nshare = 1\n";
@@ -16,7 +21,7 @@ const SPEED: &str = "speed = { mean = 30 }\n";
 fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
     let traffic = Traffic::parse("traffic.toml", TRAFFIC)?;
     let case = nominal();
-    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+    let on = on(&traffic, &case)?;
     assert_eq!(on.passages_per_day, Some(6000.0));
     // 0.55 · 13 t + 0.05 · 21 t + 0.4 · 16 t.
     assert!((on.growth.axle_mass() - 14_600.0).abs() < 1e-6);
@@ -35,7 +40,7 @@ fn the_example_runs_on_the_nominal_case() -> Result<(), CaseError> {
 fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
     let case = nominal();
     let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}"))?;
-    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+    let on = on(&traffic, &case)?;
     let wavelength = on.growth.wavelengths()[50];
     let expected = case.feedback.at(wavelength, 30.0).growth_rate;
     assert!((on.growth.rates()[50] / expected - 1.0).abs() < 1e-12);
@@ -47,12 +52,7 @@ fn what_a_vehicle_leaves_out_is_of_the_case() -> Result<(), CaseError> {
 fn tonnes_a_year_are_axles_a_day() -> Result<(), CaseError> {
     let text = format!("[line]\nmgt_per_year = 20\n{VEHICLE}axle_load = \"20 t\"\n{SPEED}");
     let case = nominal();
-    let on = Traffic::parse("t.toml", &text)?.on(
-        &case,
-        &bands_of(&case),
-        &Variant::none(""),
-        &|_| {},
-    )?;
+    let on = on(&Traffic::parse("t.toml", &text)?, &case)?;
     let a_day = on.passages_per_day.unwrap();
     assert!((a_day / (1e6 / 365.2425) - 1.0).abs() < 1e-12, "{a_day}");
     Ok(())
@@ -64,12 +64,7 @@ fn keys_of_the_case_can_be_set_for_one_vehicle() -> Result<(), CaseError> {
         "[vehicle.set]\ncontact.friction = 0.3\nwheel = { rotation = \"constant-creepage\" }\n";
     let text = format!("{VEHICLE}{SPEED}creepage = \"0.03 %\"\n{set}");
     let case = nominal();
-    let on = Traffic::parse("t.toml", &text)?.on(
-        &case,
-        &bands_of(&case),
-        &Variant::none(""),
-        &|_| {},
-    )?;
+    let on = on(&Traffic::parse("t.toml", &text)?, &case)?;
     let changed = [
         "contact.friction=0.3",
         "contact.creepage=3e-4",
@@ -90,7 +85,7 @@ fn a_speed_without_its_unit_is_asked_about() -> Result<(), CaseError> {
         let text = format!("{VEHICLE}speed = {{ mean = {mean} }}\n");
         let case = nominal();
         let traffic = Traffic::parse("t.toml", &text)?;
-        let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+        let on = on(&traffic, &case)?;
         let remarks = on.remarks.into_iter();
         Ok(remarks
             .map(|remark| remark.to_string())
@@ -148,9 +143,7 @@ fn a_vehicle_that_the_case_refuses_is_named() {
         };
         let traffic = Traffic::parse("t.toml", &format!("{VEHICLE}{SPEED}{rest}")).unwrap();
         let case = nominal();
-        let error = traffic
-            .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
-            .unwrap_err();
+        let error = on(&traffic, &case).unwrap_err();
         assert!(
             error.to_string().contains(key) && error.to_string().contains(rule),
             "{error}"
@@ -243,7 +236,7 @@ fn unusual_amounts_are_asked_about() {
     };
     let case = Case::parse("case.toml", NOMINAL_CASE, &[]).unwrap();
     let remarks = |amount: &str| -> Vec<String> {
-        let on = traffic(amount).on(&case, &bands_of(&case), &Variant::none(""), &|_| ());
+        let on = on(&traffic(amount), &case);
         on.unwrap()
             .remarks
             .iter()
@@ -306,7 +299,7 @@ fn a_vehicle_brings_its_wheelset() -> Result<(), CaseError> {
         "{VEHICLE}creepage = {{ lateral = \"0.2 %\", longitudinal = \"0.1 %\" }}\n{SPEED}[vehicle.set.wheelset]\n{WHEELSET}"
     );
     let traffic = Traffic::parse("t.toml", &text)?;
-    let on = traffic.on(&case, &bands_of(&case), &Variant::none(""), &|_| {})?;
+    let on = on(&traffic, &case)?;
 
     let alone = NOMINAL_CASE.replacen("mass = \"350 kg\"", "", 1).replacen(
         "tractive_ratio = 0.1",
@@ -349,9 +342,7 @@ fn what_a_vehicle_cannot_bring() -> Result<(), CaseError> {
         let case = Case::parse("case.toml", NOMINAL_CASE, &overrides)?;
         let error = match Traffic::parse("t.toml", &format!("{VEHICLE}{key}{SPEED}")) {
             Err(error) => error,
-            Ok(traffic) => traffic
-                .on(&case, &bands_of(&case), &Variant::none(""), &|_| {})
-                .unwrap_err(),
+            Ok(traffic) => on(&traffic, &case).unwrap_err(),
         };
         let words = format!("{error} {}", error.in_words());
         assert!(words.contains(expected), "{words}");

@@ -5,8 +5,7 @@ use riffel_case::model::{FieldModel, ModelOnCase};
 use riffel_case::{Case, NOMINAL_CASE, Point};
 
 fn case(overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(ToString::to_string).collect();
-    Case::parse("case.toml", NOMINAL_CASE, &overrides).unwrap()
+    crate::parsed(NOMINAL_CASE, overrides).unwrap()
 }
 
 /// e₁/(e₀Δ) at the rail \[1/m\].

@@ -7,12 +7,9 @@ use riffel::passage::{Evolution, EvolutionStep, Sinusoid};
 use riffel::roughness::Profile;
 use riffel_case::{Case, NOMINAL_CASE};
 
-const TRAILER: &str = include_str!("../../../../cases/wheelset-metro-trailer.toml");
+use crate::case;
 
-fn case(text: &str, overrides: &[&str]) -> Case {
-    let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
-    Case::parse("case", text, &overrides).unwrap()
-}
+const TRAILER: &str = include_str!("../../../../cases/wheelset-metro-trailer.toml");
 
 /// A flexible wheelset on a track whose layers are viscous, so that nothing of it is cut.
 fn trailer(overrides: &[&str]) -> Case {

@@ -6,8 +6,7 @@ use riffel_keys::Language;
 /// A case whose wheelset is that of a preset, with overrides.
 fn case(overrides: &[&str]) -> Result<Case, riffel_keys::CaseError> {
     let text = include_str!("../../cases/wheelset-metro-trailer.toml");
-    let overrides: Vec<String> = overrides.iter().map(|&key| key.to_owned()).collect();
-    Case::parse("case.toml", text, &overrides)
+    crate::parsed(text, overrides)
 }
 
 /// Mass \[kg\] of the wheelset.

@@ -3,10 +3,9 @@
 use std::path::PathBuf;
 
 use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRail};
-use riffel_answers::roughness::band_row;
 use riffel_rail::AxleBoxFile;
 
-use super::roughness::{grind_table, limits};
+use super::roughness::{bands_table, grind_table, limits};
 use crate::arguments::{AxleBox, stem};
 use crate::messages::print_remarks;
 use crate::output::{Progress, json, print, table};
@@ -89,22 +88,7 @@ fn readable(answer: &AxleBoxAnswer) -> String {
         }
     }
     text += &format!("{rows}\n");
-    let mut rows = table(&[
-        "rail",
-        "band mm",
-        "rms µm",
-        "highest moving rms µm",
-        "highest peak-to-peak µm",
-        "window m",
-        "limit µm",
-        "over limit",
-    ]);
-    for rail in &answer.rails {
-        for band in &rail.rail.analysis.bands {
-            rows.add_row(band_row(&rail.rail.name, band));
-        }
-    }
-    text += &format!("{rows}\n");
+    text += &bands_table(answer.rails.iter().map(|rail| &rail.rail));
     for verdict in answer.rails.iter().flat_map(|rail| &rail.rail.verdicts) {
         text += &format!("{}\n", verdict.sentence);
     }

@@ -31,11 +31,7 @@ pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
     };
     let case = arguments.case.read()?;
     let answer = compare(&case, arguments, survey)?;
-    let results = Results {
-        command: "compare",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("compare", &arguments.case, &arguments.results);
     let document = || json(&answer.document(&case));
     results.hand_out(
         document,

@@ -31,11 +31,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
         ContactAnswer::new(theories, request, || progress.advance(1)).map_err(of_argument)?;
     drop(progress);
 
-    let results = Results {
-        command: "contact",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("contact", &arguments.case, &arguments.results);
     results.hand_out(
         || json(&answer.document()),
         |staging| {
@@ -59,12 +55,7 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
 fn stress(arguments: &Contact, contact: &CaseContact) -> miette::Result<()> {
     let points: Vec<[f64; 3]> = arguments.stress_at.iter().map(|point| point.0).collect();
     let answer = StressAnswer::new(contact, &points)?;
-    Results {
-        command: "contact",
-        case: &arguments.case,
-        to: &arguments.results,
-    }
-    .answer(&answer)?;
+    Results::of("contact", &arguments.case, &arguments.results).answer(&answer)?;
     Ok(())
 }
 

@@ -15,11 +15,7 @@ pub(crate) fn run(arguments: &Curve) -> miette::Result<()> {
     let case = arguments.case.read_curving()?;
     let radii = radii(arguments, &case)?;
     let answer = CurveAnswer::new(&case)?;
-    let results = Results {
-        command: "curve",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("curve", &arguments.case, &arguments.results);
     results.hand_out(
         || json(&answer.document(radii.as_deref())),
         |staging| {

@@ -66,11 +66,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         answer.observations = Some(ObservationCount::new(&case, &observations));
     }
     let document = json(&answer.document(&case));
-    let results = Results {
-        command: "map",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("map", &arguments.case, &arguments.results);
     results.hand_out(
         || document.clone(),
         |staging| {

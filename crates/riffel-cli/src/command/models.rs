@@ -26,11 +26,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
     };
     let answer = ModelsAnswer::new(&case, &request, &|by| progress.advance(by))?;
     drop(progress);
-    let results = Results {
-        command: "models",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("models", &arguments.case, &arguments.results);
     let document = || json(&answer.document(&case));
     results.hand_out(
         document,

@@ -69,12 +69,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     answer.over_posterior = over(draws.as_ref(), |draws, progress| {
         question.over(draws, progress)
     })?;
-    Results {
-        command: "noise",
-        case: &arguments.case,
-        to: &arguments.results,
-    }
-    .answer(&answer)?;
+    Results::of("noise", &arguments.case, &arguments.results).answer(&answer)?;
     print_remarks(&survey.warnings);
     print_remarks(&case.remarks);
     Ok(())

@@ -184,9 +184,15 @@ fn readable(case: &Case, state: &LoopState) -> String {
         )
     };
     let full_slip = case
-        .carter
-        .map(|law| law.saturation_creepage())
-        .map(|creepage| format!(" (full slip from {:.4} %)", 100.0 * creepage))
+        .law
+        .as_ref()
+        .and_then(|law| law.own_slope())
+        .map(|slope| {
+            format!(
+                " (full slip from {:.4} %)",
+                100.0 * slope.saturation_creepage
+            )
+        })
         .unwrap_or_default();
     let damage = damage(case, state);
     format!(

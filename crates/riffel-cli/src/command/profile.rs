@@ -21,11 +21,7 @@ const LARGEST_YAW: f64 = 0.1;
 
 pub(crate) fn run(arguments: &Profile) -> miette::Result<()> {
     let named = CaseArguments::of(&arguments.files[0], &arguments.overrides);
-    let results = Results {
-        command: "profile",
-        case: &named,
-        to: &arguments.results,
-    };
+    let results = Results::of("profile", &named, &arguments.results);
     if arguments.wheelset {
         return on_track(arguments, &named, &results);
     }

@@ -28,10 +28,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
         DirectionArgument::Longitudinal => Direction::Longitudinal,
     };
     let track = case.track_in(direction)?;
-    let speed = match &arguments.speed {
-        Some(speed) => speed.within("--speed")?,
-        None => case.speed.max(),
-    };
+    let speed = speed(arguments, &case)?;
     let (from, to) = range(arguments, &track)?;
     let request = ReceptanceRequest {
         direction,
@@ -41,11 +38,7 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     let answer = ReceptanceAnswer::new(&case, request)?;
     // Only files and words tell it.
     let decay = LazyCell::new(|| answer.decay());
-    let results = Results {
-        command: "receptance",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("receptance", &arguments.case, &arguments.results);
     results.hand_out(
         || json(&answer.document()),
         |staging| {
@@ -65,12 +58,17 @@ pub(crate) fn run(arguments: &Receptance) -> miette::Result<()> {
     Ok(())
 }
 
+/// Speed of the load \[m/s\], by default the highest of the map.
+fn speed(arguments: &Receptance, case: &Case) -> Result<f64, CliError> {
+    match &arguments.speed {
+        Some(speed) => speed.within("--speed"),
+        None => Ok(case.speed.max()),
+    }
+}
+
 /// Track and wheel along all axes.
 fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
-    let speed = match &arguments.speed {
-        Some(speed) => speed.within("--speed")?,
-        None => case.speed.max(),
-    };
+    let speed = speed(arguments, case)?;
     let frequencies = match &arguments.frequencies[..] {
         [] => {
             let (from, to) = range(arguments, &case.track)?;
@@ -79,11 +77,7 @@ fn matrix(arguments: &Receptance, case: &Case) -> miette::Result<()> {
         listed => within("--frequencies", listed)?,
     };
     let answer = MatrixAnswer::new(case, speed, frequencies)?;
-    let results = Results {
-        command: "receptance",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("receptance", &arguments.case, &arguments.results);
     results.hand_out(
         || json(&answer.document()),
         |staging| {

@@ -14,10 +14,6 @@ pub(super) fn run(arguments: &Compare) -> miette::Result<()> {
     let progress = Progress::new("growth with remedies", RemediesAnswer::steps(&case));
     let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|by| progress.advance(by))?;
     drop(progress);
-    let results = Results {
-        command: "remedies",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("remedies", &arguments.case, &arguments.results);
     Ok(results.answer(&answer)?)
 }

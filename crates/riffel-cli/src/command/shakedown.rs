@@ -27,11 +27,6 @@ pub(crate) fn run(arguments: &Shakedown) -> miette::Result<()> {
             .transpose()?,
     };
     let answer = question.answer(&case)?;
-    Results {
-        command: "shakedown",
-        case: &arguments.case,
-        to: &arguments.results,
-    }
-    .answer(&answer)?;
+    Results::of("shakedown", &arguments.case, &arguments.results).answer(&answer)?;
     Ok(())
 }

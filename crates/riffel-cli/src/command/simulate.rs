@@ -152,11 +152,7 @@ fn along_profile(
 }
 
 fn results(arguments: &Simulate) -> Results<'_> {
-    Results {
-        command: "simulate",
-        case: &arguments.case,
-        to: &arguments.results,
-    }
+    Results::of("simulate", &arguments.case, &arguments.results)
 }
 
 /// What a passage was like, for the terminal.

@@ -15,11 +15,6 @@ pub(crate) fn run(arguments: &Stability) -> miette::Result<()> {
     let answer = with_progress("stability", friction.len(), |advance| {
         StabilityMap::new(&case, &friction, advance)
     })?;
-    Results {
-        command: "stability",
-        case: &arguments.case,
-        to: &arguments.results,
-    }
-    .answer(&answer)?;
+    Results::of("stability", &arguments.case, &arguments.results).answer(&answer)?;
     Ok(())
 }

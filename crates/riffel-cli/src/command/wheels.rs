@@ -15,11 +15,7 @@ pub(super) fn run(arguments: &Map) -> miette::Result<()> {
     let progress = Progress::new("growth under the wheels", WheelsAnswer::rows(&case));
     let answer = WheelsAnswer::new(&case, |rows| progress.advance(rows))?;
     drop(progress);
-    let results = Results {
-        command: "wheels",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("wheels", &arguments.case, &arguments.results);
     let document = || json(&answer.document(&case));
     results.hand_out(
         document,

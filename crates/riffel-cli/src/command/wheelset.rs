@@ -26,11 +26,7 @@ pub(crate) fn run(arguments: &Wheelset) -> miette::Result<()> {
         listed => within("--frequencies", listed)?,
     };
     let answer = WheelsetAnswer::new(&case, frequencies)?;
-    let results = Results {
-        command: "wheelset",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("wheelset", &arguments.case, &arguments.results);
     results.hand_out(
         || json(&answer.document()),
         |staging| {

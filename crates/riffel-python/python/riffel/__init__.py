@@ -22,10 +22,11 @@ if TYPE_CHECKING:
     from riffel import roughness
     from riffel._calibration import LogPosterior, calibrate, decide, draws
     from riffel._case import Case
-    from riffel._curving import contact_geometry, contact_under_load, curve, profile, profile_wear
+    from riffel._curving import contact_geometry, contact_under_load, curve
     from riffel._matlab import to_matlab
     from riffel._models import compare_models
     from riffel._network import Network
+    from riffel._profile import profile, profile_wear
     from riffel._receptance import receptance_from_uff
     from riffel._riffel import VERSION as __version__
     from riffel._riffel import ConvergenceError, ReceptanceError, presets
@@ -78,8 +79,8 @@ _HOMES = {
     "merge_studies": "riffel._study",
     "open_results": "riffel._study",
     "presets": "riffel._riffel",
-    "profile": "riffel._curving",
-    "profile_wear": "riffel._curving",
+    "profile": "riffel._profile",
+    "profile_wear": "riffel._profile",
     "receptance_from_uff": "riffel._receptance",
     "study_summary": "riffel._study",
     "to_matlab": "riffel._matlab",

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -24,5 +24,19 @@ def coordinate(name: str, values: npt.ArrayLike, attributes: Mapping[str, Any]) 
 
 def attributes(title: str | None) -> dict[str, Any]:
     """Attributes of every result."""
-    named = {"title": title} if title is not None else {}
-    return {**named, **CONVENTIONS}
+    return {**titled(title), **CONVENTIONS}
+
+
+def titled(title: str | None) -> dict[str, Any]:
+    """The title as an attribute, if there is one."""
+    return {} if title is None else {"title": title}
+
+
+def said(units: str, name: str) -> dict[str, str]:
+    """Units and long name of a variable."""
+    return {"units": units, "long_name": name}
+
+
+def along(dimension: str, values: Sequence[float], units: str, name: str) -> tuple[str, Sequence[float], dict[str, str]]:
+    """Values along a dimension, with units and long name."""
+    return dimension, values, said(units, name)

@@ -37,6 +37,21 @@ pub(super) struct AxleBoxHead {
     pub(super) remarks: Vec<String>,
 }
 
+impl AxleBoxHead {
+    /// Of signals at even times.
+    pub(super) fn of_samples<S>(names: Vec<String>, rate: f64, places: &Places<S>) -> Self {
+        Self {
+            names,
+            rate,
+            clock: None,
+            place: places.by,
+            witness: places.witness_by,
+            counting: Counting::Samples,
+            remarks: Vec::new(),
+        }
+    }
+}
+
 /// How a run tells where the train is.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum PlaceBy {

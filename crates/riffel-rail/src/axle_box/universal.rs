@@ -12,7 +12,7 @@ use riffel_keys::{CaseError, Exponents, Unit};
 
 use super::columns::Content;
 use super::head::Signals as Found;
-use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
+use super::head::{AxleBoxHead, AxleBoxLayout, Row, unreadable};
 use crate::refusal::Refusal;
 
 /// Share by which steps of signals may differ that are one: they are printed with six digits.
@@ -130,15 +130,7 @@ impl AxleBoxUniversal {
                 "the file says {rate} samples a second; leave out --rate"
             ));
         }
-        let head = AxleBoxHead {
-            names,
-            rate,
-            clock: None,
-            place: places.by,
-            witness: places.witness_by,
-            counting: Counting::Samples,
-            remarks: Vec::new(),
-        };
+        let head = AxleBoxHead::of_samples(names, rate, &places);
         let read = Self {
             channels,
             place: places.signal,

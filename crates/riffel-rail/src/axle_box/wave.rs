@@ -6,7 +6,7 @@ use riffel_keys::CaseError;
 use riffel_keys::table::Heading;
 
 use super::columns::{Content, channel_name, content};
-use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, Signals};
+use super::head::{AxleBoxHead, AxleBoxLayout, Row, Signals};
 use super::riff::{Wave, WaveError};
 use crate::refusal::Refusal;
 
@@ -93,15 +93,7 @@ impl AxleBoxWave {
                 "the file says {rate} samples a second; leave out --rate"
             )));
         }
-        let head = AxleBoxHead {
-            names,
-            rate,
-            clock: None,
-            place: places.by,
-            witness: places.witness_by,
-            counting: Counting::Samples,
-            remarks: Vec::new(),
-        };
+        let head = AxleBoxHead::of_samples(names, rate, &places);
         let read = Self {
             channels: signals.channels,
             place: places.signal,

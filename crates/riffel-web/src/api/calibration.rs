@@ -8,7 +8,7 @@ use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::file_headers::kind_and_length;
+use super::numbered::{self, Removal};
 use super::roughness::CASE_FILE;
 use crate::Page;
 use crate::calibrations::{Calibration, Drawn};
@@ -31,25 +31,9 @@ pub(crate) async fn data(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Told<Value>, Refusal> {
-    let (kind, announced) = kind_and_length(&headers);
     let own = page.calibrations.begin(asker.owner()?, &page.uploads)?;
-    let received = page
-        .uploads
-        .receive_numbered(
-            own.folder.path(),
-            &own.data,
-            "data",
-            kind,
-            (announced, body),
-        )
-        .await?;
-    let (number, bytes) = received;
-    Ok(Told(json!({ "number": number, "bytes": bytes })))
-}
-
-#[derive(Deserialize)]
-pub(crate) struct Removal {
-    number: u32,
+    let place = (own.folder.path(), &own.data, "data");
+    numbered::receive(&page, place, &headers, body).await
 }
 
 pub(crate) async fn remove(

@@ -10,7 +10,7 @@ use riffel_rail::read_date;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use super::file_headers::kind_and_length;
+use super::numbered::{self, Removal};
 use super::reading::Reading;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
@@ -26,19 +26,9 @@ pub(crate) async fn post(
     headers: HeaderMap,
     body: Body,
 ) -> Result<Told<Value>, Refusal> {
-    let (kind, announced) = kind_and_length(&headers);
-    let owner = asker.owner()?;
-    let received = page
-        .uploads
-        .receive_earlier(&owner, kind, announced, body)
-        .await?;
-    let (number, bytes) = received;
-    Ok(Told(json!({ "number": number, "bytes": bytes })))
-}
-
-#[derive(Deserialize)]
-pub(crate) struct Removal {
-    number: u32,
+    let upload = page.uploads.of(&asker.owner()?)?;
+    let place = (upload.folder(), &upload.earlier, "earlier");
+    numbered::receive(&page, place, &headers, body).await
 }
 
 pub(crate) async fn remove(
@@ -202,10 +192,10 @@ mod tests {
         let upload = uploads.receive("a".to_owned(), "csv", None, body()).await;
         let upload = upload.unwrap();
         for _ in 0..2 {
-            uploads
-                .receive_earlier("a", "csv", None, body())
-                .await
-                .unwrap();
+            let files = (upload.folder(), &upload.earlier);
+            let received =
+                uploads.receive_numbered(files.0, files.1, "earlier", "csv", (None, body()));
+            received.await.unwrap();
         }
         let asked = |dates: &[Option<&str>], own| Earlier::new(&records(dates), own, &upload);
         let told = |dates: &[Option<&str>], own| {

@@ -8,6 +8,7 @@ pub(crate) mod earlier;
 pub(crate) mod export;
 mod file_headers;
 pub(crate) mod noise;
+mod numbered;
 pub(crate) mod questions;
 mod reading;
 pub(crate) mod report;

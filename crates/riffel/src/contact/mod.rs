@@ -32,7 +32,7 @@ pub use law::{CATALOGUE as CREEP_LAWS, CreepLawEntry, CreepLawInputs};
 pub use law::{
     Carter2d, Carter3d, ContactCell, CreepDerivatives, CreepEllipse, CreepForces, CreepLaw,
     Creepages, FallingFriction, Fastsim, ForceLimit, FullSliding, JohnsonVermeulen, LineContact,
-    Polach, ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
+    OwnSlope, Polach, ShenHedrickElkins, SlopeReduction, TractionBound, TractionDistribution,
 };
 pub use load_wear::LoadWear;
 pub use mean_state::{MeanRolling, MeanState};

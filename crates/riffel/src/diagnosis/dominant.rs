@@ -364,9 +364,7 @@ mod tests {
                 slope,
                 longest: 3.0,
             }),
-            spikes: Vec::new(),
-            pits: Vec::new(),
-            dropouts: Vec::new(),
+            ..Recipe::default()
         };
         let profile = Profile::new(0.0, 1e-3, recipe.heights().unwrap()).unwrap();
         FineSpectrum::of_record(&[profile]).unwrap()

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use num_complex::Complex64;
 
 use super::ContactInstant;
-use super::evolution::{series, spectrum};
+use super::fourier_series::{series, spectrum};
 use crate::damage::{Bending, Damage, DamageLaw, MomentaryDemand};
 use crate::feedback::{Contact, Loop};
 

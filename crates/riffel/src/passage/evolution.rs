@@ -4,10 +4,10 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 use rayon::prelude::*;
-use realfft::RealFftPlanner;
 
 use super::along_profile::{Roll, faded};
 use super::felt::Felt;
+use super::fourier_series::{series, spectrum};
 use super::{ContactInTime, ContactInstant, PassageModel};
 use crate::feedback::later_of_wave;
 use crate::roughness::Profile;
@@ -453,27 +453,4 @@ struct Change {
     /// Depth worn off everywhere \[m\].
     depth: f64,
     extremes: PassageExtremes,
-}
-
-/// Coefficients of the Fourier series, not scaled.
-pub(super) fn spectrum(values: &[f64]) -> Vec<Complex64> {
-    let transform = RealFftPlanner::new().plan_fft_forward(values.len());
-    let mut values = values.to_vec();
-    let mut waves = transform.make_output_vec();
-    // Lengths are those of the plan.
-    let _ = transform.process(&mut values, &mut waves);
-    waves
-}
-
-/// The values of a series.
-pub(super) fn series(mut waves: Vec<Complex64>, count: usize) -> Vec<f64> {
-    let transform = RealFftPlanner::new().plan_fft_inverse(count);
-    let mut values = transform.make_output_vec();
-    if count.is_multiple_of(2)
-        && let Some(last) = waves.last_mut()
-    {
-        last.im = 0.0;
-    }
-    let _ = transform.process(&mut waves, &mut values);
-    values.iter().map(|value| value / count as f64).collect()
 }

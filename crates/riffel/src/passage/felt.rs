@@ -4,7 +4,7 @@ use std::f64::consts::TAU;
 
 use num_complex::Complex64;
 
-use super::evolution::{series, spectrum};
+use super::fourier_series::{series, spectrum};
 use super::{ContactInTime, PassageModel};
 use crate::contact::ContactFilter;
 use crate::roughness::Profile;

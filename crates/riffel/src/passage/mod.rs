@@ -15,6 +15,7 @@ mod direction_in_time;
 mod eigenvalues;
 mod evolution;
 mod felt;
+mod fourier_series;
 mod hertz_spring;
 mod impulse_response;
 mod late_contact;

@@ -133,11 +133,8 @@ mod tests {
             length: 50.0,
             spacing: 1e-3,
             seed: 3,
-            sinusoids: Vec::new(),
             noise: Some(noise),
-            spikes: Vec::new(),
-            pits: Vec::new(),
-            dropouts: Vec::new(),
+            ..Recipe::default()
         };
         let heights = recipe.heights()?.into_iter().enumerate();
         let sloping = heights.map(|(index, height)| height + 1e-6 * index as f64);

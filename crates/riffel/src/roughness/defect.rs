@@ -344,9 +344,7 @@ mod tests {
                 slope: 10.0,
                 longest: 3.0,
             }),
-            spikes: Vec::new(),
-            pits: Vec::new(),
-            dropouts: Vec::new(),
+            ..Recipe::default()
         };
         recipe.heights().unwrap()
     }

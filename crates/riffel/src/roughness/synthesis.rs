@@ -14,7 +14,7 @@ use crate::normal_numbers::normal_pair;
 const MOST_SAMPLES: f64 = 1e8;
 
 /// What a profile is made of. All lengths, heights and positions in metres.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Default)]
 pub struct Recipe {
     /// Length of the profile.
     pub length: f64,
@@ -226,11 +226,7 @@ mod tests {
             length,
             spacing: 1e-3,
             seed: 1,
-            sinusoids: Vec::new(),
-            noise: None,
-            spikes: Vec::new(),
-            pits: Vec::new(),
-            dropouts: Vec::new(),
+            ..Recipe::default()
         }
     }
 

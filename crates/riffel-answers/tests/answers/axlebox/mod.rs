@@ -58,16 +58,13 @@ fn rail(length: f64) -> Profile {
         length,
         spacing: 1e-3,
         seed: 7,
-        sinusoids: Vec::new(),
         noise: Some(ColouredNoise {
             level: 5.0,
             wavelength: 0.1,
             slope: 15.0,
             longest: 1.5,
         }),
-        spikes: Vec::new(),
-        pits: Vec::new(),
-        dropouts: Vec::new(),
+        ..Recipe::default()
     };
     Profile::new(0.0, 1e-3, recipe.heights().unwrap()).unwrap()
 }

@@ -1,15 +1,11 @@
 //! Levels of one rail as they were measured: by a trolley at several dates, by axle boxes and beside the track.
 
-use std::path::Path;
-
 use riffel::roughness::ThirdOctave;
-use riffel_case::Case;
-use riffel_keys::CaseError;
 
+use super::axle_box::AxleBoxRun;
+use super::dated::DatedLevels;
 use super::pass_by::PassBys;
-use super::{LevelRow, table};
-use crate::file::Kind;
-use crate::kernel::Kernel;
+use super::row::Row;
 
 /// All that was measured of a rail.
 #[derive(Clone)]
@@ -77,6 +73,22 @@ impl MeasuredRail {
         rows
     }
 
+    /// Standard deviation of what two levels share \[dB\]: those of a date, of a run or of a site.
+    pub(super) fn shared_error(&self, one: &LevelRow, other: &LevelRow) -> f64 {
+        match (one.place, other.place) {
+            (RowPlace::Dated(_), RowPlace::Dated(_)) if one.passages == other.passages => {
+                self.dated.common_error
+            }
+            (RowPlace::Run(one, _), RowPlace::Run(other, _)) if one == other => {
+                self.runs[one].common_error
+            }
+            (RowPlace::PassBy(one, _), RowPlace::PassBy(other, _)) if one == other => {
+                self.pass_bys[one].common_error
+            }
+            _ => 0.0,
+        }
+    }
+
     pub(super) fn level_mut(&mut self, place: RowPlace) -> &mut f64 {
         match place {
             RowPlace::Dated(row) => &mut self.dated.rows[row].level,
@@ -86,127 +98,33 @@ impl MeasuredRail {
     }
 }
 
-/// Levels of a trolley.
-#[derive(Clone)]
-pub(crate) struct DatedLevels {
-    pub(crate) view: usize,
-    pub(crate) rows: Vec<Row>,
-    /// What was counted at the first date.
-    pub(crate) begins: f64,
-    /// Standard deviation of the level that the bands of a date share \[dB\].
-    pub(crate) common_error: f64,
-    pub(crate) missed: Option<Kernel>,
-}
+/// Places, each with its weight.
+pub(super) type Weights = Vec<(usize, f64)>;
 
-/// Levels of acceleration on an axle box.
-#[derive(Clone)]
-pub(crate) struct AxleBoxRun {
-    pub(crate) view: usize,
-    pub(crate) rows: Vec<Row>,
-    /// \[m/s\]
-    pub(crate) speed: f64,
-    pub(crate) common_error: f64,
-    pub(crate) missed: Option<Kernel>,
-}
-
-/// One level.
-#[derive(Debug, Clone, Copy)]
-pub(crate) struct Row {
-    pub(crate) band: ThirdOctave,
+/// A level with what its model needs.
+pub(super) struct LevelRow {
+    /// Where it stands in what was measured.
+    pub(super) place: RowPlace,
+    pub(super) view: usize,
     /// Since the first date.
-    pub(crate) passages: f64,
+    pub(super) passages: f64,
     /// \[dB\]
     pub(super) level: f64,
     pub(super) error: f64,
+    /// The bands that it is of, by how it changes with them.
+    pub(super) bands: Weights,
 }
 
-/// That the wavelengths of a table lie in the window of the case, as bands.
-fn bands(
-    numbers: &table::Numbers,
-    path: &Path,
-    case: &Case,
-) -> Result<Vec<ThirdOctave>, CaseError> {
-    let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
-    let bands = numbers.needed[0].iter().enumerate();
-    bands
-        .map(|(row, millimetres)| {
-            let refuse = |message: String| numbers.refuse(path, row, &message);
-            let band = ThirdOctave::centred(1e-3 * millimetres);
-            let band = band.map_err(|_| {
-                refuse(format!("`wavelength_mm` is {millimetres}, but must be the centre of a one-third octave"))
-            })?;
-            if band.wavelength() < shortest || band.wavelength() > longest {
-                return Err(refuse(format!(
-                    "`wavelength_mm` is {millimetres}, outside the window of the case, map.wavelength from {:.1} to {:.1} mm",
-                    1e3 * shortest,
-                    1e3 * longest
-                )));
-            }
-            Ok(band)
-        })
-        .collect()
-}
-
-/// The levels of a table, each with its passages.
-fn rows(
-    numbers: &table::Numbers,
-    path: &Path,
-    case: &Case,
-    passages: impl Fn(usize) -> f64,
-) -> Result<Vec<Row>, CaseError> {
-    let bands = bands(numbers, path, case)?;
-    let [level, error] = [1, 2].map(|column| &numbers.needed[column]);
-    let rule = "must be greater than zero";
-    numbers.check(path, "standard_error_db", error, rule, |e| e > 0.0)?;
-    let row = |(row, band)| Row {
-        band,
-        passages: passages(row),
-        level: level[row],
-        error: error[row],
-    };
-    Ok(bands.into_iter().enumerate().map(row).collect())
-}
-
-impl DatedLevels {
-    /// The rows of a table, and the passages that were counted at the first date.
-    pub(crate) fn rows(path: &Path, case: &Case) -> Result<(Vec<Row>, f64), CaseError> {
-        let numbers = table::read(path, Kind::DatedLevels.columns(), &[])?;
-        let passages = &numbers.needed[3];
-        let first = passages.iter().copied().fold(f64::INFINITY, f64::min);
-        let rows = rows(&numbers, path, case, |row| passages[row] - first)?;
-        if rows.iter().all(|row| row.passages == 0.0) {
-            let message = "all levels are of one date, which says nothing of growth; measure again, or leave the file out";
-            return Err(numbers.refuse(path, 0, message));
-        }
-        for (index, row) in rows.iter().enumerate() {
-            let same = |other: &Row| (other.band, other.passages) == (row.band, row.passages);
-            if rows[..index].iter().any(same) {
-                return Err(numbers.refuse(path, index, "the band of this date is there already"));
-            }
-        }
-        Ok((rows, first))
+impl LevelRow {
+    /// Its share of a band.
+    pub(super) fn share(&self, band: usize) -> f64 {
+        let own = self.bands.iter().filter(|(own, _)| *own == band);
+        own.map(|(_, weight)| weight).sum()
     }
-}
 
-impl DatedLevels {
-    /// The level of each band at the date nearest to some passages.
-    pub(super) fn nearest(&self, passages: f64) -> Vec<(ThirdOctave, f64)> {
-        let mut bands: Vec<ThirdOctave> = self.rows.iter().map(|row| row.band).collect();
-        bands.sort();
-        bands.dedup();
-        let away = |row: &&Row| (row.passages - passages).abs();
-        let nearest = |band: ThirdOctave| {
-            let own = self.rows.iter().filter(|row| row.band == band);
-            let row = own.min_by(|one, other| away(one).total_cmp(&away(other)))?;
-            Some((band, row.level))
-        };
-        bands.into_iter().filter_map(nearest).collect()
-    }
-}
-
-impl AxleBoxRun {
-    pub(crate) fn rows(path: &Path, case: &Case, passages: f64) -> Result<Vec<Row>, CaseError> {
-        let numbers = table::read(path, Kind::AxleBox.columns(), &[])?;
-        rows(&numbers, path, case, |_| passages)
+    /// Whether it is the level of a band, and of no other.
+    pub(super) fn is_of(&self, band: usize) -> bool {
+        matches!(self.bands[..], [(own, _)] if own == band)
+            && !matches!(self.place, RowPlace::PassBy(..))
     }
 }

@@ -1,30 +1,34 @@
 //! Levels of roughness at several dates, runs of axle boxes over the same rail, and trains that pass beside it.
 
+mod axle_box;
+mod dated;
 mod measured;
 mod pass_by;
 mod rail;
+mod row;
 
-pub(crate) use measured::{AxleBoxRun, DatedLevels, MeasuredRail};
+pub(crate) use axle_box::AxleBoxRun;
+pub(crate) use dated::DatedLevels;
+pub(crate) use measured::MeasuredRail;
 pub(crate) use pass_by::{PassBys, Passage, Train};
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::f64::consts::TAU;
 
-use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::forecast::{LINES_PER_BAND, band_lines};
 use riffel::noise::BandRadiation;
 use riffel::roughness::ThirdOctave;
 use riffel_case::LoopOnTrack;
 
-use self::measured::{Row, RowPlace};
+use self::measured::{LevelRow, RowPlace, Weights};
 use self::pass_by::Passing;
-use super::{Block, Group, Held, Observable, Place, UNIT, differences, sum_of, sums, table};
-use crate::gaussian::{Density, Gaussian};
+use self::row::Row;
+use super::{Block, Group, Held, Observable, Place, UNIT, sum_of, table};
+use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
 use crate::matrix::Matrix;
 use crate::model::Trial;
-use crate::nuts::normal;
 
 /// Fewest dates of which one can be left out: two of the rest tell of growth.
 const LEAST_DATES: usize = 3;
@@ -52,63 +56,15 @@ pub(crate) struct Levels {
     measured: MeasuredRail,
 }
 
-/// Places, each with its weight.
-type Weights = Vec<(usize, f64)>;
-
-/// A level with what its model needs.
-struct LevelRow {
-    /// Where it stands in what was measured.
-    place: RowPlace,
-    view: usize,
-    /// Since the first date.
-    passages: f64,
-    /// \[dB\]
-    level: f64,
-    error: f64,
-    /// The bands that it is of, by how it changes with them.
-    bands: Weights,
-}
-
-impl LevelRow {
-    /// Its share of a band.
-    fn share(&self, band: usize) -> f64 {
-        let own = self.bands.iter().filter(|(own, _)| *own == band);
-        own.map(|(_, weight)| weight).sum()
-    }
-
-    /// Whether it is the level of a band, and of no other.
-    fn is_of(&self, band: usize) -> bool {
-        matches!(self.bands[..], [(own, _)] if own == band)
-            && !matches!(self.place, RowPlace::PassBy(..))
-    }
-}
-
 impl Levels {
     /// None where errors are zero within rounding.
     pub(crate) fn new(measured: &MeasuredRail) -> Option<Self> {
-        let MeasuredRail {
-            dated,
-            runs,
-            pass_bys,
-        } = measured;
+        let MeasuredRail { dated, runs, .. } = measured;
         let bands = measured.bands();
         let rows = measured.rows(&bands);
-        // Levels of a date share an error, and those of a run or of a site.
-        let shared = |one: &LevelRow, other: &LevelRow| match (one.place, other.place) {
-            (RowPlace::Dated(_), RowPlace::Dated(_)) if one.passages == other.passages => {
-                dated.common_error
-            }
-            (RowPlace::Run(one, _), RowPlace::Run(other, _)) if one == other => {
-                runs[one].common_error
-            }
-            (RowPlace::PassBy(one, _), RowPlace::PassBy(other, _)) if one == other => {
-                pass_bys[one].common_error
-            }
-            _ => 0.0,
-        };
         let noise = Matrix::of(rows.len(), |i, j| {
             let own = if i == j { rows[i].error } else { 0.0 };
-            own.powi(2) + shared(&rows[i], &rows[j]).powi(2)
+            own.powi(2) + measured.shared_error(&rows[i], &rows[j]).powi(2)
         });
         let of_bands = |kernel: Kernel, one: usize, other: usize| match kernel {
             Kernel::Band => f64::from(u8::from(one == other)),
@@ -158,16 +114,7 @@ impl Levels {
             None => None,
         };
         let of_size: Vec<Matrix> = of_growth.into_iter().chain(of_runs).collect();
-        let firsts: Vec<usize> = (0..bands.len())
-            .map(|band| rows.iter().position(|row| row.is_of(band)))
-            .collect::<Option<_>>()?;
-        let contrasts: Vec<(usize, Weights)> = (0..rows.len())
-            .filter(|row| !firsts.contains(row))
-            .map(|row| {
-                let bands = rows[row].bands.iter();
-                (row, bands.map(|(band, w)| (firsts[*band], *w)).collect())
-            })
-            .collect();
+        let contrasts = contrasts(&rows, bands.len())?;
         let terms: Vec<Weights> = contrasts
             .iter()
             .map(|(row, firsts)| {
@@ -281,6 +228,19 @@ impl Levels {
     }
 }
 
+/// The rows that are no first level of a band, each with the first levels that it is compared with; none where a band has none.
+fn contrasts(rows: &[LevelRow], bands: usize) -> Option<Vec<(usize, Weights)>> {
+    let firsts: Vec<usize> = (0..bands)
+        .map(|band| rows.iter().position(|row| row.is_of(band)))
+        .collect::<Option<_>>()?;
+    let compared = |row: usize| {
+        let bands = rows[row].bands.iter();
+        (row, bands.map(|(band, w)| (firsts[*band], *w)).collect())
+    };
+    let others = (0..rows.len()).filter(|row| !firsts.contains(row));
+    Some(others.map(compared).collect())
+}
+
 /// The values of a key, made where they are not known yet.
 fn once<K: Ord, V>(
     known: &mut BTreeMap<K, Vec<V>>,
@@ -311,24 +271,8 @@ impl Block for Levels {
         Ok(self.contrast(&self.levels(trial)?))
     }
 
-    fn density(&self, predicted: &[f64], sizes: &[f64]) -> Option<Density> {
-        let residuals = differences(&self.observed(), predicted);
-        self.gaussian.density(&residuals, sizes)
-    }
-
-    fn of_each(&self, predicted: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        self.gaussian
-            .of_each(&differences(&self.observed(), predicted), sizes)
-    }
-
-    fn replicate(
-        &self,
-        predicted: &[f64],
-        sizes: &[f64],
-        random: &mut Xoshiro256PlusPlus,
-    ) -> Option<Vec<f64>> {
-        let errors = self.gaussian.draw(sizes, || normal(random))?;
-        Some(sums(predicted, &errors))
+    fn gaussian(&self) -> Option<&Gaussian> {
+        Some(&self.gaussian)
     }
 
     /// The first level of each band stays.

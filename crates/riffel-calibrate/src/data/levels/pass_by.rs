@@ -12,7 +12,7 @@ use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::CaseError;
 
-use super::measured::DatedLevels;
+use super::dated::DatedLevels;
 use super::table;
 use crate::file::Kind;
 

@@ -1,6 +1,7 @@
 //! The rail that levels tell of.
 
-use super::{LevelRow, Levels, UNIT};
+use super::measured::LevelRow;
+use super::{Levels, UNIT};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
 use crate::model::Trial;

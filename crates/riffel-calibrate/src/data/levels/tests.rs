@@ -7,6 +7,8 @@ use rand_xoshiro::rand_core::SeedableRng;
 
 use super::*;
 use crate::Plan;
+use crate::data::differences;
+use crate::nuts::normal;
 
 /// The third set with levels of trains beside the track, as a plan in a folder.
 fn heard(folder: &Path, levels: &str) -> Plan {

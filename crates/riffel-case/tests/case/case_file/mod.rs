@@ -293,10 +293,7 @@ fn a_load_that_outruns_its_waves_is_refused() {
 
 #[test]
 fn overrides_replace_values_and_exclusive_keys() {
-    let case = |overrides: &[&str]| {
-        let overrides: Vec<String> = overrides.iter().map(|&text| text.to_owned()).collect();
-        Case::parse("case.toml", NOMINAL_CASE, &overrides).unwrap()
-    };
+    let case = |overrides: &[&str]| crate::parsed(NOMINAL_CASE, overrides).unwrap();
     assert_eq!(case(&["contact.friction=0.3"]).steady.friction, 0.3);
     assert_eq!(
         case(&["contact.normal_load=60 kN"]).hertz.normal_force(),

@@ -38,11 +38,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     let case = arguments.case.read()?;
     let answer = forecast(&case, arguments, survey)?;
     let name = spectra.spectrum.as_ref();
-    let results = Results {
-        command: "forecast",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("forecast", &arguments.case, &arguments.results);
     let document = || json(&answer.document(&case, name.map(|path| path.display().to_string())));
     results.hand_out(
         document,

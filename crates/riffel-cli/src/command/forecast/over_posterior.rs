@@ -15,10 +15,6 @@ pub(super) fn run(arguments: &Forecast, folder: &Path) -> miette::Result<()> {
     ForecastHorizon::Months(months).check()?;
     let limit = level_limit(&arguments.limit)?;
     let answer = PosteriorForecast::new(&plan, &chains, &limit, months)?;
-    let results = Results {
-        command: "forecast",
-        case: &arguments.case,
-        to: &arguments.results,
-    };
+    let results = Results::of("forecast", &arguments.case, &arguments.results);
     Ok(results.answer(&answer)?)
 }

@@ -1,5 +1,6 @@
 //! `riffel roughness`
 
+mod bands;
 mod grind;
 pub(crate) mod profile;
 mod spectra;
@@ -15,6 +16,7 @@ use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
 use crate::output::Progress;
 
+pub(crate) use bands::bands_table;
 pub(crate) use grind::grind_table;
 
 pub(crate) fn run(arguments: &Roughness) -> miette::Result<()> {

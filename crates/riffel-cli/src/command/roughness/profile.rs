@@ -2,14 +2,14 @@
 
 use std::path::Path;
 
-use riffel_answers::roughness::{ProfileAnswer, band_row};
+use riffel_answers::roughness::ProfileAnswer;
 use riffel_keys::{Language, say};
 use riffel_rail::{LimitTable, LinePlace, Record};
 
-use super::{folder, grind_table, with_progress};
+use super::{bands_table, folder, grind_table, with_progress};
 use crate::arguments::{Roughness, Statistics};
 use crate::messages::print_remarks;
-use crate::output::{json, print, table};
+use crate::output::{json, print};
 use crate::staging::{Existing, Staging, write_file};
 
 pub(super) fn run(
@@ -81,22 +81,7 @@ fn readable(profile: &ProfileAnswer, path: &Path) -> String {
         say!(spikes, count = removed.spikes),
         say!(pits, count = removed.pits),
     );
-    let mut rows = table(&[
-        "rail",
-        "band mm",
-        "rms µm",
-        "highest moving rms µm",
-        "highest peak-to-peak µm",
-        "window m",
-        "limit µm",
-        "over limit",
-    ]);
-    for rail in &profile.rails {
-        for band in &rail.analysis.bands {
-            rows.add_row(band_row(&rail.name, band));
-        }
-    }
-    text += &format!("{rows}\n");
+    text += &bands_table(profile.rails.iter());
     if let Some(worst) = profile.worst() {
         text += &format!("{worst}\n");
     }

@@ -3,8 +3,8 @@
 use num_complex::Complex64;
 
 use super::gmres::gmres;
-use super::influence::{Convolution, Field, Influence};
-use super::patch::Patch;
+use super::influence::{Convolution, Influence};
+use super::patch::{Field, Patch};
 use super::scalar::{Scalar, norm};
 use super::strips::{Diagonal, Strips};
 

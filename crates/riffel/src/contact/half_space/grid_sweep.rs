@@ -5,9 +5,11 @@ use num_complex::Complex64;
 use super::Grid;
 use super::friction::{Slip, halves};
 use super::gmres::gmres;
-use super::influence::{Convolution, Field};
+use super::influence::Convolution;
+use super::input::Input;
 use super::on_waves::OnWaves;
-use super::response::{Input, Oscillation, Response, Tangent};
+use super::patch::Field;
+use super::response::{Oscillation, Response, Tangent};
 use super::scalar::{add_multiple, dot, norm};
 use crate::contact::Creepages;
 

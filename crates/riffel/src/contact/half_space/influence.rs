@@ -2,12 +2,9 @@
 
 use num_complex::Complex64;
 
-use super::patch::Patch;
+use super::patch::{Field, Patch};
 use super::transform::{Transform, Workspace};
 use crate::ElasticMaterial;
-
-/// Tangential tractions or displacements: x and y part.
-pub(super) type Field<T> = [Vec<T>; 2];
 
 /// The surface displacement of the wheel relative to the rail under tractions that are constant on
 /// each element.

@@ -9,6 +9,7 @@ mod friction;
 mod gmres;
 mod grid_sweep;
 mod influence;
+mod input;
 mod normal;
 mod on_waves;
 mod partial_slip;
@@ -32,9 +33,9 @@ pub use self::transient::{TransientRolling, TransientStep};
 pub use self::true_gap::PressedOnRail;
 
 use self::friction::Slip;
-use self::influence::{Field, Influence};
-use self::patch::Patch;
-use self::response::Input;
+use self::influence::Influence;
+use self::input::Input;
+use self::patch::{Field, Patch};
 pub(super) use self::response_sweep::FoundResponses;
 use self::response_sweep::ResponseSweep;
 use super::{

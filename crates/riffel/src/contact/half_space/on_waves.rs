@@ -5,7 +5,8 @@ use num_complex::Complex64;
 use super::Grid;
 use super::forcing::{Deformation, Forcing};
 use super::friction::Slip;
-use super::influence::{Convolution, Field, Influence};
+use super::influence::{Convolution, Influence};
+use super::patch::Field;
 use super::response::Oscillation;
 use super::wavy_patch::{Degree, WavyPatch};
 

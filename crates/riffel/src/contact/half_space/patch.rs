@@ -1,12 +1,14 @@
 //! The contact ellipse cut into elements.
 
-use super::influence::Field;
 use super::normal::NormalState;
 use crate::Error;
 use crate::contact::{CreepForces, HertzContact};
 
 /// Fewest and most elements across a diameter of the ellipse.
 const ELEMENTS: std::ops::RangeInclusive<usize> = 8..=200;
+
+/// Tangential tractions or displacements: x and y part.
+pub(super) type Field<T> = [Vec<T>; 2];
 
 /// Equal rectangles over the box around a patch; those inside it carry
 /// traction. x points along the direction of rolling, so that the rail's material enters at x = +a.

@@ -1,7 +1,7 @@
 //! Steady rolling of a patch of any shape.
 
-use super::influence::{Field, Influence};
-use super::patch::Patch;
+use super::influence::Influence;
+use super::patch::{Field, Patch};
 use super::{NormalState, REMEDY, steady};
 use crate::{ElasticMaterial, Error};
 

@@ -5,25 +5,11 @@ use num_complex::Complex64;
 use super::Grid;
 use super::forcing::Forcing;
 use super::friction::{Slip, State, halves};
-use super::influence::{Convolution, Field};
+use super::influence::Convolution;
 use super::partial_slip::slipping_shares;
+use super::patch::Field;
 use super::strips::{Diagonal, Strips};
 use crate::contact::{Creepages, GridError};
-
-/// What oscillates.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Input {
-    /// Normal load, per share of the mean load.
-    Load,
-    /// Longitudinal creepage, per unit.
-    Longitudinal,
-    /// Lateral creepage, per unit.
-    Lateral,
-    /// Spin, per 1/m.
-    Spin,
-    /// A wave of the rail, per κ = R k² Δ under the wheel, at constant load and slip speed.
-    Profile,
-}
 
 /// Complex amplitudes per unit of the input.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -3,7 +3,8 @@
 use std::f64::consts::PI;
 
 use super::grid_sweep::{Found, GridSweep, TOLERANCE};
-use super::response::{Input, Response};
+use super::input::Input;
+use super::response::Response;
 use super::{HalfSpace, HalfSpaceRolling, REMEDY};
 use crate::Error;
 use crate::contact::{ContactDerivative, ContactResponse, Creepages, GridError};

@@ -1,8 +1,8 @@
 //! Steady rolling: tractions, stick and slip.
 
 use super::friction::{Friction, Slip};
-use super::influence::{Field, Influence};
-use super::patch::Patch;
+use super::influence::Influence;
+use super::patch::{Field, Patch};
 
 /// Residual of the friction law, see [`Friction`].
 pub(super) const TOLERANCE: f64 = 1e-6;

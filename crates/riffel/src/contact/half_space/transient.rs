@@ -2,8 +2,8 @@
 
 use super::REMEDY;
 use super::friction::{Friction, Slip};
-use super::influence::{Convolution, Field, Influence};
-use super::patch::{Patch, Step};
+use super::influence::{Convolution, Influence};
+use super::patch::{Field, Patch, Step};
 use super::steady::rigid_slip;
 use crate::Error;
 use crate::contact::{CreepForces, Creepages, HertzContact};

@@ -1,6 +1,6 @@
 //! The paper's three-dimensional counterpart of Carter's creep law.
 
-use super::{CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit};
+use super::{CreepDerivatives, CreepForces, CreepLaw, Creepages, ForceLimit, OwnSlope};
 use crate::Error;
 use crate::contact::{HertzContact, creep_coefficient};
 
@@ -132,6 +132,13 @@ impl CreepLaw for Carter3d {
 
     fn limit(&self, normal_force: f64) -> ForceLimit {
         ForceLimit::FullSlip(self.saturation_under(normal_force))
+    }
+
+    fn own_slope(&self) -> Option<OwnSlope> {
+        Some(OwnSlope {
+            creep_coefficient: self.creep_coefficient(),
+            saturation_creepage: self.saturation_creepage,
+        })
     }
 
     /// The inverse of equation (5).

@@ -23,6 +23,8 @@ pub struct CreepLawEntry {
     pub lateral: bool,
     /// Whether it knows spin; one that does not ignores it.
     pub spin: bool,
+    /// Whether it ends in sliding, without a slope where the whole contact slides in any direction.
+    pub ends_in_sliding: bool,
     build: fn(&CreepLawInputs) -> Result<Arc<dyn CreepLaw>, Error>,
 }
 
@@ -31,8 +33,6 @@ pub struct CreepLawEntry {
 pub struct CreepLawInputs {
     /// The contact.
     pub hertz: HertzContact,
-    /// Kalker's coefficients of its ellipse.
-    pub kalker: KalkerCoefficients,
     /// Coefficient of friction μ \[-\].
     pub friction: f64,
     /// Friction that falls with slip velocity, for Polach's law.
@@ -44,8 +44,11 @@ pub struct CreepLawInputs {
 }
 
 impl CreepLawInputs {
-    fn ellipse(&self) -> CreepEllipse {
-        CreepEllipse::new(self.hertz, self.kalker)
+    /// The ellipse with Kalker's coefficients, whose table ends.
+    fn ellipse(&self) -> Result<CreepEllipse, Error> {
+        let poisson_ratio = self.hertz.material().poisson_ratio();
+        let kalker = KalkerCoefficients::new(poisson_ratio, self.hertz.axis_ratio())?;
+        Ok(CreepEllipse::new(self.hertz, kalker))
     }
 }
 
@@ -67,6 +70,7 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "The paper's, equation (5).",
         lateral: true,
         spin: false,
+        ends_in_sliding: true,
         build: |on| Ok(Arc::new(Carter3d::new(on.hertz, on.friction)?)),
     },
     CreepLawEntry {
@@ -75,9 +79,10 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Carter (1926), a line contact as long and as large as the ellipse.",
         lateral: false,
         spin: false,
+        ends_in_sliding: true,
         build: |on| {
             let poisson_ratio = on.hertz.material().poisson_ratio();
-            let law = Carter2d::of_ellipse(on.ellipse(), poisson_ratio, on.friction)?;
+            let law = Carter2d::of_ellipse(on.ellipse()?, poisson_ratio, on.friction)?;
             Ok(Arc::new(law))
         },
     },
@@ -87,7 +92,8 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Vermeulen & Johnson (1964), with Kalker's slope.",
         lateral: true,
         spin: false,
-        build: |on| Ok(Arc::new(JohnsonVermeulen::new(on.ellipse(), on.friction)?)),
+        ends_in_sliding: true,
+        build: |on| Ok(Arc::new(JohnsonVermeulen::new(on.ellipse()?, on.friction)?)),
     },
     CreepLawEntry {
         name: "shen-hedrick-elkins",
@@ -95,7 +101,13 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Shen, Hedrick & Elkins (1983).",
         lateral: true,
         spin: true,
-        build: |on| Ok(Arc::new(ShenHedrickElkins::new(on.ellipse(), on.friction)?)),
+        ends_in_sliding: true,
+        build: |on| {
+            Ok(Arc::new(ShenHedrickElkins::new(
+                on.ellipse()?,
+                on.friction,
+            )?))
+        },
     },
     CreepLawEntry {
         name: "polach",
@@ -103,9 +115,10 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Polach (2000), with the parameters of `polach`.",
         lateral: true,
         spin: false,
+        ends_in_sliding: false,
         build: |on| {
             let (friction, reduction) = (on.falling_friction, on.slope_reduction);
-            let law = Polach::new(on.ellipse(), friction, reduction, on.speed)?;
+            let law = Polach::new(on.ellipse()?, friction, reduction, on.speed)?;
             Ok(Arc::new(law))
         },
     },
@@ -115,10 +128,11 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Kalker's simplified theory (1982).",
         lateral: true,
         spin: true,
+        ends_in_sliding: false,
         build: |on| {
             let divisions = Fastsim::DEFAULT_DIVISIONS;
             let law = Fastsim::new(
-                on.ellipse(),
+                on.ellipse()?,
                 on.friction,
                 TractionBound::Parabolic,
                 divisions,
@@ -132,6 +146,7 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
         description: "Coulomb friction along the slip, beyond full slip.",
         lateral: true,
         spin: false,
+        ends_in_sliding: false,
         build: |on| Ok(Arc::new(FullSliding::new(on.friction)?)),
     },
 ];
@@ -140,7 +155,7 @@ pub static CATALOGUE: [CreepLawEntry; 7] = [
 mod tests {
     use super::*;
     use crate::ElasticMaterial;
-    use crate::contact::Creepages;
+    use crate::contact::{Creepages, MeanState, QuasiStatic};
 
     /// Every entry builds, under a name of its own; far in full slip the force is most of friction times load.
     #[test]
@@ -149,7 +164,6 @@ mod tests {
         let hertz = HertzContact::exact(steel, 0.46, 0.23, 50e3).unwrap();
         let inputs = CreepLawInputs {
             hertz,
-            kalker: KalkerCoefficients::new(0.3, hertz.axis_ratio()).unwrap(),
             friction: 0.4,
             falling_friction: FallingFriction::constant(0.4),
             slope_reduction: SlopeReduction::NONE,
@@ -178,6 +192,13 @@ mod tests {
             };
             let knows = [across(1e-3, 0.0), across(0.0, 0.1)];
             assert_eq!(knows, [entry.lateral, entry.spin], "{}", entry.name);
+            let sliding = Creepages {
+                longitudinal: 0.05,
+                lateral: 0.05,
+                spin: 1.0,
+            };
+            let about = QuasiStatic::new(law, 50e3, MeanState::Creepages(sliding));
+            assert_eq!(about.is_err(), entry.ends_in_sliding, "{}", entry.name);
             let nothing = CreepLawInputs {
                 friction: -1.0,
                 falling_friction: FallingFriction::constant(-1.0),

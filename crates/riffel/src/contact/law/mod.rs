@@ -152,6 +152,15 @@ impl ForceLimit {
     }
 }
 
+/// A slope of its own at zero creepage, in place of Kalker's.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OwnSlope {
+    /// Creep coefficient of the patch \[-\].
+    pub creep_coefficient: f64,
+    /// Saturation creepage ξ_max \[-\] under the load of the contact, where the patch begins to slip everywhere.
+    pub saturation_creepage: f64,
+}
+
 /// A steady creep law: tangential force against normal force and creepages.
 ///
 /// Every law is odd in the creepages and bounded by friction, and, unless it says otherwise, its
@@ -171,6 +180,11 @@ pub trait CreepLaw: Send + Sync {
     /// Where the longitudinal force stops growing, in pure longitudinal creepage under the normal
     /// force P > 0 \[N\].
     fn limit(&self, normal_force: f64) -> ForceLimit;
+
+    /// The slope of a law that begins with another than Kalker's.
+    fn own_slope(&self) -> Option<OwnSlope> {
+        None
+    }
 
     /// The longitudinal creepage \[-\] of the tractive ratio τ = Q/μP \[-\], 0 < τ < 1, below
     /// [`limit`](Self::limit); none where the law does not reach it.
@@ -215,6 +229,10 @@ impl<L: CreepLaw + ?Sized> CreepLaw for Arc<L> {
 
     fn limit(&self, normal_force: f64) -> ForceLimit {
         (**self).limit(normal_force)
+    }
+
+    fn own_slope(&self) -> Option<OwnSlope> {
+        (**self).own_slope()
     }
 
     fn creepage(&self, normal_force: f64, tractive_ratio: f64) -> Option<f64> {

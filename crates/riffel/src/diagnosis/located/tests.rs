@@ -23,9 +23,7 @@ fn rail(length: f64, seed: u64, waves: &[(f64, f64, f64, f64)]) -> CleanRail {
             slope: 10.0,
             longest: 3.0,
         }),
-        spikes: Vec::new(),
-        pits: Vec::new(),
-        dropouts: Vec::new(),
+        ..Recipe::default()
     };
     let profile = Profile::new(5000.0, 2e-3, recipe.heights().unwrap()).unwrap();
     CleanRail::new(vec![profile])

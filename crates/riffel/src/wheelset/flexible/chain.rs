@@ -3,7 +3,6 @@
 use num_complex::Complex64;
 
 use super::disc::CoupledInertia;
-use super::mode::Mode;
 use super::span::{LONGEST_PHASE, Section, Transfer};
 use super::square::Square;
 
@@ -35,7 +34,7 @@ impl<const N: usize> Node<N> {
 
     /// Dynamic stiffness.
     #[inline]
-    fn dynamic_stiffness(&self, w: f64) -> [Complex64; N] {
+    pub(super) fn dynamic_stiffness(&self, w: f64) -> [Complex64; N] {
         let mut stiffness: [Complex64; N] = std::array::from_fn(|i| {
             Complex64::new(
                 self.stiffness[i] - w * w * self.inertia[i],
@@ -70,13 +69,13 @@ pub(super) struct Chain<S, const N: usize> {
     /// Sections and lengths, each once.
     kinds: Vec<(S, f64)>,
     /// The kind of each span, one less than the nodes.
-    spans: Vec<usize>,
+    pub(super) spans: Vec<usize>,
     elasticity: Complex64,
 }
 
 /// A kind of span at one frequency.
-struct Cut<const N: usize> {
-    transfer: Transfer<N>,
+pub(super) struct Cut<const N: usize> {
+    pub(super) transfer: Transfer<N>,
     pieces: usize,
 }
 
@@ -148,7 +147,7 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         self.kinds[self.spans[index]]
     }
 
-    fn cuts(&self, w: f64) -> Vec<Cut<N>> {
+    pub(super) fn cuts(&self, w: f64) -> Vec<Cut<N>> {
         let w2 = w * w;
         let cut = |(section, length): &(S, f64)| {
             let pieces = section.pieces(*length, w2, LONGEST_PHASE);
@@ -248,78 +247,5 @@ impl<S: Section<N> + PartialEq, const N: usize> Chain<S, N> {
         let count = self.frequencies_below(middle).clamp(below, above);
         self.divide([low, middle], [below, count], found);
         self.divide([middle, high], [count, above], found);
-    }
-
-    /// The mode at a natural frequency ω \[rad/s\] of a chain without loss, to a generalised mass of 1 kg.
-    ///
-    /// Method: the motion under a load a relative 1e-9 above it, at the node that answers most; nodes must be near each
-    /// other against the wave.
-    pub(super) fn mode(&self, natural: f64) -> Mode<S, N> {
-        const BESIDE: f64 = 1e-9;
-        let w = natural * (1.0 + BESIDE);
-        let cuts = self.cuts(w);
-        let loads: Vec<[Complex64; N]> = self
-            .nodes
-            .iter()
-            .map(|node| node.dynamic_stiffness(w))
-            .collect();
-        let last = self.spans.len();
-        // Dynamic stiffness left and right of each node, without it, and how a motion goes on outward.
-        let (mut left, mut outward_left) = (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
-        for span in 0..last {
-            let transfer = &cuts[self.spans[span]].transfer;
-            (left[span + 1], outward_left[span]) =
-                transfer.across(left[span].plus_diagonal(&loads[span]));
-        }
-        let (mut right, mut outward_right) =
-            (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
-        for span in (0..last).rev() {
-            let transfer = &cuts[self.spans[span]].transfer;
-            let beyond = right[span + 1].plus_diagonal(&loads[span + 1]);
-            let (stiffness, back) = transfer.across(beyond.mirrored());
-            (right[span], outward_right[span]) = (stiffness.mirrored(), back.mirrored());
-        }
-
-        let answers =
-            (0..=last).map(|node| (left[node].plus_diagonal(&loads[node]) + right[node]).inverse());
-        let strongest = answers.enumerate().flat_map(|(node, answer)| {
-            (0..N).map(move |i| {
-                (
-                    node,
-                    answer.0[i][i].norm(),
-                    std::array::from_fn(|j| answer.0[j][i]),
-                )
-            })
-        });
-        let (source, _, motion) =
-            strongest
-                .max_by(|a, b| a.1.total_cmp(&b.1))
-                .unwrap_or((0, 0.0, [Complex64::ZERO; N]));
-
-        let mut displacements = vec![motion; last + 1];
-        for span in (0..source).rev() {
-            displacements[span] = outward_left[span].apply(&displacements[span + 1]);
-        }
-        for span in source..last {
-            displacements[span + 1] = outward_right[span].apply(&displacements[span]);
-        }
-        // Right of each node.
-        let internal = |node: usize| {
-            let stiffness = if node < source {
-                left[node].plus_diagonal(&loads[node])
-            } else {
-                right[node]
-            };
-            let load = stiffness.apply(&displacements[node]);
-            if node < source {
-                load
-            } else {
-                load.map(|value| -value)
-            }
-        };
-        let states = (0..=last)
-            .map(|node| (displacements[node], internal(node)))
-            .collect();
-        Mode::normalised(self.clone(), natural, states)
     }
 }

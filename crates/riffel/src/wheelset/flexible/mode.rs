@@ -5,6 +5,7 @@ use num_complex::Complex64;
 use super::chain::Chain;
 use super::disc::CoupledInertia;
 use super::span::Section;
+use super::square::Square;
 use crate::gauss::GAUSS;
 
 /// A mode of a [`Chain`], of a generalised mass of 1 kg.
@@ -18,7 +19,80 @@ pub(super) struct Mode<S, const N: usize> {
 }
 
 impl<S: Section<N> + PartialEq, const N: usize> Mode<S, N> {
-    pub(super) fn normalised(
+    /// The mode of a chain at a natural frequency ω \[rad/s\] of one without loss, to a generalised mass of 1 kg.
+    ///
+    /// Method: the motion under a load a relative 1e-9 above it, at the node that answers most; nodes must be near each
+    /// other against the wave.
+    pub(super) fn of(chain: &Chain<S, N>, natural: f64) -> Self {
+        const BESIDE: f64 = 1e-9;
+        let w = natural * (1.0 + BESIDE);
+        let cuts = chain.cuts(w);
+        let loads: Vec<[Complex64; N]> = chain
+            .nodes
+            .iter()
+            .map(|node| node.dynamic_stiffness(w))
+            .collect();
+        let last = chain.spans.len();
+        // Dynamic stiffness left and right of each node, without it, and how a motion goes on outward.
+        let (mut left, mut outward_left) = (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
+        for span in 0..last {
+            let transfer = &cuts[chain.spans[span]].transfer;
+            (left[span + 1], outward_left[span]) =
+                transfer.across(left[span].plus_diagonal(&loads[span]));
+        }
+        let (mut right, mut outward_right) =
+            (vec![Square::ZERO; last + 1], vec![Square::ZERO; last]);
+        for span in (0..last).rev() {
+            let transfer = &cuts[chain.spans[span]].transfer;
+            let beyond = right[span + 1].plus_diagonal(&loads[span + 1]);
+            let (stiffness, back) = transfer.across(beyond.mirrored());
+            (right[span], outward_right[span]) = (stiffness.mirrored(), back.mirrored());
+        }
+
+        let answers =
+            (0..=last).map(|node| (left[node].plus_diagonal(&loads[node]) + right[node]).inverse());
+        let strongest = answers.enumerate().flat_map(|(node, answer)| {
+            (0..N).map(move |i| {
+                (
+                    node,
+                    answer.0[i][i].norm(),
+                    std::array::from_fn(|j| answer.0[j][i]),
+                )
+            })
+        });
+        let (source, _, motion) =
+            strongest
+                .max_by(|a, b| a.1.total_cmp(&b.1))
+                .unwrap_or((0, 0.0, [Complex64::ZERO; N]));
+
+        let mut displacements = vec![motion; last + 1];
+        for span in (0..source).rev() {
+            displacements[span] = outward_left[span].apply(&displacements[span + 1]);
+        }
+        for span in source..last {
+            displacements[span + 1] = outward_right[span].apply(&displacements[span]);
+        }
+        // Right of each node.
+        let internal = |node: usize| {
+            let stiffness = if node < source {
+                left[node].plus_diagonal(&loads[node])
+            } else {
+                right[node]
+            };
+            let load = stiffness.apply(&displacements[node]);
+            if node < source {
+                load
+            } else {
+                load.map(|value| -value)
+            }
+        };
+        let states = (0..=last)
+            .map(|node| (displacements[node], internal(node)))
+            .collect();
+        Self::normalised(chain.clone(), natural, states)
+    }
+
+    fn normalised(
         chain: Chain<S, N>,
         natural: f64,
         states: Vec<([Complex64; N], [Complex64; N])>,

@@ -89,7 +89,10 @@ fn modes_of<S: Section<N> + PartialEq, const N: usize>(
     const PHASE: f64 = 1.0;
     let chain = chain.refined(highest, PHASE);
     let frequencies = chain.natural_frequencies([LOWEST.min(0.5 * highest), highest]);
-    frequencies.into_iter().map(|w| chain.mode(w)).collect()
+    frequencies
+        .into_iter()
+        .map(|w| Mode::of(&chain, w))
+        .collect()
 }
 
 /// All modes of a wheelset up to a frequency.

@@ -1,20 +1,71 @@
-//! What of a store is lost, or is not as it was written.
+//! The surveys of a store, and what of it is lost or is not as it was written.
 
-use std::collections::BTreeMap;
 use std::fs;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
+use jiff::civil::Date;
 use rayon::prelude::*;
 
-use crate::layout::{arrays_name, record_name};
+use crate::NetworkError;
+use crate::error::Damage;
+use crate::name::{array_name, arrays_name, record_name};
 use crate::record::SurveyRecord;
-use crate::store::{ROWS, Store, parsed};
-use crate::{NetworkError, ingest};
-
-/// What is wrong with surveys, by the file of their record.
-pub(crate) type Damage = BTreeMap<PathBuf, NetworkError>;
+use crate::store::{ROWS, Store, StoreSettings};
 
 impl Store {
+    /// A store that is there. All of it is read, and surveys of which something is lost or damaged are left out: see
+    /// [`damaged`](Self::damaged).
+    ///
+    /// # Errors
+    /// [`NetworkError::NoNetwork`] where there is none; [`NetworkError::DamagedStore`].
+    pub fn open(folder: &Path) -> Result<Self, NetworkError> {
+        let mut store = Self {
+            folder: folder.to_owned(),
+            settings: StoreSettings::default(),
+            damage: Damage::new(),
+        };
+        match store.record()? {
+            Some(_) => {
+                store.damage = store.find_damage()?;
+                Ok(store)
+            }
+            None => Err(NetworkError::NoNetwork {
+                folder: folder.to_owned(),
+            }),
+        }
+    }
+
+    /// The surveys that are there, by line and date.
+    ///
+    /// # Errors
+    /// [`NetworkError::Read`].
+    pub fn surveys(&self) -> Result<Vec<SurveyRecord>, NetworkError> {
+        let (mut surveys, _) = self.records()?;
+        surveys.retain(|survey| {
+            let record = self
+                .line_folder(&survey.line)
+                .join(record_name(survey.date));
+            !self.damage.contains_key(&record)
+        });
+        Ok(surveys)
+    }
+
+    /// The latest survey of each line, or the latest up to a day.
+    ///
+    /// # Errors
+    /// As [`surveys`](Self::surveys).
+    pub fn latest(&self, until: Option<Date>) -> Result<Vec<SurveyRecord>, NetworkError> {
+        let mut latest: Vec<SurveyRecord> = Vec::new();
+        let surveys = self.surveys()?.into_iter();
+        for survey in surveys.filter(|survey| until.is_none_or(|day| survey.date <= day)) {
+            match latest.last_mut().filter(|last| last.line == survey.line) {
+                Some(last) => *last = survey,
+                None => latest.push(survey),
+            }
+        }
+        Ok(latest)
+    }
+
     /// The surveys whose records can be believed, by line and date, and what is wrong with the others.
     pub(crate) fn records(&self) -> Result<(Vec<SurveyRecord>, Damage), NetworkError> {
         let (mut surveys, mut damage) = (Vec::new(), Damage::new());
@@ -44,7 +95,7 @@ impl Store {
         let bytes = fs::read(file).map_err(NetworkError::read(file))?;
         let survey: SurveyRecord = parsed(file, &bytes)?;
         let rails = survey.rails.iter().enumerate();
-        let mut arrays = rails.map(|(index, rail)| ingest::array_name(&rail.name, index));
+        let mut arrays = rails.map(|(index, rail)| array_name(&rail.name, index));
         let is_own = self.line_folder(&survey.line) == line
             && line.join(record_name(survey.date)) == file
             && survey.folder == arrays_name(survey.date, &survey.sha256)
@@ -115,4 +166,11 @@ impl Store {
     pub fn damaged(&self) -> impl Iterator<Item = &NetworkError> {
         self.damage.values()
     }
+}
+
+fn parsed<T: serde::de::DeserializeOwned>(path: &Path, bytes: &[u8]) -> Result<T, NetworkError> {
+    serde_json::from_slice(bytes).map_err(|error| NetworkError::Damaged {
+        path: path.to_owned(),
+        reason: error.to_string(),
+    })
 }

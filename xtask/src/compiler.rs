@@ -1,0 +1,24 @@
+//! The compiler: what it is told, and the system that it builds for.
+
+use std::path::{Path, PathBuf};
+
+use crate::output;
+
+/// Flags of the compiler that keep the folders of this machine out of the program.
+pub(crate) fn flags() -> Result<String, String> {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(std::env::home_dir()?.join(".cargo")));
+    let home = home.ok_or("there is no home folder")?;
+    let project = Path::new(env!("CARGO_MANIFEST_DIR")).parent();
+    let project = project.ok_or("there is no folder of the project")?;
+    Ok([(home.as_path(), "cargo"), (project, "riffel")]
+        .map(|(folder, name)| format!("--remap-path-prefix={}={name}", folder.display()))
+        // As cargo takes them apart, whatever is in a path.
+        .join("\u{1f}"))
+}
+
+/// The system that the compiler builds for.
+pub(crate) fn host() -> Result<String, String> {
+    let text = output(Path::new("rustc"), &["--print", "host-tuple"])?;
+    Ok(String::from_utf8_lossy(&text).trim().to_owned())
+}
