@@ -173,7 +173,7 @@ export function startBogie({ state, listen, complain, banner, labels, unitOf, re
     trouble.hidden = !fault;
     trouble.textContent = fault ? `${t('no_equilibrium')} ${labels(inWords(fault.message))}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
-    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
+    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, gauge: shown.asked.gauge_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
     const columns = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
     table.replaceChildren(
