@@ -20,6 +20,13 @@ function amount({ value }, unit) {
   return value.trim() ? `${read && !read.choices ? read.number : value.trim()} ${unit}` : undefined;
 }
 
+/** Changes as a file of changes has them. */
+function inTables(changes) {
+  const keys = {};
+  for (const { key, value } of changes) set(keys, key, value);
+  return keys;
+}
+
 export class Decision {
   /** `spoken` puts a sentence of the program into words of the page. */
   constructor({ state, traffic, complain, save, spoken }) {
@@ -100,14 +107,24 @@ export class Decision {
     const cost = Object.fromEntries(COSTS.map(([name, unit]) => [name, amount(this.costs.get(name), unit || currency)]).filter(([, value]) => value));
     const action = this.remedies.map(({ name, changes }, k) => {
       const written = Object.fromEntries(OF_ACTION.map(([key, unit]) => [key, of(`action-${k}-${key}`, unit)]).filter(([, value]) => value));
-      const keys = {};
-      for (const { key, value } of changes) set(keys, key, value);
-      return Object.keys(written).length ? { name, title: told(name), changes: keys, ...written } : null;
+      return Object.keys(written).length ? { name, title: told(name), changes: inTables(changes), ...written } : null;
     }).filter(Boolean);
     const every = amount(this.every, 'months');
     if (every) action.push({ title: t('every_months', this.every.value.trim()), grind_every: every });
     const measurement = this.measurements.map(({ name, kind }, k) => ({ title: name, kind, name, price: of(`price-${k}`) })).filter(({ price }) => price);
     return { cost, action, measurement };
+  }
+
+  /** Whether there are chains that tell what remedies do. */
+  get isOffered() {
+    return !this.asked.hidden;
+  }
+
+  /** How likely each of some remedies lengthens the grinding interval, and makes it the longest, by its id: where only grinding costs, that is the cheapest. */
+  async likelihood(remedies) {
+    const action = remedies.map(({ id, changes }) => ({ title: id, changes: inTables(changes) }));
+    const { actions } = await json(await askOnce('/api/calibration/decision', { cost: { grinding: '1 EUR' }, action }));
+    return new Map(actions.map(({ title, probability_longer: helps, probability_cheapest: best }) => [title, { helps, best }]));
   }
 
   /** The name of what would be measured once more. */
