@@ -13,6 +13,9 @@ export function lead(input) {
   input.focus();
 }
 
+/** The head of a table; an empty cell is the head of nothing. */
+export const headed = (cells) => element('thead', {}, element('tr', {}, ...cells.map((textContent) => (textContent === '' ? element('td') : element('th', { scope: 'col', textContent })))));
+
 /** An element with a word of the catalogue, which follows the language. */
 export function worded(tag, word, properties = {}, ...children) {
   const made = element(tag, properties, ...children);

@@ -2,7 +2,7 @@
 
 use riffel::forecast::Reach;
 use riffel_case::traffic::SpreadEffect;
-use riffel_keys::{fixed, number as numeral, say};
+use riffel_keys::{Message, fixed, number as numeral, say};
 
 use super::ForecastAnswer;
 use super::damage::{CrackedWave, HardenedWave};
@@ -78,6 +78,13 @@ impl ForecastAnswer {
         Some(said.to_string())
     }
 
+    /// What hardening and cracks make of the waves of the rail that leads.
+    pub(crate) fn damage_in_words(&self) -> impl Iterator<Item = Message> {
+        let hardened = HardenedWave::in_words(&self.leading().forecast);
+        let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
+        hardened.into_iter().chain(cracked)
+    }
+
     /// What follows, in sentences; those on the rail that leads first.
     pub fn findings(&self) -> Vec<String> {
         let mut findings: Vec<String> = self
@@ -110,15 +117,7 @@ impl ForecastAnswer {
             findings.push(say!(decaying_bands_stay).to_string());
         }
         findings.extend(self.fastest_within());
-        let leading = &self.leading().forecast;
-        let hardened = HardenedWave::in_words(leading);
-        let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
-        findings.extend(
-            hardened
-                .into_iter()
-                .chain(cracked)
-                .map(|said| said.to_string()),
-        );
+        findings.extend(self.damage_in_words().map(|said| said.to_string()));
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();
