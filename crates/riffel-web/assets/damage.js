@@ -3,7 +3,7 @@
 import { startCasePanel } from './case-panel.js';
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
-import { element, headed } from './elements.js';
+import { element, fillTable, row } from './elements.js';
 import { number, speed, t } from './words.js';
 
 /** Highest p₀/k that is drawn. */
@@ -34,8 +34,8 @@ export function startDamage(shared) {
     const of = (phase) => cracks.filter((crack) => crack.phase === phase);
     const cells = (crack) => [number(1e3 * crack.crack_length_m), crack.crack_growth_mm_per_month === null ? '–' : number(crack.crack_growth_mm_per_month)];
     const troughs = of('trough');
-    const rows = of('crest').map((crest, k) => [number(1e3 * crest.wavelength_m), ...cells(crest), ...cells(troughs[k])]);
-    table.replaceChildren(headed(['wavelength_mm', 'crest', 'crest_monthly', 'trough', 'trough_monthly'].map((word) => t(`cracks_${word}`, number(months ?? NaN)))), element('tbody', {}, ...rows.map(([first, ...rest]) => element('tr', {}, element('th', { scope: 'row', textContent: first }), ...rest.map((textContent) => element('td', { textContent }))))));
+    const rows = of('crest').map((crest, k) => row(number(1e3 * crest.wavelength_m), [...cells(crest), ...cells(troughs[k])]));
+    fillTable(table, ['wavelength_mm', 'crest', 'crest_monthly', 'trough', 'trough_monthly'].map((word) => t(`cracks_${word}`, number(months ?? NaN))), rows);
   }
 
   startCasePanel(shared, {

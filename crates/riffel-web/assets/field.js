@@ -1,6 +1,6 @@
 // The field: what was predicted of sites whose corrugation is published, beside what was measured there.
 
-import { element, headed, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { askOnce, json } from './server.js';
 import { number, sentence, t, told, translate } from './words.js';
@@ -34,16 +34,16 @@ export function startField({ state, listen, complain, save }) {
     return low === null ? t('up_to', number(high)) : high === null ? t('from_on', number(low)) : `${number(low)}–${number(high)}`;
   };
 
-  function row({ site, what, unit, measured: found, predicted, inside, source }) {
+  function rowOf({ site, what, unit, measured: found, predicted, inside, source }) {
     const band = predicted ? `${number(predicted.median)} (${predicted.band_80.map((end) => number(end)).join('–')})` : t('nothing_grows_here');
-    const cells = [`${told(what)}${told(unit) && `, ${told(unit)}`}`, band, measured(found)].map((textContent) => element('td', { textContent }));
-    return element('tr', {}, element('th', { scope: 'row', textContent: site, lang: 'en', title: source }), ...cells, element('td', { textContent: t(inside ? 'inside' : 'outside'), className: inside ? 'good' : 'bad' }));
+    const name = element('th', { scope: 'row', textContent: site, lang: 'en', title: source });
+    return row(name, [`${told(what)}${told(unit) && `, ${told(unit)}`}`, band, measured(found), element('td', { textContent: t(inside ? 'inside' : 'outside'), className: inside ? 'good' : 'bad' })]);
   }
 
   function show() {
     if (!answer) return;
     summary.textContent = sentence(told(answer.summary));
-    table.replaceChildren(headed(['site', 'measured_what', 'predicted_band', 'measured_there', ''].map((word) => word && t(word))), element('tbody', {}, ...answer.outcomes.map(row)));
+    fillTable(table, ['site', 'measured_what', 'predicted_band', 'measured_there', ''].map((word) => word && t(word)), answer.outcomes.map(rowOf));
     translate(panel);
   }
 

@@ -1,6 +1,6 @@
 // What helps: remedies ranked by what they do to growth under the traffic, or by the months that they gain for their cost, each to be kept as a variant.
 
-import { element, headed, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inUnit, set, shownUnit } from './keys.js';
 import { NumberField, UNITS } from './number-field.js';
@@ -35,7 +35,8 @@ export class Remedies {
     this.hint.hidden = rows.length > 0;
     this.hint.dataset.t = answer ? 'nothing_grows' : 'remedies_come';
     const heads = ['remedy', 'growth_changes', 'doubles_in', 'ground_after', 'remedy_cost', ...(this.likely ? ['likely_helps', 'likely_best'] : []), ''];
-    this.table.replaceChildren(...(rows.length ? [headed(heads.map((word) => word && t(word))), element('tbody', {}, ...rows)] : []));
+    if (rows.length) fillTable(this.table, heads.map((word) => word && t(word)), rows);
+    else this.table.replaceChildren();
     // A field that has moved with its row is still the one that is written in.
     if (this.table.contains(typing)) typing.focus();
     const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${told(title)}`)} ${sentence(told(reason))}`) ?? [];
@@ -91,8 +92,8 @@ export class Remedies {
     const signed = `${change > 0 ? '+' : ''}${number(Math.round(change))} %`;
     const { months_gained: gained, months_per_cost: worth } = remedy;
     const ground = element('td', { textContent: remedy.ground_after ? told(remedy.ground_after) : '–' }, ...(gained === null ? [] : [element('small', { textContent: t('months_gained', { months: `${gained > 0 ? '+' : ''}${number(gained, 2)}`, worth: worth && number(1000 * worth, 2) }) })]));
-    const likely = this.likely && ['helps', 'best'].map((what) => element('td', { textContent: `${number(100 * (this.likely.get(remedy.id)?.[what] ?? NaN), 2)} %` }));
-    return element('tr', {}, name, element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), element('td', { textContent: told(remedy.doubles_in) }), ground, element('td', {}, ...this.#cost(remedy)), ...(likely ?? []), element('td', {}, keep));
+    const likely = this.likely ? ['helps', 'best'].map((what) => `${number(100 * (this.likely.get(remedy.id)?.[what] ?? NaN), 2)} %`) : [];
+    return row(name, [element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), told(remedy.doubles_in), ground, element('td', {}, ...this.#cost(remedy)), ...likely, keep]);
   }
 
   /** A key with its value [SI] as the form has it. */
