@@ -216,17 +216,26 @@ impl FastestGrowth {
                 None => say!(million_axles, axles = million(self.doubling_passages)),
             };
         };
-        let two = |time: f64| significant(time, 2);
-        let banded = |growth: &Self| growth.doubling_months_banded.map(|it| it.band_80);
-        let unit = unit_of(banded(other).unwrap_or([other.doubling_months.unwrap_or(months); 2]));
-        if let Some(band) = banded(self) {
-            return between(band, unit);
-        }
-        match unit {
-            Unit::Days => say!(days_of, days = two(DAYS_PER_MONTH * months)),
-            Unit::Months => say!(months_of, months = two(months)),
-            Unit::Years => say!(years_of, years = two(months / 12.0)),
-        }
+        let other_months = other.doubling_months.unwrap_or(months);
+        time_in_words(
+            [months, other_months],
+            [self, other].map(|growth| growth.doubling_months_banded),
+        )
+    }
+}
+
+/// Months, with their bands where they have some, in the unit of others that are second in each.
+pub(crate) fn time_in_words([months, others]: [f64; 2], banded: [Option<Banded>; 2]) -> Message {
+    let [own_band, band] = banded.map(|banded| banded.map(|it| it.band_80));
+    let unit = unit_of(band.unwrap_or([others; 2]));
+    if let Some(own_band) = own_band {
+        return between(own_band, unit);
+    }
+    let two = |time: f64| significant(time, 2);
+    match unit {
+        Unit::Days => say!(days_of, days = two(DAYS_PER_MONTH * months)),
+        Unit::Months => say!(months_of, months = two(months)),
+        Unit::Years => say!(years_of, years = two(months / 12.0)),
     }
 }
 

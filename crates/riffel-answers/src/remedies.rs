@@ -1,5 +1,8 @@
 //! What would slow growth under a traffic: the remedies that a case has keys for, ranked by what they do.
 
+use std::cmp::Ordering;
+use std::collections::BTreeMap;
+
 use riffel::forecast::SpeedDistribution;
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
@@ -8,7 +11,7 @@ use riffel_plot::{LineFigure, Series};
 use serde::Serialize;
 
 use crate::forecast::{per_million, rate_panel, zero};
-use crate::{Answer, Column, FastestGrowth, LineGrowth, Table};
+use crate::{Answer, AnswerError, Column, FastestGrowth, GrindingInterval, LineGrowth, Table};
 
 /// Friction of a treated rail: chosen, that of a friction modifier which works well.
 const TREATED_FRICTION: f64 = 0.25;
@@ -25,6 +28,8 @@ pub struct RemediesAnswer {
     riffel_version: &'static str,
     /// As it is.
     pub under_traffic: LineGrowth,
+    /// As it is; none where it is not known how many axles run.
+    pub grinding_interval: Option<GrindingInterval>,
     /// What the remedies do; none where nothing grows.
     pub remedies: Vec<Remedy>,
     /// What is no remedy here, and why.
@@ -36,6 +41,8 @@ pub struct RemediesAnswer {
 /// A remedy with what it does to growth.
 #[derive(Serialize)]
 pub struct Remedy {
+    /// Which it is, as costs name it.
+    pub id: &'static str,
     /// What is done.
     pub title: Message,
     /// Keys of a file of changes, dotted, with their values in SI: of the case, or of the speeds.
@@ -47,6 +54,16 @@ pub struct Remedy {
     /// In what growth then doubles, in the unit of the case as it is.
     #[serde(skip)]
     pub doubles_in: Message,
+    /// From one grinding to the next; none where it is not known how many axles run.
+    pub grinding_interval: Option<GrindingInterval>,
+    /// That it is longer than in the case as it is.
+    pub months_gained: Option<f64>,
+    /// The interval, in the unit of the case as it is.
+    #[serde(skip)]
+    pub ground_after: Option<Message>,
+    /// What it costs, in any currency that is that of all.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cost: Option<f64>,
     #[serde(skip)]
     curve: Vec<[f64; 2]>,
 }
@@ -120,6 +137,7 @@ impl RemediesAnswer {
             remedies: Vec::new(),
             left_out: Vec::new(),
             remarks: Vec::new(),
+            grinding_interval: GrindingInterval::new(case, &under_traffic),
             under_traffic,
         };
         let Some(before) = answer.under_traffic.fastest else {
@@ -150,7 +168,10 @@ impl RemediesAnswer {
             answer
                 .remarks
                 .extend((changes.len() > 1).then(|| say!(treatment_keeps_force)));
+            let interval = GrindingInterval::new(case, &growth);
+            let intervals = interval.zip(answer.grinding_interval);
             answer.remedies.push(Remedy {
+                id: title.id(),
                 title,
                 changes,
                 change_of_fastest_growth: change,
@@ -158,20 +179,50 @@ impl RemediesAnswer {
                     || say!(nothing_grows_then),
                     |fastest| fastest.time_beside(&before),
                 ),
+                grinding_interval: interval,
+                months_gained: intervals.map(|(own, before)| own.gained_on(&before)),
+                ground_after: intervals.map(|(own, before)| own.time_beside(&before)),
+                cost: None,
                 fastest: growth.fastest,
                 curve: growth.curve,
             });
         }
-        let effect = |remedy: &Remedy| remedy.change_of_fastest_growth;
-        answer
-            .remedies
-            .sort_by(|a, b| effect(a).total_cmp(&effect(b)));
+        answer.remedies.sort_by(Remedy::by_effect);
         answer.left_out.push(LeftOut {
             title: say!(more_grinding),
             reason: say!(grinding_leaves_growth, time = before.time()),
         });
+        let interval = answer.grinding_interval;
+        answer
+            .remarks
+            .extend(interval.map(|it| say!(ground_as_it_is, time = it.time_beside(&it))));
         answer.remarks.push(say!(steps_are_chosen));
         Ok(answer)
+    }
+
+    /// The same with costs by the ids of remedies: what lengthens the grinding interval and has a cost comes first, by the months that
+    /// it gains for that; all else follows by its effect. A cost of what is no remedy here is left aside.
+    ///
+    /// # Errors
+    /// [`AnswerError::Argument`] for a cost that is not above zero.
+    pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
+        if let Some((id, cost)) = costs
+            .iter()
+            .find(|(_, cost)| !(**cost > 0.0 && cost.is_finite()))
+        {
+            return Err(AnswerError::Argument {
+                argument: "cost",
+                value: format!("{id} = {cost}"),
+                rule: "finite and above zero".to_owned(),
+            });
+        }
+        for remedy in &mut self.remedies {
+            remedy.cost = costs.get(remedy.id).copied();
+        }
+        let worth = |remedy: &Remedy| remedy.months_per_cost().unwrap_or(0.0);
+        self.remedies
+            .sort_by(|a, b| worth(b).total_cmp(&worth(a)).then(a.by_effect(b)));
+        Ok(self)
     }
 
     /// How many steps there are at most, for whom waits.
@@ -184,7 +235,7 @@ impl RemediesAnswer {
     /// What helps most, in one sentence; none where nothing grows.
     pub fn helps_most(&self) -> Option<Message> {
         self.under_traffic.fastest?;
-        let best = self.remedies.first();
+        let best = self.remedies.iter().min_by(|a, b| a.by_effect(b));
         let Some(best) = best.filter(|best| best.change_of_fastest_growth < 0.0) else {
             return Some(say!(helps_nothing));
         };
@@ -198,6 +249,19 @@ impl RemediesAnswer {
             ),
             None => say!(helps_most_of_all, title = title),
         })
+    }
+}
+
+impl Remedy {
+    /// What it does to growth, the most first.
+    fn by_effect(&self, other: &Self) -> Ordering {
+        let [own, other] = [self, other].map(|it| it.change_of_fastest_growth);
+        own.total_cmp(&other)
+    }
+
+    /// Months that are gained for one of the currency; none without a cost, and where none are gained.
+    pub fn months_per_cost(&self) -> Option<f64> {
+        Some(self.months_gained.filter(|months| *months > 0.0)? / self.cost?)
     }
 }
 
@@ -297,6 +361,9 @@ impl Answer for RemediesAnswer {
         let change = numbers(|it| Some(100.0 * it.change_of_fastest_growth));
         let months = numbers(|it| it.fastest?.doubling_months).collect();
         let rates = numbers(|it| Some(it.fastest?.growth_rate_per_passage)).collect();
+        let grinding = numbers(|it| it.grinding_interval?.months).collect();
+        let unknown = || Message::verbatim("");
+        let ground_after = |it: &Remedy| it.ground_after.clone().unwrap_or_else(unknown);
         vec![Table {
             name: "remedies",
             columns: vec![
@@ -313,6 +380,8 @@ impl Answer for RemediesAnswer {
                     0,
                 ),
                 Column::shown(say!(doubles_in_column), of(&|it| it.doubles_in.clone())),
+                Column::shown(say!(ground_after_column), of(&ground_after)),
+                Column::optional("grinding_interval_months", grinding),
                 Column::optional("doubling_months", months),
                 Column::optional("growth_rate_per_passage", rates),
             ],
@@ -352,5 +421,55 @@ impl Answer for RemediesAnswer {
 
     fn remarks(&self) -> &[Message] {
         &self.remarks
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use riffel_case::NOMINAL_CASE;
+
+    /// 12 months for 6 are 2 for one, 9 for 3 are 3; a cost does not help what loses months, nor is it one of what has none.
+    #[test]
+    fn months_per_cost_go_before_effect() {
+        let case = Case::parse("nominal", NOMINAL_CASE, &[]).unwrap();
+        let mut answer = RemediesAnswer::new(&case, None, &|_| ()).unwrap();
+        let made_up = [
+            ("a", -0.5, Some(12.0)),
+            ("b", -0.4, Some(9.0)),
+            ("c", -0.6, Some(30.0)),
+            ("d", 0.1, Some(-2.0)),
+            ("e", -0.1, None),
+        ];
+        assert!(answer.remedies.len() >= made_up.len());
+        answer.remedies.truncate(made_up.len());
+        for (remedy, (id, change, gained)) in answer.remedies.iter_mut().zip(made_up) {
+            remedy.id = id;
+            remedy.change_of_fastest_growth = change;
+            remedy.months_gained = gained;
+        }
+        let costs = |costs: &[(&str, f64)]| {
+            let costs = costs.iter().map(|(id, cost)| ((*id).to_owned(), *cost));
+            costs.collect::<BTreeMap<_, _>>()
+        };
+        let given = costs(&[
+            ("a", 6.0),
+            ("b", 3.0),
+            ("d", 1.0),
+            ("e", 1.0),
+            ("other", 1.0),
+        ]);
+        let answer = answer.with_costs(&given).unwrap();
+        let ids: Vec<&str> = answer.remedies.iter().map(|remedy| remedy.id).collect();
+        assert_eq!(ids, ["b", "a", "c", "e", "d"]);
+        assert_eq!(answer.remedies[0].months_per_cost(), Some(3.0));
+        // What helps most is still that which does the most to growth.
+        let said = answer.helps_most().unwrap().to_string();
+        assert!(said.contains("60 %"), "{said}");
+        let refused = answer.with_costs(&costs(&[("a", 0.0)])).err().unwrap();
+        assert_eq!(
+            refused.to_string(),
+            "cost is a = 0, but must be finite and above zero"
+        );
     }
 }

@@ -37,10 +37,7 @@ pub(crate) struct RailDraw {
 
 /// The bands of a rail by the growth rates of all their lines, which begin alike. What is missed of growth \[dB per passage\] goes to
 /// every line of a band.
-pub(crate) fn growing_bands<'a>(
-    rates: &'a [f64],
-    missed: &'a [f64],
-) -> impl Iterator<Item = GrowingSum> {
+pub fn growing_bands<'a>(rates: &'a [f64], missed: &'a [f64]) -> impl Iterator<Item = GrowingSum> {
     let bands = rates.chunks(LINES_PER_BAND).zip(missed);
     bands.map(|(rates, missed)| {
         let square = (rates.len() as f64).recip();

@@ -290,6 +290,7 @@ remedy-column = Maßnahme
 remedy-changes-column = ändert
 growth-change-column = Wachstum %
 doubles-in-column = verdoppelt sich in
+ground-after-column = geschliffen nach
 nothing-grows-then = nichts wächst
 helps-most = am meisten hilft: { $title }; das Wachstum fällt um { $percent } % und verdoppelt in { $time }
 helps-most-of-all = am meisten hilft: { $title }; dann wächst nichts
@@ -300,9 +301,23 @@ remedy-has-no-effect = { $key } ändert in diesem Fall nichts
 remedy-is-refused = damit lässt sich dieser Fall nicht berechnen
 friction-is-low = die Reibung ist schon { $friction }
 grinding-leaves-growth = Schleifen senkt den Pegel und lässt das Wachstum, wie es ist: 6 dB in { $time }
+ground-as-it-is = so wie es ist, steigt das erste Band in { $time } um 6 dB über das, was Schleifen hinterlässt: so lang ist der Abstand des Schleifens bei einem Grenzwert in dieser Höhe
 steps-are-chosen = wie weit jede Maßnahme geht, ist gewählt; was ein Produkt bewirkt, steht in seinem Datenblatt
 speeds-are-wide = die Geschwindigkeiten streuen schon etwa so weit, wie es eine Normalverteilung kann
 treatment-keeps-force = auf behandelter Reibung ziehen und bremsen Züge mit derselben Kraft und mehr Schlupf; wo ein Bogen den Schlupf bestimmt, contact.creepage anstelle von contact.tractive_ratio angeben
+
+## Das Feld
+
+field-wavelength = Wellenlänge
+field-frequency = Frequenz
+field-growth = Wachstum
+field-shorter-wave = kürzere der beiden stärksten Wellen
+field-longer-wave = längere der beiden stärksten Wellen
+field-high-over-low = Außenschiene zu Innenschiene
+field-outer-over-inner = äußere zu innerer Schiene
+field-with-modifier = Wachstum mit Reibmittel zu dem ohne
+decibels-per-million-axles = dB je Million Achsen
+field-is-kept = vorhergesagt von riffel { $version } mit { $samples } Stichproben je Ort, einmal, und vom Projekt aufbewahrt: { $inside } von { $outcomes } gemessenen Werten liegen darin, die logarithmische Bewertung ist { $score }
 
 ## Wachstum unter dem Verkehr einer Strecke
 
@@ -330,6 +345,7 @@ months-of = { $months } Monaten
 months-between = { $early } bis { $late } Monaten
 years-of = { $years } Jahren
 years-between = { $early } bis { $late } Jahren
+longer-than-years = über { $years } Jahren
 million-axles = { $axles } Millionen Achsen
 million-axles-between = { $early } bis { $late } Millionen Achsen
 

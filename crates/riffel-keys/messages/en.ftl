@@ -298,6 +298,7 @@ remedy-column = remedy
 remedy-changes-column = changes
 growth-change-column = growth %
 doubles-in-column = doubles in
+ground-after-column = ground after
 nothing-grows-then = nothing grows
 helps-most = what helps most is { $title }: growth falls by { $percent } % and doubles in { $time }
 helps-most-of-all = what helps most is { $title }: nothing grows then
@@ -308,9 +309,23 @@ remedy-has-no-effect = { $key } changes nothing in this case
 remedy-is-refused = this case cannot be computed with it
 friction-is-low = friction is { $friction } already
 grinding-leaves-growth = grinding lowers the level and leaves growth as it is, 6 dB in { $time }
+ground-as-it-is = as it is, the first band rises by 6 dB from what grinding leaves in { $time }: this is the grinding interval of a limit so far above
 steps-are-chosen = how far each remedy goes is chosen; what a product does stands in its data sheet
 speeds-are-wide = speeds are spread about as widely as a normal distribution can be
 treatment-keeps-force = with the friction treatment trains pull and brake with the same force, at more creepage; where a curve sets the creepage, give contact.creepage in place of contact.tractive_ratio
+
+## The field
+
+field-wavelength = wavelength
+field-frequency = frequency
+field-growth = growth
+field-shorter-wave = shorter of the two strongest waves
+field-longer-wave = longer of the two strongest waves
+field-high-over-low = high rail over low rail
+field-outer-over-inner = outer rail over inner rail
+field-with-modifier = growth with a friction modifier, over that without
+decibels-per-million-axles = dB per million axles
+field-is-kept = predicted by riffel { $version } with { $samples } samples of each site, once, and kept by the project: { $inside } of { $outcomes } measured values lie inside, the logarithmic score is { $score }
 
 ## Growth under the traffic of a line
 
@@ -338,6 +353,7 @@ months-of = { $months } months
 months-between = { $early } to { $late } months
 years-of = { $years } years
 years-between = { $early } to { $late } years
+longer-than-years = more than { $years } years
 million-axles = { $axles } million axles
 million-axles-between = { $early } to { $late } million axles
 

@@ -15,7 +15,9 @@
 mod case;
 mod case_text;
 mod compare;
+mod damage;
 mod fault;
+mod field;
 mod figure;
 mod german;
 mod line;
@@ -66,7 +68,7 @@ pub trait Question {
 pub type Reader = fn(&[u8]) -> Result<Box<dyn Question + Send>, Fault>;
 
 /// The questions by their paths.
-pub const QUESTIONS: [(&str, Reader); 13] = [
+pub const QUESTIONS: [(&str, Reader); 15] = [
     ("/api/case", reader::<case::Question>),
     ("/api/own-values", reader::<own_values::Question>),
     ("/api/map", reader::<map::Question>),
@@ -78,6 +80,8 @@ pub const QUESTIONS: [(&str, Reader); 13] = [
     ("/api/figure", reader::<figure::Question>),
     ("/api/passage", reader::<passage::Question>),
     ("/api/stability", reader::<stability::Question>),
+    ("/api/damage", reader::<damage::Question>),
+    ("/api/field", reader::<field::Question>),
     ("/api/wheelset", reader::<wheelset::Question>),
     ("/api/export/csv", reader::<table::Question>),
 ];

@@ -1,5 +1,7 @@
 //! `POST /api/remedies`: what would slow growth under the traffic of the line.
 
+use std::collections::BTreeMap;
+
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
 use serde::{Deserialize, Serialize};
 
@@ -7,7 +9,13 @@ use crate::traffic::OnLine;
 use crate::{Fault, Note, Reply, Wanted};
 
 #[derive(Deserialize)]
-pub(crate) struct Question(OnLine);
+pub(crate) struct Question {
+    #[serde(flatten)]
+    line: OnLine,
+    /// By the ids of remedies, in any currency.
+    #[serde(default)]
+    costs: BTreeMap<String, f64>,
+}
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -21,6 +29,8 @@ struct Answer<'a> {
 struct Ranked<'a> {
     name: Note,
     doubles_in: Note,
+    ground_after: Option<Note>,
+    months_per_cost: Option<f64>,
     #[serde(flatten)]
     remedy: &'a Remedy,
 }
@@ -37,11 +47,14 @@ impl crate::Question for Question {
     }
 
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
-        let (case, traffic) = self.0.read()?;
+        let (case, traffic) = self.line.read()?;
         let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
+        let answer = answer.with_costs(&self.costs)?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: Note::from(&remedy.title),
             doubles_in: Note::from(&remedy.doubles_in),
+            ground_after: remedy.ground_after.as_ref().map(Note::from),
+            months_per_cost: remedy.months_per_cost(),
             remedy,
         });
         let left_out = answer.left_out.iter().map(|it| LeftOut {

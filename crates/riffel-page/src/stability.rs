@@ -24,9 +24,9 @@ impl crate::Question for Question {
         Some("stability".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
         let case = self.case.read()?;
-        let map = StabilityMap::new(&case, &StabilityMap::frictions(), &|_| ())?;
+        let map = StabilityMap::new(&case, &StabilityMap::frictions(), wanted, &|_| ())?;
         Reply::json(&Answer {
             sentences: Note::all(&map.sentences()),
             notes: Note::all(&map.remarks),

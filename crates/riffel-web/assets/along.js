@@ -3,7 +3,7 @@
 import { letterSize, theme } from './colors.js';
 import { decoded } from './columns.js';
 import { axis, draw, layout, palette, refit } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords, said } from './german.js';
 import { Line, json } from './server.js';
@@ -205,17 +205,17 @@ export class Along {
 
   /** A table whose rows are ways to parts of the line; `rows` gives the part of a row, its rail and its other cells. */
   #tabled({ table }, columns, rows) {
-    const head = element('thead', {}, element('tr', {}, ...columns.map((textContent) => element('th', { scope: 'col', textContent }))));
     const body = rows.map(({ part, rail, cells }) => {
       const go = element('button', { type: 'button', className: 'plain small', textContent: span(part) });
       const chosen = this.part && Math.abs(this.part.from_m - part.from_m) < 1e-6 && Math.abs(this.part.to_m - part.to_m) < 1e-6;
-      const row = element('tr', { className: 'way' }, element('th', { scope: 'row', textContent: rail ? t('rail_name', rail) : '–' }), element('td', {}, go), ...cells.map((cell) => (cell instanceof Node ? cell : element('td', { textContent: cell }))));
-      if (chosen) row.setAttribute('aria-current', 'true');
-      row.addEventListener('click', () => this.#choose(this.#around(part.from_m, part.to_m)));
-      return row;
+      const way = row(rail ? t('rail_name', rail) : '–', [go, ...cells]);
+      way.className = 'way';
+      if (chosen) way.setAttribute('aria-current', 'true');
+      way.addEventListener('click', () => this.#choose(this.#around(part.from_m, part.to_m)));
+      return way;
     });
     table.hidden = !rows.length;
-    table.replaceChildren(head, element('tbody', {}, ...body));
+    fillTable(table, columns, body);
   }
 
   #verdicts(sections) {

@@ -1,24 +1,20 @@
 // The bogie from above as it stands in its curve, travelling to the right: wheels coloured by wear, creep forces on the rail as arrows.
 
+import { svgElement } from './elements.js';
 import { number, t } from './words.js';
 
-const SVG = 'http://www.w3.org/2000/svg';
-/** Half the distance of the rails [m], length and breadth of a wheel, length of the longest arrow. */
-const HALF = 0.75;
+/** Breadth of the head of a rail [m], length and breadth of a wheel, length of the longest arrow. */
+const HEAD = 0.07;
 const WHEEL = [0.5, 0.13];
 const ARROW = 0.55;
 /** Most that angles [rad] and shifts [m] are drawn as. */
 const SEEN = { angle: 0.22, shift: 0.12, bow: 0.35 };
 
-function node(name, attributes, ...children) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
-}
-
 /** `curve` is what the program tells of the equilibrium; `label` says it in words. */
-export function drawBogie(place, curve, { radius, wheelbase, label }) {
+export function drawBogie(place, curve, { radius, gauge, wheelbase, label }) {
+  // To the middle of either rail; axle ends, frame and picture reach beyond it.
+  const half = 0.5 * (gauge + HEAD);
+  const [frame, end, edge] = [half + 0.3, half + 0.35, half + 1];
   const largest = (values) => Math.max(...values.map(Math.abs), 1e-12);
   const reach = 0.5 * wheelbase + 0.7;
   const factor = Math.min(
@@ -31,10 +27,10 @@ export function drawBogie(place, curve, { radius, wheelbase, label }) {
   const step = 10 ** Math.floor(Math.log10(factor));
   const scale = Math.floor(factor / step) * step;
   const across = (x) => (scale * x * x) / (2 * radius);
-  const svg = node('svg', { viewBox: `${-reach} ${-1.75} ${2 * reach} 3.5`, role: 'img', 'aria-label': label, class: 'bogie' });
-  for (const side of [-HALF, HALF]) {
+  const svg = svgElement('svg', { viewBox: `${-reach} ${-edge} ${2 * reach} ${2 * edge}`, role: 'img', 'aria-label': label, class: 'bogie' });
+  for (const side of [-half, half]) {
     const places = Array.from({ length: 41 }, (_, k) => -reach + (2 * reach * k) / 40);
-    svg.append(node('polyline', { points: places.map((x) => `${x.toFixed(3)},${(across(x) + side).toFixed(3)}`).join(' '), class: 'rail' }));
+    svg.append(svgElement('polyline', { points: places.map((x) => `${x.toFixed(3)},${(across(x) + side).toFixed(3)}`).join(' '), class: 'rail' }));
   }
   const wear = largest(curve.wheels.map((wheel) => wheel.t_gamma_n));
   const force = largest(curve.wheels.map((wheel) => Math.hypot(wheel.longitudinal_force_n, wheel.lateral_force_n)));
@@ -46,40 +42,40 @@ export function drawBogie(place, curve, { radius, wheelbase, label }) {
     // The frame lies on the axles.
     const [front, rear] = axles;
     for (const side of [-1, 1]) {
-      svg.append(node('line', { x1: rear.x, y1: rear.y + side * 1.05, x2: front.x, y2: front.y + side * 1.05, class: 'frame' }));
+      svg.append(svgElement('line', { x1: rear.x, y1: rear.y + side * frame, x2: front.x, y2: front.y + side * frame, class: 'frame' }));
     }
-    svg.append(node('line', { x1: 0, y1: 0.5 * (front.y + rear.y) - 1.05, x2: 0, y2: 0.5 * (front.y + rear.y) + 1.05, class: 'frame' }));
+    svg.append(svgElement('line', { x1: 0, y1: 0.5 * (front.y + rear.y) - frame, x2: 0, y2: 0.5 * (front.y + rear.y) + frame, class: 'frame' }));
   }
   axles.forEach(({ x, y, yaw }, index) => {
-    const turned = node('g', { transform: `translate(${x} ${y}) rotate(${(yaw * 180) / Math.PI})` });
-    turned.append(node('line', { x1: 0, y1: -1.1, x2: 0, y2: 1.1, class: 'axle' }));
+    const turned = svgElement('g', { transform: `translate(${x} ${y}) rotate(${(yaw * 180) / Math.PI})` });
+    turned.append(svgElement('line', { x1: 0, y1: -end, x2: 0, y2: end, class: 'axle' }));
     const wheels = curve.wheels.filter((wheel) => wheel.wheelset === index + 1);
     for (const wheel of wheels) {
-      const side = wheel.rail === 'left' ? -HALF : HALF;
+      const side = wheel.rail === 'left' ? -half : half;
       const share = Math.max(wheel.t_gamma_n, 0) / wear;
-      const rect = node('rect', { x: -0.5 * WHEEL[0], y: side - 0.5 * WHEEL[1], width: WHEEL[0], height: WHEEL[1], rx: 0.03, class: 'wheel' });
+      const rect = svgElement('rect', { x: -0.5 * WHEEL[0], y: side - 0.5 * WHEEL[1], width: WHEEL[0], height: WHEEL[1], rx: 0.03, class: 'wheel' });
       rect.style.fillOpacity = (0.08 + 0.92 * share).toFixed(3);
       turned.append(rect);
     }
     svg.append(turned);
     for (const wheel of wheels) {
-      const side = wheel.rail === 'left' ? -HALF : HALF;
+      const side = wheel.rail === 'left' ? -half : half;
       // Where the yawed axle has this wheel.
       const at = [x - side * Math.sin(yaw), y + side * Math.cos(yaw)];
       const tip = [wheel.longitudinal_force_n, wheel.lateral_force_n].map((part) => (ARROW * part) / force);
       const length = Math.hypot(...tip);
       if (length < 0.02) continue;
       const angle = (Math.atan2(tip[1], tip[0]) * 180) / Math.PI;
-      const arrow = node('g', { transform: `translate(${at[0]} ${at[1]}) rotate(${angle})`, class: 'creep' });
+      const arrow = svgElement('g', { transform: `translate(${at[0]} ${at[1]}) rotate(${angle})`, class: 'creep' });
       arrow.append(
-        node('line', { x1: 0, y1: 0, x2: Math.max(length - 0.1, 0), y2: 0 }),
-        node('path', { d: `M${length} 0 l-0.13 0.055 v-0.11 Z` }),
+        svgElement('line', { x1: 0, y1: 0, x2: Math.max(length - 0.1, 0), y2: 0 }),
+        svgElement('path', { d: `M${length} 0 l-0.13 0.055 v-0.11 Z` }),
       );
       svg.append(arrow);
     }
   });
   // The way of travel.
-  svg.append(node('path', { d: `M${reach - 0.42} 0 h0.24 m-0.09 -0.07 l0.09 0.07 l-0.09 0.07`, class: 'travel' }));
+  svg.append(svgElement('path', { d: `M${reach - 0.42} 0 h0.24 m-0.09 -0.07 l0.09 0.07 l-0.09 0.07`, class: 'travel' }));
   const words = document.createElement('p');
   words.className = 'why';
   words.textContent = t('bogie_drawn', { scale, force: number(1e-3 * force), wear: number(wear) });

@@ -1,13 +1,12 @@
 // Growth of the case under each wheel of the bogie in its curve, and the way of its mean state into the case.
 
-import { element, worded } from './elements.js';
+import { element, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { inUnit, set } from './keys.js';
 import { Line, json } from './server.js';
 import { caseTitle, number, passages, power, t, translate } from './words.js';
 
-const SVG = 'http://www.w3.org/2000/svg';
 /** Width and height of a picture, in its own units, and where its zero lies. */
 const [WIDTH, HEIGHT, ZERO] = [200, 70, 50];
 
@@ -94,15 +93,10 @@ export class BogieWheels {
 
   /** Growth over wavelength in the scale of all wheels; decay is cut off. */
   #picture(rates, most, label) {
-    const svg = document.createElementNS(SVG, 'svg');
-    for (const [key, value] of Object.entries({ viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': label })) svg.setAttribute(key, value);
-    const path = document.createElementNS(SVG, 'path');
     const wavelengths = this.answer.wavelength_m;
     const across = (wavelength) => (WIDTH * (wavelength - wavelengths[0])) / (wavelengths.at(-1) - wavelengths[0]);
     const points = rates.map((rate, k) => `${across(wavelengths[k]).toFixed(1)} ${Math.min(HEIGHT, ZERO - (ZERO * rate) / most).toFixed(1)}`);
-    path.setAttribute('d', `M0 ${ZERO} L${points.join(' L')} L${WIDTH} ${ZERO} Z`);
-    path.setAttribute('class', 'after');
-    svg.append(path);
-    return svg;
+    const path = svgElement('path', { d: `M0 ${ZERO} L${points.join(' L')} L${WIDTH} ${ZERO} Z`, class: 'after' });
+    return svgElement('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, role: 'img', 'aria-label': label }, path);
   }
 }

@@ -4,7 +4,7 @@ import { drawBogie } from './bogie-drawing.js';
 import { BogieWheels } from './bogie-wheels.js';
 import { letterSize } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
@@ -173,18 +173,16 @@ export function startBogie({ state, listen, complain, banner, labels, unitOf, re
     trouble.hidden = !fault;
     trouble.textContent = fault ? `${t('no_equilibrium')} ${labels(inWords(fault.message))}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
-    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
-    const cell = (value, digits) => element('td', { textContent: value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−') });
+    if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, gauge: shown.asked.gauge_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
+    const cell = (value, digits) => value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−');
     const columns = ['shift_mm', 'attack_mrad', 'along_percent', 'across_percent', 'angle_degrees', 'load_kn', 't_gamma'];
-    table.replaceChildren(
-      element('thead', {}, element('tr', {}, element('td'), ...columns.map((head) => element('th', { scope: 'col', textContent: t(head) })))),
-      element('tbody', {}, ...wheels.map((wheel) => {
-        const { lateral_shift_m, angle_of_attack_rad } = wheelsets[wheel.wheelset - 1];
-        return element('tr', {}, element('th', { scope: 'row', textContent: `${wheel.wheelset} ${t(wheel.rail)}` }),
-          cell(1e3 * lateral_shift_m, 2), cell(1e3 * angle_of_attack_rad, 2), cell(100 * wheel.longitudinal_creepage, 3), cell(100 * wheel.lateral_creepage, 3),
-          cell((180 / Math.PI) * wheel.contact_angle_rad, 1), cell(1e-3 * wheel.normal_force_n, 1), cell(wheel.t_gamma_n, 0));
-      })),
-    );
+    fillTable(table, ['', ...columns.map((head) => t(head))], wheels.map((wheel) => {
+      const { lateral_shift_m, angle_of_attack_rad } = wheelsets[wheel.wheelset - 1];
+      return row(`${wheel.wheelset} ${t(wheel.rail)}`, [
+        cell(1e3 * lateral_shift_m, 2), cell(1e3 * angle_of_attack_rad, 2), cell(100 * wheel.longitudinal_creepage, 3), cell(100 * wheel.lateral_creepage, 3),
+        cell((180 / Math.PI) * wheel.contact_angle_rad, 1), cell(1e-3 * wheel.normal_force_n, 1), cell(wheel.t_gamma_n, 0),
+      ]);
+    }));
     remarks.replaceChildren(...[...shown.remarks, ...(shown.curve.remarks ?? [])].map((note) => told(note)).filter((words, k, all) => all.indexOf(words) === k)
       .map((words) => element('li', { textContent: words })));
   }

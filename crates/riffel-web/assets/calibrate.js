@@ -7,6 +7,7 @@ import { element, worded } from './elements.js';
 import { said } from './german.js';
 import { inUnit, set } from './keys.js';
 import { Priors, nameOfValue, withNames } from './priors.js';
+import { remember, remembered } from './remembered.js';
 import { Fault, Line, askOnce, json, peek } from './server.js';
 import { currentLanguage, sentence, t, translate } from './words.js';
 
@@ -14,6 +15,8 @@ import { currentLanguage, sentence, t, translate } from './words.js';
 const LOOK = 500;
 /** Draws of each chain that count: the first are those of the program for the page. */
 const DRAWS = [1500, 3000, 6000];
+/** Where a reload finds them. */
+const KEPT = 'riffel-draws';
 
 export function startCalibrate({ state, traffic, labels, unitOf, listen, complain, banner, announce, save, replace }) {
   const place = document.getElementById('view-calibrate');
@@ -31,7 +34,12 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   const example = worded('button', 'try_example', { type: 'button', className: 'plain', id: 'calibration-example' });
   const source = worded('p', 'example_source', { className: 'fine', hidden: true });
   const draws = element('select', { id: 'draws' }, ...DRAWS.map((count) => element('option', { value: count, textContent: count })));
-  draws.addEventListener('change', () => askPlan());
+  const takeDraws = (count) => DRAWS.includes(count) && (draws.value = count);
+  takeDraws(remembered(KEPT));
+  draws.addEventListener('change', () => {
+    remember(KEPT, Number(draws.value));
+    askPlan();
+  });
   const run = worded('button', 'calibrate_now', { type: 'button', className: 'plain', id: 'calibrate', disabled: true });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'chains' });
   bar.dataset.tLabel = 'draws_word';
@@ -144,9 +152,12 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
     for (const [name, text] of [['plan', plan.text], ['case', plan.case], ['traffic', plan.traffic]]) save(new Blob([text], { type: 'application/toml' }), `${name}.toml`);
   });
 
-  /** What is shown is no longer, or again, that of the case, the traffic and the priors. */
+  /** Whether the answer is that of the case, the traffic and the priors. */
+  const isOfCase = () => state.current && answered?.asked === JSON.stringify(question());
+
+  /** What is shown is no longer, or again, that. */
   function stale() {
-    const is = Boolean(answered) && (!state.current || answered.asked !== JSON.stringify(question()));
+    const is = Boolean(answered) && !isOfCase();
     for (const panel of [...answer.panels, ...decision.panels]) panel.classList.toggle('stale', is);
   }
 
@@ -187,5 +198,21 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
   });
   data.show();
   hint.hidden = data.files.length > 0;
-  return { take: (files) => data.add(files) };
+  return {
+    take: (files) => data.add(files),
+    /** How likely each of some remedies helps; null without chains of this case that tell of its growth. */
+    likelihood: (remedies) => (isOfCase() && decision.isOffered ? decision.likelihood(remedies) : null),
+    /** The plan that is open: its data, what is changed of its priors, and its draws; null without data. */
+    get plan() {
+      return data.kept.length ? { data: data.kept, priors: priors.changes, draws: Number(draws.value) } : null;
+    },
+    /** The plan of a project, in the place of that which is open. */
+    bringBack({ data: files, priors: changes, draws: count }) {
+      priors.take(changes);
+      takeDraws(count);
+      examples = null;
+      source.hidden = true;
+      return data.replace(files);
+    },
+  };
 }

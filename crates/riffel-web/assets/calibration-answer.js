@@ -2,7 +2,7 @@
 
 import { letterSize, theme } from './colors.js';
 import { axis, decades, draw, layout, palette } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
 import { said } from './german.js';
 import { shownUnit } from './keys.js';
@@ -27,17 +27,9 @@ function path(x, y, { from, to }, top) {
 }
 
 function densities({ x, after, x_before: xBefore, before, ...ends }) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
-  svg.setAttribute('aria-hidden', 'true');
   const top = 1.05 * Math.max(...after, ...before);
-  for (const [name, d] of [['before', path(xBefore, before, ends, top)], ['after', path(x, after, ends, top)]]) {
-    const one = document.createElementNS('http://www.w3.org/2000/svg', 'path');
-    one.setAttribute('class', name);
-    one.setAttribute('d', d);
-    svg.append(one);
-  }
-  return svg;
+  const paths = [['before', path(xBefore, before, ends, top)], ['after', path(x, after, ends, top)]];
+  return svgElement('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, 'aria-hidden': true }, ...paths.map(([name, d]) => svgElement('path', { class: name, d })));
 }
 
 export class CalibrationAnswer {

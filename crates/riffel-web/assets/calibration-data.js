@@ -31,6 +31,23 @@ export class CalibrationData {
     return this.files.filter(({ number: own, refused }) => own !== undefined && !refused).map(({ number: own, name }) => ({ number: own, name }));
   }
 
+  /** The files, or the numbers by which the program has them. */
+  get kept() {
+    return this.files.map(({ file, name, number: own }) => ({ file, name, kept: { kind: 'measurements', number: own } }));
+  }
+
+  /** Take files in the place of those that are there. */
+  replace(chosen) {
+    for (const { number: own } of this.files) if (own !== undefined) this.#drop(own);
+    this.files = [];
+    this.#keep();
+    return this.add(chosen);
+  }
+
+  #drop(number) {
+    askOnce('/api/calibration/remove', { number }).catch((fault) => this.complain(fault));
+  }
+
   async add(chosen) {
     for (const file of chosen) {
       if (this.files.length >= MOST) return this.banner.say(() => t('most_data', { most: MOST, name: file.name }), { until: 'closed' });
@@ -40,7 +57,7 @@ export class CalibrationData {
   }
 
   async #send(file) {
-    const record = this.#record({ name: file.name, size: file.size });
+    const record = this.#record({ file, name: file.name, size: file.size });
     this.files.push(record);
     this.show();
     const coming = send('/api/calibration/data', file, (share) => (record.state.textContent = underWay(share)));
@@ -86,15 +103,16 @@ export class CalibrationData {
 
   #remove(record) {
     this.files = this.files.filter((other) => other !== record);
-    if (record.number !== undefined) askOnce('/api/calibration/remove', { number: record.number }).catch((fault) => this.complain(fault, { what: `${record.name}: ` }));
+    if (record.number !== undefined) this.#drop(record.number);
     this.#keep();
     this.show();
     this.input.focus();
     this.onChange();
   }
 
-  #record({ name, size, number: own }) {
-    return addRow({ name, size, number: own, kind: null, refused: null }, (record) => this.#remove(record));
+  /** A file and its row; one that a reload found has no `file`. */
+  #record({ file, name, size, number: own }) {
+    return addRow({ file, name, size, number: own, kind: null, refused: null }, (record) => this.#remove(record));
   }
 
   show() {

@@ -1,6 +1,6 @@
 // Cards of causes: a small picture of the mechanism, what speaks for it and against it, and what would settle it.
 
-import { element, worded } from './elements.js';
+import { element, svgElement, worded } from './elements.js';
 
 const SUPPORTS = [20, 60, 100];
 const boxes = (y, width, height) => SUPPORTS.map((x) => `<rect x="${x - width / 2}" y="${y}" width="${width}" height="${height}"/>`).join('');
@@ -37,9 +37,7 @@ const PICTURES = {
 };
 
 function picture(mechanism) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', '0 0 120 56');
-  svg.setAttribute('aria-hidden', 'true');
+  const svg = svgElement('svg', { viewBox: '0 0 120 56', 'aria-hidden': true });
   svg.innerHTML = PICTURES[mechanism] ?? '<text x="60" y="40" text-anchor="middle">?</text>';
   return svg;
 }

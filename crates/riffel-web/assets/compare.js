@@ -1,7 +1,7 @@
 // Compare: variants that were kept beside the case at hand.
 
 import { palette } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { said } from './german.js';
 import { shownUnit, si } from './keys.js';
@@ -251,11 +251,8 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
     const cases = heads.map(({ complete }) => new Map(flat(complete)));
     const differ = (key) => cases.some((one) => one.get(key) !== cases[0].get(key));
     const keys = [...new Set(cases.flatMap((one) => [...one.keys()]))].filter((key) => key !== 'title' && differ(key));
-    const row = (name, cells) => element('tr', {}, element('th', { scope: 'row', textContent: name }), ...cells.map((textContent) => element('td', { textContent })));
-    const head = element('thead', {}, element('tr', {}, element('td'), ...all.map(({ name }) => element('th', { scope: 'col', textContent: name }))));
-    const body = element('tbody', {}, ...t('compare_rows').map((name, k) => row(name, columns.map((column) => column[k]))));
-    const changes = element('tbody', { className: 'changes' }, ...keys.map((key) => row(`${labelOf(key)} (${key})`, values(key, cases))));
-    table.replaceChildren(head, body, changes);
+    fillTable(table, ['', ...all.map(({ name }) => name)], t('compare_rows').map((name, k) => row(name, columns.map((column) => column[k]))));
+    table.append(element('tbody', { className: 'changes' }, ...keys.map((key) => row(`${labelOf(key)} (${key})`, values(key, cases)))));
   }
 
   listen((what) => {

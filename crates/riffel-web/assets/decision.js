@@ -1,6 +1,6 @@
 // The decision over a calibration: what grinding and remedies cost, which pays, and what it is worth to measure once more.
 
-import { element, worded } from './elements.js';
+import { element, fillTable, row, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
 import { set } from './keys.js';
 import { readNumber } from './numbers.js';
@@ -18,6 +18,13 @@ const OF_ACTION = [['investment', ''], ['life', 'a'], ['upkeep', '']];
 function amount({ value }, unit) {
   const read = readNumber(value);
   return value.trim() ? `${read && !read.choices ? read.number : value.trim()} ${unit}` : undefined;
+}
+
+/** Changes as a file of changes has them. */
+function inTables(changes) {
+  const keys = {};
+  for (const { key, value } of changes) set(keys, key, value);
+  return keys;
 }
 
 export class Decision {
@@ -86,9 +93,8 @@ export class Decision {
       return element('td', {}, element('label', { className: 'choice' }, input, element('span', { className: 'unit', textContent: unit || currency })));
     };
     const head = (first, ...words) => element('tr', {}, ...[first, ...words].map((word) => worded('th', word, { scope: 'col' })));
-    const rows = this.remedies.map(({ name, changes }, k) => element('tr', {}, element('th', { scope: 'row', textContent: told(name) }),
-      ...OF_ACTION.map(([key, unit]) => cell(`action-${k}-${key}`, `action_${key}`, unit, told(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
-    const more = this.measurements.map(({ name, kind }, k) => element('tr', {}, element('th', { scope: 'row', textContent: `${t(kind)} (${name})` }), cell(`price-${k}`, 'price', '', name, kind === 'dated-levels' ? this.price : '')));
+    const rows = this.remedies.map(({ name, changes }, k) => row(told(name), OF_ACTION.map(([key, unit]) => cell(`action-${k}-${key}`, `action_${key}`, unit, told(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
+    const more = this.measurements.map(({ name, kind }, k) => row(`${t(kind)} (${name})`, [cell(`price-${k}`, 'price', '', name, kind === 'dated-levels' ? this.price : '')]));
     this.actions.replaceChildren(element('tbody', {}, head('remedy', ...OF_ACTION.map(([key]) => `action_${key}`)), ...rows, head('measure_once_more', 'price'), ...more));
     translate(this.asked);
   }
@@ -100,14 +106,24 @@ export class Decision {
     const cost = Object.fromEntries(COSTS.map(([name, unit]) => [name, amount(this.costs.get(name), unit || currency)]).filter(([, value]) => value));
     const action = this.remedies.map(({ name, changes }, k) => {
       const written = Object.fromEntries(OF_ACTION.map(([key, unit]) => [key, of(`action-${k}-${key}`, unit)]).filter(([, value]) => value));
-      const keys = {};
-      for (const { key, value } of changes) set(keys, key, value);
-      return Object.keys(written).length ? { name, title: told(name), changes: keys, ...written } : null;
+      return Object.keys(written).length ? { name, title: told(name), changes: inTables(changes), ...written } : null;
     }).filter(Boolean);
     const every = amount(this.every, 'months');
     if (every) action.push({ title: t('every_months', this.every.value.trim()), grind_every: every });
     const measurement = this.measurements.map(({ name, kind }, k) => ({ title: name, kind, name, price: of(`price-${k}`) })).filter(({ price }) => price);
     return { cost, action, measurement };
+  }
+
+  /** Whether there are chains that tell what remedies do. */
+  get isOffered() {
+    return !this.asked.hidden;
+  }
+
+  /** How likely each of some remedies lengthens the grinding interval, and makes it the longest, by its id: where only grinding costs, that is the cheapest. */
+  async likelihood(remedies) {
+    const action = remedies.map(({ id, changes }) => ({ title: id, changes: inTables(changes) }));
+    const { actions } = await json(await askOnce('/api/calibration/decision', { cost: { grinding: '1 EUR' }, action }));
+    return new Map(actions.map(({ title, probability_longer: helps, probability_cheapest: best }) => [title, { helps, best }]));
   }
 
   /** The name of what would be measured once more. */
@@ -141,11 +157,10 @@ export class Decision {
     this.verdict.replaceChildren(...[...sentences, ...remarks].map(item));
     const ends = [Math.min(...actions.map(({ cost_per_year: cost }) => cost[0])), Math.max(...actions.map(({ cost_per_year: cost, mean_cost_per_year: mean }) => Math.max(cost[4], mean)))];
     const percent = (share) => `${number(100 * share, 2)} %`;
-    const row = (action) => element('tr', {}, element('th', { scope: 'row', textContent: action === actions[0] ? t('as_it_is') : this.titles[actions.indexOf(action) - 1]() }), element('td', {}, band(action, ends)),
-      ...[number(action.mean_cost_per_year), `${number(action.cost_per_year[0])}–${number(action.cost_per_year[4])}`, percent(action.probability_cheapest), action === actions[0] ? '' : percent(action.probability_longer)].map((textContent) => element('td', { textContent })));
+    const rowOf = (action) => row(action === actions[0] ? t('as_it_is') : this.titles[actions.indexOf(action) - 1](), [band(action, ends),
+      number(action.mean_cost_per_year), `${number(action.cost_per_year[0])}–${number(action.cost_per_year[4])}`, percent(action.probability_cheapest), action === actions[0] ? '' : percent(action.probability_longer)]);
     const heads = [['ranked_action'], ['ranked_picture'], ['ranked_mean', currency], ['ranked_band', currency], ['ranked_cheapest'], ['ranked_helps']];
-    const head = element('thead', {}, element('tr', {}, ...heads.map(([word, value]) => element('th', { scope: 'col', textContent: t(word, value) }))));
-    this.ranking.replaceChildren(head, element('tbody', {}, ...[...actions].sort((a, b) => a.rank - b.rank).map(row)));
+    fillTable(this.ranking, heads.map(([word, value]) => t(word, value)), [...actions].sort((a, b) => a.rank - b.rank).map(rowOf));
     const worth = (name, one) => element('li', { textContent: t(one.price == null ? 'worth_known' : 'worth_measured', { name, worth: number(one.per_year), price: number(one.price ?? 0), net: number(one.net ?? 0), currency }) });
     const known = values.filter(({ per_year: worth }) => worth >= 0.5).slice(0, 3);
     this.worth.replaceChildren(...measurements.map((one) => worth(this.#measured(one.title), one)), ...known.map((one) => worth(nameOfValue(one.title), one)));
@@ -159,18 +174,7 @@ export class Decision {
 
 /** Costs of a year: 90 % of the draws as a line, half of them as a bar, the mean as a mark. */
 function band({ cost_per_year: [low, quarter, , half, high], mean_cost_per_year: mean }, [from, to]) {
-  const svg = document.createElementNS('http://www.w3.org/2000/svg', 'svg');
-  svg.setAttribute('viewBox', `0 0 ${WIDTH} ${HEIGHT}`);
-  svg.setAttribute('class', 'cost');
-  svg.setAttribute('aria-hidden', 'true');
   const x = (value) => 4 + ((WIDTH - 8) * (value - from)) / (to - from || 1);
-  const rect = (name, a, b, height) => {
-    const one = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
-    for (const [key, value] of Object.entries({ class: name, x: x(a), y: (HEIGHT - height) / 2, width: Math.max(x(b) - x(a), 1), height })) one.setAttribute(key, value);
-    svg.append(one);
-  };
-  rect('most', low, high, 2);
-  rect('half', quarter, half, 8);
-  rect('mean', mean, mean, HEIGHT);
-  return svg;
+  const rect = (name, a, b, height) => svgElement('rect', { class: name, x: x(a), y: (HEIGHT - height) / 2, width: Math.max(x(b) - x(a), 1), height });
+  return svgElement('svg', { viewBox: `0 0 ${WIDTH} ${HEIGHT}`, class: 'cost', 'aria-hidden': true }, rect('most', low, high, 2), rect('half', quarter, half, 8), rect('mean', mean, mean, HEIGHT));
 }

@@ -56,9 +56,9 @@ export class Earlier {
     return gone;
   }
 
-  /** The files with their dates, and that of the record; null if there are none. After a reload there is no file any more. */
+  /** The files, or the numbers by which the program has them, with their dates, and that of the record; null if there are none. */
   get kept() {
-    return this.records.length ? { date: this.date, files: this.records.map(({ file, date }) => ({ file, date })) } : null;
+    return this.records.length ? { date: this.date, files: this.records.map(({ file, name, date, number: own }) => ({ file, name, date, kept: { kind: 'earlier', number: own } })) } : null;
   }
 
   /** The record to which these belonged is back: send them again, with their dates. */

@@ -13,6 +13,21 @@ export function lead(input) {
   input.focus();
 }
 
+/** An element of a drawing. */
+export function svgElement(tag, attributes = {}, ...children) {
+  const made = document.createElementNS('http://www.w3.org/2000/svg', tag);
+  for (const [name, value] of Object.entries(attributes)) made.setAttribute(name, value);
+  made.append(...children);
+  return made;
+}
+
+/** A row of a table: its name, and its cells, each a cell of its own or what stands in one. */
+export const row = (name, cells) => element('tr', {}, name instanceof Node ? name : element('th', { scope: 'row', textContent: name }), ...cells.map((cell) => (cell instanceof HTMLTableCellElement ? cell : element('td', {}, cell ?? ''))));
+
+/** Fill a table; an empty head is that of nothing. */
+export const fillTable = (table, heads, rows) =>
+  table.replaceChildren(element('thead', {}, element('tr', {}, ...heads.map((textContent) => (textContent === '' ? element('td') : element('th', { scope: 'col', textContent }))))), element('tbody', {}, ...rows));
+
 /** An element with a word of the catalogue, which follows the language. */
 export function worded(tag, word, properties = {}, ...children) {
   const made = element(tag, properties, ...children);

@@ -2,7 +2,7 @@
 
 import { onWhite, theme } from './colors.js';
 import { palette, plotly } from './curves.js';
-import { element } from './elements.js';
+import { element, svgElement } from './elements.js';
 import { t } from './words.js';
 
 const KINDS = ['svg', 'png', 'csv'];
@@ -54,10 +54,8 @@ function withStyles(svg) {
   copy.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
   copy.setAttribute('width', scale * box[2]);
   copy.setAttribute('height', scale * box[3]);
-  const ground = document.createElementNS('http://www.w3.org/2000/svg', 'rect');
-  ['x', 'y', 'width', 'height'].forEach((name, k) => ground.setAttribute(name, box[k]));
-  ground.setAttribute('fill', '#fff');
-  copy.prepend(ground);
+  const [x, y, width, height] = box;
+  copy.prepend(svgElement('rect', { x, y, width, height, fill: '#fff' }));
   return new XMLSerializer().serializeToString(copy);
 }
 

@@ -6,8 +6,10 @@ import { startBogie } from './bogie.js';
 import { startCalibrate } from './calibrate.js';
 import { startCompare } from './compare.js';
 import { drawForce, drawGrowth, drawReceptance, drawings, refit } from './curves.js';
+import { startDamage } from './damage.js';
 import { furtherFaults, inLabels, wording } from './faults.js';
 import { element, lead } from './elements.js';
+import { startField } from './field.js';
 import { Form } from './form.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
@@ -481,6 +483,7 @@ function showView(name, asStep = false) {
   if (name === 'explore' && state.at) {
     curves();
     outlook.draw();
+    outlook.remedies.askLikelihood();
   }
   saveAddress(asStep);
 }
@@ -548,7 +551,7 @@ const shared = {
 };
 const outlook = new Outlook($('view-explore'), {
   ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
-  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }),
+  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }), likelihood: (remedies) => calibrate.likelihood(remedies),
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));
     setVariants([...state.variants, { name: ownName(name, state.variants), case: keys }]);
@@ -582,7 +585,9 @@ const calibrate = startCalibrate(shared);
 startBogie(shared);
 startMotion(shared);
 startStability(shared);
+startDamage(shared);
 startPaper(shared);
+startField(shared);
 startTakeAway({ ...shared, measure, calibrate });
 startPrinting({ applyTheme, redraw });
 for (const [id, figure] of [

@@ -371,7 +371,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     saveReport,
     /** The record that is open with all that belongs to it, null where there is none. */
     get record() {
-      return file && { file, format, table: along.table, earlier: earlier.kept };
+      return file && { file, name: file.name, kept: { kind: 'record' }, format, table: along.table, earlier: earlier.kept };
     },
     /** The record of a project. */
     bringBack({ file: chosen, format: columnsThen, table, earlier: earlierThen }) {

@@ -2,7 +2,7 @@
 
 import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords, said } from './german.js';
 import { askWhich, readNumber } from './numbers.js';
@@ -161,10 +161,9 @@ export class Noise {
       textContent: t('noise_verdict', { level: decibels(answer.level.total_dba), speed: speed(answer.speed_m_per_s), wheelsets: number(answer.wheels), length: number(answer.train_length_m), distance: number(answer.distance_m), height: number(answer.height_m) }),
       lang: currentLanguage(),
     });
-    const row = (tag, cells, scope) => element('tr', {}, ...cells.map((textContent, k) => element(textContent === '' ? 'td' : k ? tag : 'th', { textContent, ...((scope || !k) && { scope: scope ?? 'row' }) })));
-    this.parts.replaceChildren(element('thead', {}, row('th', ['', ...PARTS.map(([part]) => t(`noise_${part}`))], 'col')), element('tbody', {}, row('td', ['dB(A)', ...PARTS.map(([part]) => decibels(answer.level[`${part}_dba`]))])));
-    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row('td', [speedsIn(inWords(title)), decibels(after), decibels(saved)]));
-    this.measures.replaceChildren(element('thead', {}, row('th', t('noise_columns'), 'col')), element('tbody', {}, ...measures));
+    fillTable(this.parts, ['', ...PARTS.map(([part]) => t(`noise_${part}`))], [row('dB(A)', PARTS.map(([part]) => decibels(answer.level[`${part}_dba`])))]);
+    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row(speedsIn(inWords(title)), [decibels(after), decibels(saved)]));
+    fillTable(this.measures, t('noise_columns'), measures);
     this.remarks.replaceChildren(...answer.remarks.map((remark) => {
       const { text, language } = said(remark);
       return element('li', { textContent: this.labels(text), lang: language });

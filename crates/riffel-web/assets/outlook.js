@@ -20,7 +20,7 @@ export class Outlook {
     Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
     this.calm = new Calm(CALM, () => this.#rank());
     this.line.onCancel = this.ranking.onCancel = onCancel;
-    this.remedies = new Remedies({ state, save, ...ways });
+    this.remedies = new Remedies({ state, save, onFault, onCosts: () => this.#rank(), ...ways });
     this.large = element('strong', { id: 'doubling' });
     this.until = element('small', {});
     this.verdict = element('p', { className: 'verdict', id: 'verdict' });
@@ -57,9 +57,10 @@ export class Outlook {
 
   #rank() {
     if (!this.state.current) return;
-    this.ranking.ask(this.question(), (answer) => {
+    this.ranking.ask({ ...this.question(), costs: this.remedies.costs }, (answer) => {
       if (this.calm.isWaiting || this.ranking.pending) return;
       this.remedies.show(answer);
+      this.remedies.askLikelihood();
       this.fresh('remedies');
       this.#tell();
     }, (fault) => this.onFault(fault));

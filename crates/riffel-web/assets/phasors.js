@@ -1,9 +1,9 @@
 // The loop as arrows: which way each oscillation points, with the profile to the right. What points to the
 // left of the upright line is in antiphase with the profile; where that is the dissipation, corrugation grows.
 
+import { svgElement } from './elements.js';
 import { number, speed, t } from './words.js';
 
-const SVG = 'http://www.w3.org/2000/svg';
 const RADIUS = 100;
 
 /** Name, colour, length of the arrow, value and unit of the table; a loop on all axes has a lateral force and no one angular velocity. */
@@ -19,27 +19,20 @@ const ARROWS = [
 const modulus = ([re, im]) => Math.hypot(re, im);
 const degrees = ([re, im]) => (Math.atan2(im, re) * 180) / Math.PI;
 
-function node(name, attributes, text) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  if (text) made.textContent = text;
-  return made;
-}
-
 /** `inWords` says how long a count of passages is. */
 export function drawPhasors(place, table, state, inWords) {
-  const svg = node('svg', { viewBox: '-132 -122 264 244', role: 'img', 'aria-label': words(state, inWords) });
+  const svg = svgElement('svg', { viewBox: '-132 -122 264 244', role: 'img', 'aria-label': words(state, inWords) });
   svg.append(
-    node('path', { d: `M0 ${-RADIUS - 12} A${RADIUS + 12} ${RADIUS + 12} 0 0 0 0 ${RADIUS + 12} Z`, class: 'half' }),
-    node('circle', { r: RADIUS, class: 'ring' }), node('circle', { r: RADIUS / 2, class: 'ring faint' }),
-    node('line', { x1: -RADIUS - 12, x2: RADIUS + 12, y1: 0, y2: 0, class: 'ring' }),
-    node('line', { y1: -RADIUS - 12, y2: RADIUS + 12, x1: 0, x2: 0, class: 'ring' }),
-    node('text', { x: -RADIUS - 8, y: -RADIUS - 4, class: 'side', 'text-anchor': 'start' }, t('grows_here')),
-    node('text', { x: RADIUS + 8, y: -RADIUS - 4, class: 'side', 'text-anchor': 'end' }, t('decays_here')),
+    svgElement('path', { d: `M0 ${-RADIUS - 12} A${RADIUS + 12} ${RADIUS + 12} 0 0 0 0 ${RADIUS + 12} Z`, class: 'half' }),
+    svgElement('circle', { r: RADIUS, class: 'ring' }), svgElement('circle', { r: RADIUS / 2, class: 'ring faint' }),
+    svgElement('line', { x1: -RADIUS - 12, x2: RADIUS + 12, y1: 0, y2: 0, class: 'ring' }),
+    svgElement('line', { y1: -RADIUS - 12, y2: RADIUS + 12, x1: 0, x2: 0, class: 'ring' }),
+    svgElement('text', { x: -RADIUS - 8, y: -RADIUS - 4, class: 'side', 'text-anchor': 'start' }, t('grows_here')),
+    svgElement('text', { x: RADIUS + 8, y: -RADIUS - 4, class: 'side', 'text-anchor': 'end' }, t('decays_here')),
   );
   for (const degree of [30, 60, 120, 150, 210, 240, 300, 330]) {
     const [c, s] = [Math.cos((degree * Math.PI) / 180), Math.sin((degree * Math.PI) / 180)];
-    svg.append(node('line', { x1: 96 * c, y1: 96 * s, x2: 100 * c, y2: 100 * s, class: 'ring' }));
+    svg.append(svgElement('line', { x1: 96 * c, y1: 96 * s, x2: 100 * c, y2: 100 * s, class: 'ring' }));
   }
   const taken = [];
   const arrows = ARROWS.filter(([, , , , value]) => value(state));
@@ -49,16 +42,16 @@ export function drawPhasors(place, table, state, inWords) {
     const angle = (-degrees(pair) * Math.PI) / 180;
     const [c, s] = [Math.cos(angle), Math.sin(angle)];
     const reach = RADIUS * length;
-    const arrow = node('g', { class: `arrow ${name}` });
+    const arrow = svgElement('g', { class: `arrow ${name}` });
     arrow.style.color = `var(--${color})`;
-    arrow.append(node('line', { x1: 0, y1: 0, x2: (reach - 7) * c, y2: (reach - 7) * s }));
-    arrow.append(node('path', { d: 'M0 0 L-10 4 L-10 -4 Z', transform: `translate(${reach * c} ${reach * s}) rotate(${(angle * 180) / Math.PI})` }));
+    arrow.append(svgElement('line', { x1: 0, y1: 0, x2: (reach - 7) * c, y2: (reach - 7) * s }));
+    arrow.append(svgElement('path', { d: 'M0 0 L-10 4 L-10 -4 Z', transform: `translate(${reach * c} ${reach * s}) rotate(${(angle * 180) / Math.PI})` }));
     // Names keep out of each other's way.
     let out = reach + 11;
     while (taken.some(([x, y]) => Math.hypot(x - out * c, y - out * s) < 15) && out > 24) out -= 13;
     taken.push([out * c, out * s]);
     const shift = out < reach ? 9 : 0;
-    arrow.append(node('text', { x: out * c - shift * s, y: out * s + shift * c + 4, 'text-anchor': 'middle' }, symbol));
+    arrow.append(svgElement('text', { x: out * c - shift * s, y: out * s + shift * c + 4, 'text-anchor': 'middle' }, symbol));
     svg.append(arrow);
   }
   place.replaceChildren(svg);

@@ -1,6 +1,6 @@
 // The uncertain values of a calibration: each with its usual prior, which may be changed, or left out.
 
-import { element, worded } from './elements.js';
+import { element, fillTable, worded } from './elements.js';
 import { readNumber } from './numbers.js';
 import { remember, remembered } from './remembered.js';
 import { labelOf, t, translate, written } from './words.js';
@@ -40,8 +40,7 @@ export class Priors {
   show({ usual, parameters }) {
     this.usual = usual;
     this.data = new Map(parameters.map(({ name, data }) => [name, data]));
-    const head = element('thead', {}, element('tr', {}, ...['uncertain', 'prior', '', 'told_from'].map((word) => (word ? worded('th', word, { scope: 'col' }) : element('td')))));
-    this.table.replaceChildren(head, element('tbody', {}, ...usual.map((one) => this.#row(one))));
+    fillTable(this.table, ['uncertain', 'prior', '', 'told_from'].map((word) => word && t(word)), usual.map((one) => this.#row(one)));
     translate(this.place);
   }
 

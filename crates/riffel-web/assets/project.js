@@ -1,5 +1,7 @@
-// A project in one file: the case with its variants and traffic, and the measured rail with its earlier records, columns and what lies along the line.
+// A project in one file: the case with its variants and traffic, the measured rail with its earlier records, columns and what lies along the line, and the plan of
+// a calibration.
 
+import { Fault, askOnce } from './server.js';
 import { readTraffic } from './traffic.js';
 import { readVariants } from './variants.js';
 import { caseTitle, t } from './words.js';
@@ -11,12 +13,13 @@ const VERSION = 1;
 
 const isTable = (value) => typeof value === 'object' && value !== null && !Array.isArray(value);
 
-/** The bytes of a file, packed and as letters. */
-async function packed(file) {
-  const zipped = await new Response(file.stream().pipeThrough(new CompressionStream('gzip'))).blob();
+/** The bytes of a file, packed and as letters. One that a reload left to the program alone is that which the program has kept. */
+async function packed({ file, name, kept }) {
+  const whole = file instanceof File ? file : await (await askOnce('/api/kept', kept)).blob();
+  const zipped = await new Response(whole.stream().pipeThrough(new CompressionStream('gzip'))).blob();
   const reader = new FileReader();
   await new Promise((done, fail) => Object.assign(reader, { onload: done, onerror: () => fail(reader.error) }).readAsDataURL(zipped));
-  return { name: file.name, gzip_base64: reader.result.split(',')[1] };
+  return { name, gzip_base64: reader.result.split(',')[1] };
 }
 
 /** The file of before; what is damaged throws. */
@@ -27,21 +30,34 @@ async function unpacked({ name, gzip_base64: letters }) {
 }
 
 /** What a project, or a link, holds in words. */
-export function inWords({ case: keys, variants, traffic, record }) {
-  return t('project_holds', { title: caseTitle(keys), variants: variants.length, traffic: Boolean(traffic), record: record?.name ?? record?.file.name, earlier: record?.earlier?.files.length ?? 0 });
+export function inWords({ case: keys, variants, traffic, record, plan }) {
+  return t('project_holds', { title: caseTitle(keys), variants: variants.length, traffic: Boolean(traffic), record: record?.name ?? record?.file.name, earlier: record?.earlier?.files.length ?? 0, tables: plan?.data.length ?? 0 });
 }
 
-/** The text of a project. A record that a reload left to the program alone is no file any more, and is left out: `left` names it. */
-export async function written({ case: keys, variants, traffic, record }) {
-  const files = record ? [record.file, ...(record.earlier?.files ?? []).map(({ file }) => file)] : [];
-  const isWhole = files.every((file) => file instanceof File);
-  const held = isWhole ? record : null;
-  const rail = held && {
-    ...(await packed(held.file)), format: held.format, table: held.table, date: held.earlier?.date ?? '',
-    earlier: await Promise.all((held.earlier?.files ?? []).map(async ({ file, date }) => ({ ...(await packed(file)), date }))),
+const all = (files) => Promise.all(files.map(async (one) => ({ ...(await packed(one)), ...(one.date !== undefined && { date: one.date }) })));
+
+const railOf = async (record) => ({ ...(await packed(record)), format: record.format, table: record.table, date: record.earlier?.date ?? '', earlier: await all(record.earlier?.files ?? []) });
+
+const planOf = async ({ data, ...plan }) => ({ ...plan, data: await all(data) });
+
+/** The text of a project. What neither the page nor the program has any more is left out: `left` names it. */
+export async function written({ record, plan, ...open }) {
+  const left = [];
+  const whole = async (what, pack, names) => {
+    try {
+      return what && (await pack(what));
+    } catch (fault) {
+      if (!(fault instanceof Fault)) throw fault;
+      left.push(...names(what));
+      return null;
+    }
   };
-  const text = JSON.stringify({ format: FORMAT, version: VERSION, case: keys, variants, traffic, ...(rail && { record: rail }) });
-  return { text, holds: inWords({ case: keys, variants, traffic, record: held }), left: isWhole ? null : record.file.name };
+  const files = {
+    record: await whole(record, railOf, ({ name }) => [name]),
+    plan: await whole(plan, planOf, ({ data }) => data.map(({ name }) => name)),
+  };
+  const held = Object.fromEntries(Object.entries(files).filter(([, value]) => value));
+  return { text: JSON.stringify({ format: FORMAT, version: VERSION, ...open, ...held }), holds: inWords({ ...open, record: files.record && record, plan: files.plan }), left: left.join(', ') };
 }
 
 /** What a file of a project holds, ready to be opened; throws a sentence where it is none. */
@@ -54,11 +70,12 @@ export async function read(file) {
   }
   if (project?.format !== FORMAT) throw t('project_other', file.name);
   if (!(project.version <= VERSION)) throw t('project_later', { name: file.name, version: project.version, own: VERSION });
-  const { case: keys, record } = project;
+  const { case: keys, record, plan } = project;
   if (!isTable(keys)) throw t('project_broken', file.name);
   const given = { case: keys, variants: readVariants(project), traffic: readTraffic(project.traffic) };
-  if (!record) return given;
   try {
+    if (plan) given.plan = { data: await Promise.all(plan.data.map(unpacked)), priors: isTable(plan.priors) ? plan.priors : {}, draws: plan.draws };
+    if (!record) return given;
     const files = await Promise.all((record.earlier ?? []).map(async (one) => ({ file: await unpacked(one), date: String(one.date ?? '') })));
     const earlier = files.length ? { date: String(record.date ?? ''), files } : null;
     return { ...given, record: { file: await unpacked(record), format: record.format ?? null, table: record.table ?? null, earlier } };

@@ -1,14 +1,24 @@
-// What helps: remedies ranked by what they do to growth under the traffic, each to be kept as a variant.
+// What helps: remedies ranked by what they do to growth under the traffic, or by the months that they gain for their cost, each to be kept as a variant.
 
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inUnit, set, shownUnit } from './keys.js';
+import { NumberField, UNITS } from './number-field.js';
+import { remember, remembered } from './remembered.js';
 import { labelOf, number, sentence, t, told, translate } from './words.js';
 
+/** Where a reload finds what remedies cost. */
+const KEPT = 'riffel-costs';
+/** Least and most that a remedy may cost. */
+const [LEAST, MOST] = [0.01, 1e9];
+
 export class Remedies {
-  /** `onKeep` takes the name and the keys of a variant, `onTraffic` leads to the speeds of the traffic. */
-  constructor({ state, unitOf, save, onKeep, onTraffic }) {
-    Object.assign(this, { state, unitOf, onKeep, onTraffic, answer: null });
+  /**
+   * `onKeep` takes the name and the keys of a variant, `onTraffic` leads to the speeds of the traffic, `onCosts` is told that costs are others; `likelihood`
+   * promises by the ids of remedies how likely each helps, null without a calibration of the case.
+   */
+  constructor({ state, unitOf, save, onKeep, onTraffic, onCosts, onFault, likelihood }) {
+    Object.assign(this, { state, unitOf, onKeep, onTraffic, onCosts, onFault, likelihood, answer: null, likely: null, costs: remembered(KEPT) ?? {}, fields: new Map() });
     this.table = element('table', { className: 'comparison', id: 'remedies' });
     this.rest = element('ul', { className: 'fine' });
     const header = element('header', {}, worded('h2', 'what_helps'), worded('span', 'each_alone', { className: 'aside' }));
@@ -18,15 +28,51 @@ export class Remedies {
 
   /** Show an answer; null is that nothing is known yet. */
   show(answer) {
+    if (answer !== this.answer) this.likely = null;
     this.answer = answer;
+    const typing = document.activeElement;
     const rows = answer?.remedies.map((one) => this.#row(one)) ?? [];
     this.hint.hidden = rows.length > 0;
     this.hint.dataset.t = answer ? 'nothing_grows' : 'remedies_come';
-    const head = element('thead', {}, element('tr', {}, ...['remedy', 'growth_changes', 'doubles_in', ''].map((word) => (word ? worded('th', word, { scope: 'col' }) : element('td')))));
-    this.table.replaceChildren(...(rows.length ? [head, element('tbody', {}, ...rows)] : []));
+    const heads = ['remedy', 'growth_changes', 'doubles_in', 'ground_after', 'remedy_cost', ...(this.likely ? ['likely_helps', 'likely_best'] : []), ''];
+    if (rows.length) fillTable(this.table, heads.map((word) => word && t(word)), rows);
+    else this.table.replaceChildren();
+    // A field that has moved with its row is still the one that is written in.
+    if (this.table.contains(typing)) typing.focus();
     const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${told(title)}`)} ${sentence(told(reason))}`) ?? [];
     this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(told(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
+    for (const [id, field] of this.fields) field.show(this.costs[id] ?? null);
+  }
+
+  /** Ask how likely each helps, where a calibration of the case can tell. */
+  async askLikelihood() {
+    const { answer } = this;
+    try {
+      const likely = answer && (await this.likelihood(answer.remedies));
+      if (answer !== this.answer || likely === this.likely) return;
+      this.likely = likely;
+      this.show(answer);
+    } catch (fault) {
+      this.onFault(fault);
+    }
+  }
+
+  /** The field of what a remedy costs, which stays as long as the page. */
+  #cost({ id, name }) {
+    if (!this.fields.has(id)) {
+      const accept = (value) => {
+        if (value === undefined) delete this.costs[id];
+        else this.costs[id] = value;
+        remember(KEPT, this.costs);
+        this.onCosts();
+        return '';
+      };
+      this.fields.set(id, new NumberField({ id: `cost-of-${id}`, word: 'remedy_cost', units: UNITS.none, low: LEAST, high: MOST, accept, onTrouble: () => {} }));
+    }
+    const { input, fault, echo } = this.fields.get(id);
+    input.setAttribute('aria-label', `${told(name)}: ${t('remedy_cost')}`);
+    return [input, fault, echo];
   }
 
   #row(remedy) {
@@ -44,7 +90,10 @@ export class Remedies {
       return this.onKeep(told(remedy.name), keys);
     });
     const signed = `${change > 0 ? '+' : ''}${number(Math.round(change))} %`;
-    return element('tr', {}, name, element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), element('td', { textContent: told(remedy.doubles_in) }), element('td', {}, keep));
+    const { months_gained: gained, months_per_cost: worth } = remedy;
+    const ground = element('td', { textContent: remedy.ground_after ? told(remedy.ground_after) : '–' }, ...(gained === null ? [] : [element('small', { textContent: t('months_gained', { months: `${gained > 0 ? '+' : ''}${number(gained, 2)}`, worth: worth && number(1000 * worth, 2) }) })]));
+    const likely = this.likely ? ['helps', 'best'].map((what) => `${number(100 * (this.likely.get(remedy.id)?.[what] ?? NaN), 2)} %`) : [];
+    return row(name, [element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), told(remedy.doubles_in), ground, element('td', {}, ...this.#cost(remedy)), ...likely, keep]);
   }
 
   /** A key with its value [SI] as the form has it. */

@@ -1,47 +1,18 @@
 // Stability: where over speed and friction the loop of the case oscillates without any profile, as in squeal.
 
+import { startCasePanel } from './case-panel.js';
 import { theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
-import { element, worded } from './elements.js';
-import { offer } from './figures.js';
-import { said } from './german.js';
 import { si } from './keys.js';
-import { Line, json } from './server.js';
-import { caseTitle, number, sentence, speed as inUnit, t, told, translate, unitOfSpeed } from './words.js';
+import { number, speed as inUnit, t, unitOfSpeed } from './words.js';
 
 const COLUMNS = ['speed_m_per_s', 'friction', 'unstable_roots', 'frequency_hz', 'growth_rate_per_s'];
 
-export function startStability({ state, listen, labels, save }) {
-  const line = new Line('/api/stability', json);
-  const of = element('span', { className: 'aside' });
-  const words = element('p', { className: 'why', id: 'stability-words' });
-  const plot = element('div', { className: 'curve tall', id: 'stability' });
-  const notes = element('ul', { className: 'fine' });
-  const header = element('header', {}, worded('h2', 'stability'), of);
-  const panel = element('article', { className: 'panel wide' }, header, words, plot, notes);
-  let [keys, answer, fault] = [null, null, null];
-  offer(header, () => answer && { name: 'stability', plot, rows: [COLUMNS, ...answer.points.map((point) => COLUMNS.map((column) => point[column]))] }, save);
-  document.getElementById('view-motion').append(panel);
+export function startStability(shared) {
+  const { state } = shared;
 
-  function ask() {
-    panel.classList.toggle('stale', Boolean(keys) && keys !== state.accepted);
-    if (state.view !== 'motion' || !state.accepted || keys === state.accepted) return;
-    const asked = state.accepted;
-    const shown = (...found) => {
-      [answer, fault] = found;
-      keys = asked;
-      panel.classList.remove('stale');
-      show();
-    };
-    line.ask({ case: { keys: asked } }, (found) => shown(found, null), (refused) => shown(null, refused));
-  }
-
-  function show() {
-    if (!keys) return;
-    of.textContent = caseTitle(keys);
-    plot.hidden = !answer?.branches.length;
-    words.textContent = fault ? labels(said(fault.message).text) : answer.sentences.map((note) => sentence(told(note))).join(' ');
-    notes.replaceChildren(...(answer?.notes ?? []).map((note) => element('li', { textContent: told(note) })));
+  function fill(answer, plot) {
+    plot.hidden = !answer.branches.length;
     if (plot.hidden) return;
     const [unit, size] = unitOfSpeed();
     const { soft, warm } = theme();
@@ -66,10 +37,5 @@ export function startStability({ state, listen, labels, save }) {
     draw(plot, traces, layout({ xaxis: axis(`${t('speed')} [${unit}]`, { range: within(answer.speeds_m_per_s.map((speed) => speed / size), 0.6) }), yaxis: axis(t('friction_axis'), { range: within(answer.friction, 0.6) }), showlegend: true, shapes }));
   }
 
-  listen((what) => {
-    if (what === 'words') {
-      translate(panel);
-      show();
-    } else if (what === 'view' || what === 'map') ask();
-  });
+  startCasePanel(shared, { view: 'motion', path: '/api/stability', word: 'stability', fill, rows: ({ points }) => [COLUMNS, ...points.map((point) => COLUMNS.map((column) => point[column]))] });
 }

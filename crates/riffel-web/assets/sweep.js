@@ -2,7 +2,7 @@
 
 import { letterSize, orderedColor, theme } from './colors.js';
 import { axis, draw, layout } from './curves.js';
-import { element, worded } from './elements.js';
+import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { set, si } from './keys.js';
 import { Line, json } from './server.js';
@@ -114,8 +114,6 @@ export class Sweep {
     const { dark } = theme();
     const name = (k) => SWEEPS[kind].values ? answer.steps[k].name : inUnit(answer.steps[k].speed);
     drawCurves(this.plot, answer.curves.map((one, k) => ({ ...one, name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
-    const cell = (textContent) => element('td', { textContent });
-    const head = element('thead', {}, element('tr', {}, element('td'), ...t('sweep_columns').map((textContent) => element('th', { scope: 'col', textContent }))));
     const rows = answer.curves.map(({ lines, wavelength_m: wavelengths }, k) => {
       const high = lines.filter(({ growth_rate_per_passage: rate }) => rate > 0).reduce((best, one) => (best && best.growth_rate_per_passage >= one.growth_rate_per_passage ? best : one), null);
       // There growth may go on rising: the window hides the crest.
@@ -123,9 +121,9 @@ export class Sweep {
       const cells = high
         ? [power(high.growth_rate_per_passage, 3), `${number(1e3 * high.wavelength_m)} mm${edge}`, `${number(high.frequency_hz)} Hz`, this.#doubling(high, answer.load)]
         : [t('nothing_grows_here'), '–', '–', '–'];
-      return element('tr', {}, element('th', { scope: 'row', textContent: name(k) }), ...cells.map(cell));
+      return row(name(k), cells);
     });
-    this.table.replaceChildren(head, element('tbody', {}, ...rows));
+    fillTable(this.table, ['', ...t('sweep_columns')], rows);
   }
 
   #doubling({ growth_rate_per_passage: rate }, load) {

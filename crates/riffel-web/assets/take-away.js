@@ -23,7 +23,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },
     project: async () => {
-      const { text, holds, left } = await written({ ...open(), record: measure.record });
+      const { text, holds, left } = await written({ ...open(), record: measure.record, plan: calibrate.plan });
       save(new Blob([text], { type: 'application/json' }), `${fileName(state)}${PROJECT}`);
       banner.notice([t('project_saved', holds), left && t('project_without_record', left)].filter(Boolean).join(' '));
     },
@@ -77,6 +77,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     await askOnce('/api/case', { case: { keys: project.case } });
     replace({ ...project, point: null, tab: state.view }, t('project_opened', { name: file.name, holds: inWords(project) }));
     if (project.record) measure.bringBack(project.record);
+    if (project.plan) await calibrate.bringBack(project.plan);
   }
 
   /** A case file fills the form; one with an error says at which field and line. */

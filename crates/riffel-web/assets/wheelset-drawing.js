@@ -1,6 +1,7 @@
 // A wheelset as it moves in one of its modes: axle, wheels and discs seen from the front and a little from the side.
 
-const SVG = 'http://www.w3.org/2000/svg';
+import { svgElement } from './elements.js';
+
 /** What is seen of a length along the rail: across and upward. */
 const DEPTH = [0.42, 0.24];
 /** How large the largest displacement is drawn [m]. */
@@ -10,13 +11,6 @@ const CORNERS = 40;
 /** Radius of a disc between the wheels over that of a wheel, breadth of wheels and discs [m]. */
 const DISC = 0.62;
 const BREADTH = { wheel: 0.13, disc: 0.06 };
-
-function node(name, attributes = {}, ...children) {
-  const made = document.createElementNS(SVG, name);
-  for (const [key, value] of Object.entries(attributes)) made.setAttribute(key, value);
-  made.append(...children);
-  return made;
-}
 
 /** A point along the rail, to the right and downward [m] on the sheet. */
 const seen = ([x, y, z]) => [y + DEPTH[0] * x, z - DEPTH[1] * x];
@@ -28,20 +22,20 @@ export class WheelsetDrawing {
     this.wheelset = wheelset;
     const { position_m: places, rolling_radius_m: radius } = wheelset;
     const [half, high] = [0.5 * (places.at(-1) - places[0]) + 0.35, 1.55 * radius];
-    this.svg = node('svg', { viewBox: `${-half} ${-high} ${2 * half} ${2 * high}`, role: 'img', 'aria-label': label, class: 'wheelset' });
+    this.svg = svgElement('svg', { viewBox: `${-half} ${-high} ${2 * half} ${2 * high}`, role: 'img', 'aria-label': label, class: 'wheelset' });
     // Where nothing moves.
-    this.svg.append(node('line', { x1: places[0], y1: 0, x2: places.at(-1), y2: 0, class: 'rest' }));
+    this.svg.append(svgElement('line', { x1: places[0], y1: 0, x2: places.at(-1), y2: 0, class: 'rest' }));
     this.bodies = wheelset.discs.map((disc) => {
       const kind = disc.is_wheel ? 'wheel' : 'disc';
       const own = disc.is_wheel ? radius : disc.turns ? DISC * radius : 0.18;
-      const body = { disc, radius: own, breadth: BREADTH[kind], back: node('polygon', { class: kind }), face: node('polygon', { class: `${kind} face` }), spoke: node('polyline', { class: 'spoke' }) };
+      const body = { disc, radius: own, breadth: BREADTH[kind], back: svgElement('polygon', { class: kind }), face: svgElement('polygon', { class: `${kind} face` }), spoke: svgElement('polyline', { class: 'spoke' }) };
       return body;
     });
     // What is further left lies behind: a piece of the axle, what sits on its end, the next piece.
     this.bodies.sort((a, b) => a.disc.position_m - b.disc.position_m);
     const nearest = (y) => Math.round(((places.length - 1) * (y - places[0])) / (places.at(-1) - places[0]));
     const cuts = [0, ...this.bodies.map(({ disc }) => Math.min(places.length - 1, Math.max(0, nearest(disc.position_m)))), places.length - 1];
-    this.pieces = cuts.slice(1).map((to, k) => ({ from: cuts[k], to, line: node('polyline', { class: 'shaft' }) }));
+    this.pieces = cuts.slice(1).map((to, k) => ({ from: cuts[k], to, line: svgElement('polyline', { class: 'shaft' }) }));
     for (const { line } of this.pieces) line.style.strokeWidth = wheelset.axle_diameter_m || 0.1;
     this.svg.append(...this.bodies.flatMap(({ back, face, spoke, disc }, k) => [this.pieces[k].line, back, face, ...(disc.turns ? [spoke] : [])]), this.pieces.at(-1).line);
     place.replaceChildren(this.svg);

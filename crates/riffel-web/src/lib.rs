@@ -74,6 +74,7 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/earlier", post(api::earlier::post))
         .route("/api/earlier/read", post(api::earlier::read))
         .route("/api/earlier/remove", post(api::earlier::remove))
+        .route("/api/kept", post(api::kept::post))
         .route("/api/measure", post(api::roughness::measure))
         .route("/api/along", post(api::along::post))
         .route("/api/noise", post(api::noise::post))

@@ -81,6 +81,30 @@ def test_the_example_is_calibrated_and_decided_as_the_program_does_it(page, tmp_
     assert same(program(tmp_path, "decide", "posterior", "--plan", "plan.toml", "--json"), decision)
     page.keep("calibrate", whole=True)
 
+    # Among the remedies of the map stands how likely each helps, as the decision has it, and how likely it does the most.
+    page.page.click("#tab-explore")
+    page.until(lambda: len(decisions) == 2 and "by the calibration" in page.text("#remedies thead"))
+    page.settle()
+    likely = {action["title"]: action for action in decisions[1]["actions"]}
+    longest = [action["months_to_limit"]["quantiles"][2] or float("inf") for action in decisions[1]["actions"]]
+    best = max(likely, key=lambda title: likely[title]["probability_cheapest"])
+    # Where only grinding costs, what is most often the cheapest has the longest interval in the median.
+    assert longest[list(likely).index(best)] == max(longest) and best != "as it is"
+    rows = page.page.locator("#remedies tbody tr").evaluate_all("(rows) => rows.map((row) => [row.querySelector('input').id.slice(8), ...[...row.cells].slice(5, 7).map(({ textContent }) => textContent)])")
+    assert {row[0] for row in rows} == set(likely) - {"as it is"}
+    for id_, *shares in rows:
+        expected = [likely[id_][key] for key in ("probability_longer", "probability_cheapest")]
+        # Two digits are shown.
+        assert [float(share.rstrip(" %")) for share in shares] == [pytest.approx(100 * share, rel=0.05) for share in expected]
+    # Of another case nothing is said of it.
+    page.set("contact.friction", "0.3")
+    page.settle()
+    assert "by the calibration" not in page.text("#remedies thead")
+    page.page.click("#undo")
+    page.settle()
+    page.page.click("#tab-calibrate")
+    page.settle()
+
     # Only what may be written back is, and one step takes it back.
     before = page.page.evaluate("() => window.riffel.state.keys.track.pad.stiffness")
     page.page.click("#take-medians")

@@ -102,3 +102,16 @@ def test_a_file_that_stands_the_wrong_way_round_is_turned(page):
     page.until(lambda: orientation.is_visible() and orientation.input_value() == "mirrored")
     page.settle()
     page.complaints.clear()
+
+
+@pytest.mark.without_curves
+def test_the_bogie_is_drawn_on_its_gauge(page):
+    page.page.click("#tab-curve")
+    page.until(lambda: page.page.locator("#wheels tbody tr").count() == 4)
+    page.settle()
+    # Rails lie apart by the gauge and the breadth of a head, 0.07 m, to the millimetre that is drawn.
+    apart = "() => { const at = [...document.querySelectorAll('#bogie-above .rail')].map((rail) => Number(rail.getAttribute('points').split(' ')[20].split(',')[1])); return at[1] - at[0]; }"
+    assert page.page.evaluate(apart) == pytest.approx(1.435 + 0.07, abs=1.1e-3)
+    page.page.fill("#curve-gauge", "1480")
+    page.page.press("#curve-gauge", "Tab")
+    page.until(lambda: page.page.evaluate(apart) == pytest.approx(1.48 + 0.07, abs=1.1e-3))

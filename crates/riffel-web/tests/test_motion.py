@@ -156,3 +156,47 @@ def test_where_the_loop_oscillates_without_a_profile(page):
     assert "Reibung" in page.text("#stability-words")
     # Where the loop is unstable no wave settles in time, and the panel beside says so.
     page.complaints.clear()
+
+
+def test_damage_is_that_of_the_program(page, tmp_path):
+    """Shakedown over the wave at the cursor, and cracks where fatigue is among the laws."""
+    fatigue = (ROOT / "cases/class-contact-fatigue.toml").read_text().replace('laws = ["wear"]  ', 'laws = ["wear", "fatigue"]')
+    for before, after in [('loss = "1 mm"', 'loss = "1 mm", crack_growth = "1 mm"'), ("tractive_ratio = 0.3 ", "tractive_ratio = 0.5 "), ("2.5e-9 kg/J", "2.5e-10 kg/J")]:
+        assert before in fatigue
+        fatigue = fatigue.replace(before, after)
+    (tmp_path / "fatigue.toml").write_text(fatigue)
+    # The usual traffic of a metro: 40 to 70 km/h, which even speeds have the standard deviation of.
+    (tmp_path / "traffic.toml").write_text('[line]\npassages_per_day = 6000\n[[vehicle]]\nname = "any"\nshare = 1\nspeed = { mean = "55 km/h", standard_deviation = "8.6602540378443865 km/h" }\n')
+    page.page.click("#tab-motion")
+    page.until(lambda: "Mean state: p₀/k" in page.text("#damage-words"))
+    assert not page.page.locator("#cracks").is_visible()
+    page.open_case(fatigue, "fatigue.toml")
+    page.until(lambda: page.page.locator("#cracks tbody tr").count() > 0)
+    page.settle()
+    point = page.page.evaluate("() => window.riffel.state.point")
+
+    def told(*command):
+        run = subprocess.run([PROGRAM, *command, "--json", "--quiet"], cwd=tmp_path, capture_output=True, text=True)
+        assert run.returncode == 0, run.stderr
+        return json.loads(run.stdout)
+
+    shakedown = told("shakedown", "fatigue.toml", "--wavelength", f"{point['wavelength']!r} m", "--speed", f"{point['speed']!r} m/s")
+    drawn = page.page.evaluate("() => document.getElementById('damage').data.map(({ x, y }) => [x, y])")
+    loop = [[row[key] for row in [*shakedown["loop"], shakedown["loop"][0]]] for key in ("utilised_friction", "p0_over_k")]
+    # Four limits first, then the orbit; the place of the wave is written in decimal digits that hold it.
+    assert drawn[4] == [pytest.approx(one, rel=1e-9) for one in loop]
+    [low], [high] = ([row["p0_over_k"] for row in shakedown["loop"] if row["phase_deg"] == degrees] for degrees in (180, 0))
+    assert [drawn[6][1], drawn[7][1]] == [[pytest.approx(high)], [pytest.approx(low)]]
+    # Cracks after a year under the usual traffic of the line, from a rail that is 6 dB below the limit.
+    forecast = told("forecast", "fatigue.toml", "--from-limit=-6 dB", "--traffic", "traffic.toml", "--months", "12")
+    expected = {phase: [crack for crack in forecast["cracks"] if crack["phase"] == phase] for phase in ("crest", "trough")}
+    rows = page.page.locator("#cracks tbody tr").evaluate_all("(rows) => rows.map((row) => [...row.cells].map(({ textContent }) => Number(textContent.replace('−', '-'))))")
+    assert any(row[1] != row[3] and row[1] > 0 for row in rows)
+    for row, crest, trough in zip(rows, expected["crest"], expected["trough"], strict=True):
+        numbers = [1e3 * crest["wavelength_m"], *(value for crack in (crest, trough) for value in (1e3 * crack["crack_length_m"], crack["crack_growth_mm_per_month"]))]
+        # Three digits are shown.
+        assert row == [pytest.approx(number, rel=6e-3, abs=1e-12) for number in numbers]
+    page.keep("damage", whole=True)
+    page.page.select_option("#language", "de")
+    assert "ausgenutzter Kraftschluss" in page.text("#damage-words") and "Riss auf dem Berg" in page.text("#cracks")
+    page.complaints.clear()

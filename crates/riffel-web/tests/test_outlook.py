@@ -1,6 +1,7 @@
 """The headline, what it follows, and what helps: as the program answers them."""
 
 import json
+import re
 import subprocess
 
 import pytest
@@ -104,3 +105,40 @@ def test_causes_of_a_measured_rail_are_cards(open_page, locale):
         assert measurement.locator("span").get_attribute("lang") == locale[:2]
     page.keep(f"causes-measured-{locale}", whole=True)
     page.close()
+
+
+@pytest.mark.without_curves
+def test_remedies_say_when_the_rail_is_ground_and_go_by_their_cost(page, tmp_path):
+    page.open_case((ROOT / "cases/metro.toml").read_text(), "metro.toml")
+    answer = told(tmp_path, "compare", "cases/metro.toml", "--remedies")
+    before = answer["grinding_interval"]["months"]
+    for row, remedy in zip(ranked(page), answer["remedies"], strict=True):
+        gained = remedy["grinding_interval"]["months"] - before
+        assert remedy["months_gained"] == pytest.approx(gained)
+        early, late = remedy["grinding_interval"]["months_banded"]["band_80"]
+        # Two digits are shown.
+        shown = [float(one.replace("−", "-")) for one in re.findall(r"[+−]?[\d.]+", row[3])]
+        assert shown == [pytest.approx(one, rel=0.06) for one in (early, late, gained)], row
+    gained = {remedy["id"]: remedy["months_gained"] for remedy in answer["remedies"]}
+    # The second gains the less, but costs so little that a month of it is the cheaper; what loses months gains no place by its cost.
+    first, second, losing = "softer-pads", "lighter-wheel", "stiffer-pads"
+    assert gained[first] > gained[second] > 0 > gained[losing]
+    costs = {first: 10000, second: 0.5 * 10000 * gained[second] / gained[first], losing: 1}
+    for id_, cost in costs.items():
+        page.page.fill(f"#cost-of-{id_}", f"{cost:.2f}")
+        page.page.press(f"#cost-of-{id_}", "Tab")
+        page.settle()
+    titles = {remedy["id"]: remedy["title"] for remedy in answer["remedies"]}
+    rest = [remedy["title"] for remedy in answer["remedies"] if remedy["id"] not in (first, second)]
+    assert [row[0].split("\n")[0] for row in ranked(page)] == [titles[second], titles[first], *rest]
+    assert f"What helps most is {titles[first]}" in page.text("#verdict")
+    # What is refused says so at its field and leaves the order; a reload finds the costs.
+    page.page.fill(f"#cost-of-{first}", "0")
+    page.page.press(f"#cost-of-{first}", "Tab")
+    page.until(page.page.locator(f"#cost-of-{first}-fault").is_visible)
+    assert "cost: 0, but must be 0.01 to 1000000000" in page.text(f"#cost-of-{first}-fault")
+    page.page.reload()
+    page.settle()
+    assert [row[0].split("\n")[0] for row in ranked(page)][:2] == [titles[second], titles[first]]
+    assert page.page.locator(f"#cost-of-{first}").input_value() == "10000"
+    page.complaints.clear()

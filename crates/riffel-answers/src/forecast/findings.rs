@@ -75,6 +75,13 @@ impl ForecastAnswer {
         Some(said)
     }
 
+    /// What hardening and cracks make of the waves of the rail that leads.
+    pub(crate) fn damage_in_words(&self) -> impl Iterator<Item = Message> {
+        let hardened = HardenedWave::in_words(&self.leading().forecast);
+        let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
+        hardened.into_iter().chain(cracked)
+    }
+
     /// What follows, in sentences; those on the rail that leads first.
     pub fn findings(&self) -> Vec<Message> {
         let about = |rail, sentence: Message| match self.rail(rail) {
@@ -102,10 +109,7 @@ impl ForecastAnswer {
             findings.push(say!(decaying_bands_stay));
         }
         findings.extend(self.fastest_within());
-        let leading = &self.leading().forecast;
-        let hardened = HardenedWave::in_words(leading);
-        let cracked = CrackedWave::in_words(&self.cracks(), &self.on, self.until());
-        findings.extend(hardened.into_iter().chain(cracked));
+        findings.extend(self.damage_in_words());
         findings.extend(self.bend());
         findings.extend(self.spreads.iter().filter_map(spread_in_words));
         let left_out = self.left_out();

@@ -223,12 +223,12 @@ impl ForecastAnswer {
     }
 
     /// Contact fatigue beside wear along the waves of the leading rail, at the end of the forecast; empty without fatigue among the laws.
-    fn cracks(&self) -> Vec<CrackedWave> {
+    pub(crate) fn cracks(&self) -> Vec<CrackedWave> {
         CrackedWave::all(&self.leading().forecast, &self.on, self.until())
     }
 
     /// Passages at the end of the forecast, or where it ends before.
-    fn until(&self) -> f64 {
+    pub(crate) fn until(&self) -> f64 {
         self.passages.min(self.leading().forecast.valid_to())
     }
 

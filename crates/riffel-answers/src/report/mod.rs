@@ -451,9 +451,16 @@ fn inputs_section(
         ];
         let names = names.into_iter().flatten();
         for preset in names.filter_map(|name| riffel_case::preset(name).ok()) {
-            let origin = preset.values.first().map(|value| value.source.text(language));
+            let origin = preset
+                .values
+                .first()
+                .map(|value| value.source.text(language));
             let name = say!(preset_of_name, name = &preset.name);
-            sources.push(row(name, preset.title.text(language), origin.unwrap_or_default()));
+            sources.push(row(
+                name,
+                preset.title.text(language),
+                origin.unwrap_or_default(),
+            ));
         }
     }
     let heads = [

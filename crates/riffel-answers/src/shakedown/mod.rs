@@ -241,6 +241,13 @@ fn standing(
     }
 }
 
+impl ShakedownAnswer {
+    /// Where the mean state stands.
+    pub fn of_mean(&self) -> Message {
+        tables::of_mean(self)
+    }
+}
+
 impl Answer for ShakedownAnswer {
     const NAME: &'static str = "shakedown";
 

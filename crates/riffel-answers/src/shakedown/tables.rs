@@ -6,19 +6,20 @@ use super::{LimitRow, OperatingPoint, ShakedownAnswer};
 use crate::{Column, Table};
 
 pub(super) fn introduction(answer: &ShakedownAnswer) -> Vec<Message> {
-    let mean = &answer.mean;
     let title = answer.title.clone().map(Message::verbatim);
-    title
-        .into_iter()
-        .chain([say!(
-            shakedown_of_mean,
-            pressure = fixed(mean.p0_over_k, 3),
-            shear = fixed(1e-6 * answer.shear_yield_pa, 0),
-            friction = fixed(mean.utilised_friction, 3),
-            demand = fixed(mean.demand, 3),
-            index = fixed(mean.fi_surf, 3)
-        )])
-        .collect()
+    title.into_iter().chain([of_mean(answer)]).collect()
+}
+
+pub(super) fn of_mean(answer: &ShakedownAnswer) -> Message {
+    let mean = &answer.mean;
+    say!(
+        shakedown_of_mean,
+        pressure = fixed(mean.p0_over_k, 3),
+        shear = fixed(1e-6 * answer.shear_yield_pa, 0),
+        friction = fixed(mean.utilised_friction, 3),
+        demand = fixed(mean.demand, 3),
+        index = fixed(mean.fi_surf, 3)
+    )
 }
 
 pub(super) fn tables(answer: &ShakedownAnswer) -> Vec<Table> {

@@ -10,6 +10,10 @@ use crate::file::{ActionFile, CostFile, MeasurementFile};
 
 /// Months of a year.
 pub(crate) const MONTHS: f64 = 12.0;
+/// Rise of a band from what grinding leaves to the limit, where nothing else is said \[dB\].
+pub const USUAL_RISE: f64 = 6.0;
+/// Longest interval between two grindings, where nothing else is said \[months\].
+pub const USUAL_HORIZON: f64 = 20.0 * MONTHS;
 
 /// Something that could be done.
 pub(crate) struct Action {
@@ -189,7 +193,7 @@ impl Plan {
             return Err(self.source.invalid("cost.discount_rate", &rule, ""));
         }
         let below = match &cost.from_limit {
-            None => -6.0,
+            None => -USUAL_RISE,
             Some(value) => amount(value, &[("dB", 1.0)])
                 .filter(|it| *it < 0.0)
                 .ok_or_else(|| {
@@ -199,7 +203,7 @@ impl Plan {
                 })?,
         };
         let horizon = match &cost.horizon {
-            None => 20.0 * MONTHS,
+            None => USUAL_HORIZON,
             Some(value) => self.duration("cost.horizon", value)?,
         };
         let mut actions = vec![Action {

@@ -1,9 +1,9 @@
 //! The contacts of a case in time.
 
-use riffel_keys::{CaseError, Message, say};
 use riffel::Rail;
 use riffel::feedback::Contact;
 use riffel::passage::{ContactInTime, DamageInTime, TransientContact, WaveInTime};
+use riffel_keys::{CaseError, Message, say};
 
 use crate::Case;
 use crate::build::CreepInTime;

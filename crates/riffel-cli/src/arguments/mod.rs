@@ -76,7 +76,7 @@ pub(crate) struct Arguments {
     #[arg(short, long, global = true)]
     verbose: bool,
 
-    /// Language of results, reports, notes and errors, en or de; help, files of data and JSON are English.
+    /// Language of reports, findings, notes and errors of a case, en or de; help, heads, data and JSON are English.
     #[arg(
         long,
         global = true,

@@ -7,6 +7,7 @@ pub(crate) mod decision;
 pub(crate) mod earlier;
 pub(crate) mod export;
 mod file_headers;
+pub(crate) mod kept;
 pub(crate) mod noise;
 mod numbered;
 pub(crate) mod questions;

@@ -1,0 +1,93 @@
+//! The time from one grinding to the next under the traffic of a line.
+
+use riffel::forecast::LINES_PER_BAND;
+use riffel_calibrate::{USUAL_HORIZON, USUAL_RISE, growing_bands};
+use riffel_case::Case;
+use riffel_case::traffic::DAYS_PER_MONTH;
+use riffel_keys::{Message, number, say};
+use serde::Serialize;
+
+use crate::line_growth::time_in_words;
+use crate::{Banded, LineGrowth, wear_spread};
+
+/// The time in which the first band rises from what grinding leaves to the limit, as a decision over a calibration has it.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+pub struct GrindingInterval {
+    /// None where no band is there within the longest interval, 20 years.
+    pub months: Option<f64>,
+    /// The same with the bands of the wear coefficient; none where growth does not go by it.
+    pub months_banded: Option<Banded>,
+}
+
+impl GrindingInterval {
+    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run.
+    pub(crate) fn new(case: &Case, growth: &LineGrowth) -> Option<Self> {
+        let per_month = growth.passages_per_day? * DAYS_PER_MONTH;
+        // As of the fastest: bands that the contact does not average out, or all where it averages out all.
+        let is_told =
+            |band: &[[f64; 2]]| band.iter().any(|[line, _]| *line >= case.shortest_told());
+        let bands = || growth.curve.chunks(LINES_PER_BAND);
+        let any = bands().any(is_told);
+        let bands = bands().filter(|band| !any || is_told(band));
+        let rates: Vec<f64> = bands.flatten().map(|[_, rate]| *rate).collect();
+        let missed = vec![0.0; rates.len() / LINES_PER_BAND];
+        let risen = 10f64.powf(0.1 * USUAL_RISE);
+        let passages = growing_bands(&rates, &missed).filter_map(|band| band.passages_to(risen));
+        let months = passages.min_by(f64::total_cmp).map(|it| it / per_month);
+        let months = months.filter(|months| *months <= USUAL_HORIZON);
+        let banded = |months| Some(Banded::by_wear(months, wear_spread(case)?));
+        Some(Self {
+            months,
+            months_banded: months.and_then(banded),
+        })
+    }
+
+    /// Months that this is longer than another; what is longer than the longest counts as that.
+    pub(crate) fn gained_on(&self, other: &Self) -> f64 {
+        let [own, other] = [self, other].map(|it| it.months.unwrap_or(USUAL_HORIZON));
+        own - other
+    }
+
+    /// In the unit of another, so that both can be compared at a glance.
+    pub(crate) fn time_beside(&self, other: &Self) -> Message {
+        let Some(months) = self.months else {
+            return say!(longer_than_years, years = number(USUAL_HORIZON / 12.0));
+        };
+        // One that has no unit of its own leaves that of this.
+        let other = other.months.map_or(self, |_| other);
+        time_in_words(
+            [months, other.months.unwrap_or(months)],
+            [self, other].map(|interval| interval.months_banded),
+        )
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use riffel_case::NOMINAL_CASE;
+
+    /// Growth of two bands at the same rate each: 6 dB come after 0.3 ln 10 / g passages, by the faster.
+    #[test]
+    fn the_first_band_that_has_risen_ends_the_interval() {
+        let case = Case::parse("nominal", NOMINAL_CASE, &[]).unwrap();
+        let mut growth = LineGrowth::new(&case, None).unwrap();
+        growth.passages_per_day = Some(1000.0 / DAYS_PER_MONTH);
+        let interval = |growth: &mut LineGrowth, rates: [f64; 2]| {
+            let lines = (0..2 * LINES_PER_BAND)
+                .map(|k| [0.1 + 0.001 * k as f64, rates[k / LINES_PER_BAND]]);
+            growth.curve = lines.collect();
+            GrindingInterval::new(&case, growth).unwrap()
+        };
+        let slow = interval(&mut growth, [1e-6, 1e-5]);
+        let expected = 0.3 * std::f64::consts::LN_10 / 1e-5 / 1000.0;
+        // Newton's method ends at some roundings.
+        assert!((slow.months.unwrap() / expected - 1.0).abs() < 1e-12);
+        let none = interval(&mut growth, [-1e-5, 1e-9]);
+        assert_eq!((none.months, none.months_banded), (None, None));
+        assert!((none.gained_on(&slow) - (USUAL_HORIZON - expected)).abs() < 1e-9);
+        assert_eq!(none.time_beside(&slow).to_string(), "more than 20 years");
+        growth.passages_per_day = None;
+        assert_eq!(GrindingInterval::new(&case, &growth), None);
+    }
+}
