@@ -91,6 +91,7 @@ impl AnswerError {
     pub fn message(&self) -> Message {
         match self {
             Self::Case(error) => error.message(),
+            Self::Physics(error) => error.into(),
             other => Message::verbatim(other.to_string()),
         }
     }

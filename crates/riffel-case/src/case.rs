@@ -344,7 +344,7 @@ impl Case {
         };
         Err(self.keys.text.keys.invalid(
             key,
-            &format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
+            format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
             say!(narrow_the_window_or_measure_further),
         ))
     }

@@ -124,7 +124,7 @@ impl CheckedKeys {
         if wavelength.points * speed.points > MOST_MAP_POINTS {
             return Err(self.text.keys.invalid(
                 "map",
-                &format!(
+                format!(
                     "{} wavelengths at {} speeds are more than the {MOST_MAP_POINTS} points of the \
                      largest map",
                     wavelength.points, speed.points
@@ -204,7 +204,7 @@ impl CheckedKeys {
                 }
                 _ => "",
             };
-            let invalid = self.text.keys.invalid(key, &error.to_string(), help);
+            let invalid = self.text.keys.invalid(key, &error, help);
             match error {
                 riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
                 _ => invalid,

@@ -29,7 +29,7 @@ impl Case {
         let mut after = self.file.clone();
         change(&mut after);
         let table = |file: &CaseFile| {
-            Table::try_from(file).map_err(|error| self.refuse("", &error.to_string()))
+            Table::try_from(file).map_err(|error| self.refuse("", error.to_string()))
         };
         let (mut set, mut removed) = (Vec::new(), Vec::new());
         differences(

@@ -79,7 +79,7 @@ impl CaseText {
             .collect();
         self.keys.invalid(
             kind.key(),
-            &format!("is \"{name}\", but no {} preset has that name", kind.name()),
+            format!("is \"{name}\", but no {} preset has that name", kind.name()),
             say!(allowed_names, allowed = known.join(", ")),
         )
     }

@@ -37,7 +37,7 @@ impl KeptState {
             // The curve gives the mean state of every variant.
             return match variant.hold {
                 None => Ok(None),
-                Some(hold) => Err(variant.refuse(&format!(
+                Some(hold) => Err(variant.refuse(format!(
                     "holds the {hold}, but the mean state is that of the curve of contact.from, which changes with what the \
                      variant changes; leave --hold out, or give contact.creepage with the change"
                 ))),
@@ -58,7 +58,7 @@ impl KeptState {
         if vector.is_some() && hold != Hold::Creepage {
             let rule = "contact.creepage of the case is a table; choose --hold creepage, or give contact.creepage with \
                           the change";
-            return Err(variant.refuse(&format!(
+            return Err(variant.refuse(format!(
                 "holds the {hold} of longitudinal creepage alone, but {rule}"
             )));
         }

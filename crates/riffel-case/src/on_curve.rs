@@ -85,7 +85,7 @@ impl Case {
     /// [`CaseError`] for keys that cannot be written.
     pub fn keys_of_curve(&self) -> Result<Vec<Setting>, CaseError> {
         let table =
-            Table::try_from(&self.file).map_err(|error| self.refuse("", &error.to_string()))?;
+            Table::try_from(&self.file).map_err(|error| self.refuse("", error.to_string()))?;
         let is_of_curve = |key: &str| {
             let mut known = OF_CURVE.iter().chain([&LAW]);
             known.any(|&table| {

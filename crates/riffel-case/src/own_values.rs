@@ -25,7 +25,7 @@ impl Case {
             removed.iter().for_each(|key| text.keys.remove(key));
             text.fill_in()?;
             let file: CaseFile = text.deserialize()?;
-            Table::try_from(file).map_err(|error| self.refuse("", &error.to_string()))
+            Table::try_from(file).map_err(|error| self.refuse("", error.to_string()))
         };
         let Ok(own) = filled(None) else {
             return Vec::new();

@@ -90,7 +90,7 @@ impl Case {
     /// The keys of the case with every value written that presets, defaults and other keys fill in.
     fn written_out(&self) -> Result<CaseText, CaseError> {
         let whole = Table::try_from(&self.file);
-        let whole = whole.map_err(|error| self.refuse("", &error.to_string()))?;
+        let whole = whole.map_err(|error| self.refuse("", error.to_string()))?;
         let mut text = self.unfilled.clone();
         for (key, value) in whole {
             text.keys.put(&key, value);

@@ -9,7 +9,7 @@ use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
 use thiserror::Error;
 
 use crate::text_file::in_a_message;
-use crate::{Language, Message, Value, say};
+use crate::{Language, Message, Value, physics_in_words, say};
 
 /// A case that cannot be used, and why, in a sentence that names the key.
 ///
@@ -157,7 +157,11 @@ impl CaseError {
             | Self::Changed { message, .. } => message.clone(),
             Self::NotConverged(error) => error.message(),
             Self::Physics { input, error } => {
-                say!(place_and_fault, place = input, fault = error.to_string())
+                say!(
+                    place_and_fault,
+                    place = input,
+                    fault = physics_in_words(error)
+                )
             }
             Self::Override {
                 assignment,

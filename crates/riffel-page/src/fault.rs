@@ -28,7 +28,7 @@ pub struct Fault {
     line: Option<usize>,
     /// The German of both, by their English.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    german: BTreeMap<String, String>,
+    german: Box<BTreeMap<String, String>>,
     /// What a developer of the page wants to know, and nobody else.
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<Box<str>>,
@@ -83,9 +83,11 @@ impl Fault {
             message,
             help: (!help.is_empty()).then_some(help),
             line: None,
-            german: (both.into_iter())
-                .filter(|(english, german)| english != german)
-                .collect(),
+            german: Box::new(
+                (both.into_iter())
+                    .filter(|(english, german)| english != german)
+                    .collect(),
+            ),
             detail: None,
         }
     }
@@ -93,7 +95,10 @@ impl Fault {
     /// The same fault with the German of its sentences, by their English.
     #[must_use]
     pub fn with_german(self, german: BTreeMap<String, String>) -> Self {
-        Self { german, ..self }
+        Self {
+            german: Box::new(german),
+            ..self
+        }
     }
 
     /// A newer question for the same has come.
@@ -146,7 +151,7 @@ impl Fault {
             key: None,
             line: None,
             message: told(&self.message),
-            german: german.collect(),
+            german: Box::new(german.collect()),
             ..self
         }
     }
@@ -156,9 +161,11 @@ impl Fault {
         Self {
             message: words(&self.message),
             help: self.help.as_deref().map(&words),
-            german: (self.german.iter())
-                .map(|(english, german)| (words(english), words(german)))
-                .collect(),
+            german: Box::new(
+                (self.german.iter())
+                    .map(|(english, german)| (words(english), words(german)))
+                    .collect(),
+            ),
             ..self
         }
     }

@@ -105,7 +105,7 @@ impl ReaderFormat {
             (Some(spacing), None) if spacing.si() <= 0.0 => {
                 return Err(source.invalid(
                     "spacing",
-                    &format!("is {spacing}, but must be greater than zero"),
+                    format!("is {spacing}, but must be greater than zero"),
                     "",
                 ));
             }

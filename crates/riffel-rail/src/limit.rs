@@ -134,7 +134,7 @@ impl LimitTable {
 }
 
 fn levels(source: &KeyFile, written: &[LevelKeys]) -> Result<Limit, CaseError> {
-    let refuse = |error: riffel::Error| source.invalid("level", &error.to_string(), "");
+    let refuse = |error: riffel::Error| source.invalid("level", error.to_string(), "");
     let levels: Result<Vec<_>, _> = written
         .iter()
         .map(|level| {
@@ -149,7 +149,7 @@ fn levels(source: &KeyFile, written: &[LevelKeys]) -> Result<Limit, CaseError> {
 }
 
 fn bands(source: &KeyFile, written: &LimitKeys) -> Result<Limit, CaseError> {
-    let refuse = |error: riffel::Error| source.invalid("band", &error.to_string(), "");
+    let refuse = |error: riffel::Error| source.invalid("band", error.to_string(), "");
     let bands: Result<Vec<_>, _> = written
         .band
         .iter()

@@ -156,7 +156,7 @@ impl RecipeFile {
         // What the generator refuses it refuses for all rails alike; what is left is the number of samples.
         recipe
             .check()
-            .map_err(|error| source.invalid("spacing", &error.to_string(), ""))?;
+            .map_err(|error| source.invalid("spacing", error.to_string(), ""))?;
         let seeds = (0..).map(|rail| recipe.seed.wrapping_add(rail));
         let rails = written.rails.iter().zip(seeds).map(|(name, seed)| {
             let recipe = Recipe {

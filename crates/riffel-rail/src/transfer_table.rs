@@ -139,7 +139,7 @@ impl TransferTable {
             levels.push((band, level.level_db));
         }
         let function = TransferFunction::new(levels)
-            .map_err(|error| source.invalid("level", &error.to_string(), ""))?;
+            .map_err(|error| source.invalid("level", error.to_string(), ""))?;
         Ok(Self {
             name: written.name,
             title: written.title,

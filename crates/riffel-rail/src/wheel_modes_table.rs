@@ -160,7 +160,7 @@ impl WheelModesTable {
         });
         let modes: Vec<WheelMode> = modes.collect();
         let modes = WheelModes::new(rolling_radius, width, &radii, &modes, &Air::default())
-            .map_err(|error| source.invalid("mode", &error.to_string(), ""))?;
+            .map_err(|error| source.invalid("mode", error.to_string(), ""))?;
         Ok(Self {
             name: written.name,
             title: written.title,

@@ -1,6 +1,6 @@
 //! Files in a folder of a page, by numbers: earlier records of a rail beside the present one, data of a calibration.
 
-use riffel_keys::{number, say};
+use riffel_keys::say;
 use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};

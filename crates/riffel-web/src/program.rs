@@ -173,7 +173,7 @@ impl Program {
         tell: &dyn Fn(Progress),
     ) -> Result<String, Fault> {
         let failed =
-            |error: io::Error| Fault::defect(&format!("the program cannot be run: {error}"));
+            |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
         let place = tempfile::tempdir_in(folder).map_err(failed)?;
         let file = |name| place.path().join(name);

@@ -1,7 +1,7 @@
 //! Files that came from a page: in a private folder, removed at the end and, after a crash, at the next
 //! start.
 
-use riffel_keys::{number, say};
+use riffel_keys::say;
 use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};

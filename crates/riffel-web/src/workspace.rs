@@ -33,7 +33,7 @@ impl Workspace {
     /// A file that the program has written.
     pub(crate) fn read(&self, name: impl AsRef<Path>) -> Result<String, Fault> {
         let path = self.path().join(name);
-        fs::read_to_string(path).map_err(|error| Fault::defect(&format!("no result: {error}")))
+        fs::read_to_string(path).map_err(|error| Fault::defect(format!("no result: {error}")))
     }
 
     /// Put a file in; its name here, which is that of the user as far as it can be one.
@@ -71,7 +71,7 @@ fn file_name(name: &str) -> String {
 }
 
 fn no_place(error: io::Error) -> Fault {
-    Fault::defect(&format!("the file cannot be stored: {error}"))
+    Fault::defect(format!("the file cannot be stored: {error}"))
 }
 
 #[cfg(test)]

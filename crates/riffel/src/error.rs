@@ -253,7 +253,7 @@ impl Error {
 }
 
 /// A value as it was typed, or to six digits where it was computed: what has more digits than anybody types.
-fn readable(value: f64) -> String {
+pub fn readable(value: f64) -> String {
     const TYPED: usize = 9;
     let exact = value.to_string();
     let digits = exact

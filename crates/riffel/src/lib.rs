@@ -97,7 +97,7 @@ pub mod damage;
 pub mod diagnosis;
 mod direction;
 mod elastic;
-mod error;
+pub mod error;
 pub mod feedback;
 pub mod forecast;
 mod gauss;

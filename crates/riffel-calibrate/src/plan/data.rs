@@ -290,10 +290,8 @@ impl Reading<'_> {
         )?;
         let student = StudentsT::new(0.0, 1.0, degrees);
         let student = student.map_err(|error| {
-            self.source.refuse(
-                &format!("data[{index}].student_degrees"),
-                &error.to_string(),
-            )
+            self.source
+                .refuse(&format!("data[{index}].student_degrees"), error.to_string())
         })?;
         if let Some(discrepancy) = &data.discrepancy
             && discrepancy.kind != "band"

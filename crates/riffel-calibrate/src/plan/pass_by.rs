@@ -83,11 +83,8 @@ impl Reading<'_> {
             Surroundings::HardGround,
         );
         let pass = pass.map_err(|error| {
-            self.source.invalid(
-                &format!("data[{index}].distance"),
-                &format!(": {error}"),
-                "",
-            )
+            self.source
+                .invalid(&format!("data[{index}].distance"), format!(": {error}"), "")
         })?;
         let rest = data.roughness.as_ref();
         let rest = rest.map(|name| Survey::mean_of(&beside(self.folder, name)));

@@ -86,7 +86,7 @@ impl CheckedKeys {
             if keys.laws[..index].contains(&name) {
                 return Err(self.text.keys.invalid(
                     "damage.laws",
-                    &format!("names {} twice", name.name()),
+                    format!("names {} twice", name.name()),
                     say!(rates_of_the_laws_add_name),
                 ));
             }

@@ -217,7 +217,7 @@ impl CheckedKeys {
         if keys.rail_radius > relative_radius && self.text.is_written(KEY) {
             return Err(self.text.keys.invalid(
                 KEY,
-                &format!(
+                format!(
                     "is {} m, but must be at most the transverse radius of the contact, {relative_radius} m",
                     keys.rail_radius
                 ),

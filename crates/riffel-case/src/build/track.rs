@@ -41,7 +41,7 @@ impl CheckedKeys {
         {
             return Err(self.text.keys.invalid(
                 "track.model",
-                &format!("is \"{}\", which is vertical only", model.name()),
+                format!("is \"{}\", which is vertical only", model.name()),
                 "",
             ));
         }

@@ -195,24 +195,18 @@ impl CurvingCase {
         match error {
             riffel::Error::OffTheRails { .. } if endless => {
                 let help = "cones without profiles.flange have no end; give a flange, or take a wider curve";
-                self.text
-                    .keys
-                    .invalid("profiles.wheel", &error.to_string(), help)
+                self.text.keys.invalid("profiles.wheel", &error, help)
             }
             riffel::Error::OffTheRails { .. } => {
                 let help = "take a wider curve, less moment or softer springs";
-                self.text
-                    .keys
-                    .invalid("curve.radius", &error.to_string(), help)
+                self.text.keys.invalid("curve.radius", &error, help)
             }
             riffel::Error::TorqueBeyondFriction { .. } => {
                 let help = "take less torque or more friction";
-                self.text
-                    .keys
-                    .invalid("bogie.drive_torque", &error.to_string(), help)
+                self.text.keys.invalid("bogie.drive_torque", &error, help)
             }
             error @ riffel::Error::NoEquilibrium { .. } => {
-                let invalid = self.text.keys.invalid("curve", &error.to_string(), "");
+                let invalid = self.text.keys.invalid("curve", &error, "");
                 CaseError::NotConverged(Box::new(invalid))
             }
             error => self.physics("curve", error),
@@ -220,7 +214,7 @@ impl CurvingCase {
     }
 
     pub(super) fn physics(&self, key: &str, error: riffel::Error) -> CaseError {
-        let invalid = self.text.keys.invalid(key, &error.to_string(), "");
+        let invalid = self.text.keys.invalid(key, &error, "");
         match error {
             riffel::Error::NotConverged { .. } => CaseError::NotConverged(Box::new(invalid)),
             _ => invalid,

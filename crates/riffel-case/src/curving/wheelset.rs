@@ -66,7 +66,7 @@ impl CurvingCase {
         };
         let fits = |key: &str, error: ProfileError| match error {
             ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
-            error => self.text.keys.invalid(key, &error.to_string(), ""),
+            error => self.text.keys.invalid(key, error.to_string(), ""),
         };
         let track = Track::new(
             [&left, &right],
@@ -137,7 +137,7 @@ impl CurvingCase {
         let [_, right] = self.rolling_radii();
         let farthest = farthest(wheelset);
         let of = |table: Result<RadiusDifference, ProfileError>| {
-            table.map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))
+            table.map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))
         };
         Ok([
             of(RadiusDifference::level(wheelset, right, farthest, STEP))?,
@@ -259,7 +259,7 @@ impl CurvingCase {
         let wheelset = self.wheelset_on_track()?;
         let farthest = farthest(&wheelset);
         let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
-            .map_err(|error| self.text.keys.invalid("profiles", &error.to_string(), ""))?;
+            .map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))?;
         Ok(Kinematics::Nonlinear {
             surfaces: Arc::new(surfaces),
             contact_plane,

@@ -143,8 +143,7 @@ impl CaseText {
             }
         };
         let steel = curving.steel()?;
-        let refused =
-            |error: riffel::Error| self.keys.refuse("contact.from.patch", &error.to_string());
+        let refused = |error: riffel::Error| self.keys.refuse("contact.from.patch", &error);
         let radii = HertzContact::radii_of_ellipse(steel, loaded.semi_axes, contact.normal_force);
         let radii = radii.map_err(refused)?;
         let hertz = contact.hertz(curving)?;

@@ -175,7 +175,7 @@ impl CheckedKeys {
                 Err(self.text.keys.invalid(
                     key,
                     "and `wheelset` exclude each other",
-                    &format!("leave {key} out: the wheel is part of the wheelset"),
+                    format!("leave {key} out: the wheel is part of the wheelset"),
                 ))
             })
     }
@@ -198,7 +198,7 @@ impl CheckedKeys {
                 };
                 return Err(self.text.keys.invalid(
                     "opposite_contact",
-                    &format!("is given, but {without}"),
+                    format!("is given, but {without}"),
                     "choose wheelset.opposite_rail = \"smooth\", \"in-phase\" or \"antiphase\"",
                 ));
             }
@@ -267,7 +267,7 @@ impl CheckedKeys {
         if creepage.is_vector() && largest < LEAST_CREEPAGE {
             return Err(self.text.keys.invalid(
                 key,
-                &format!(
+                format!(
                     "is longitudinal {longitudinal}, lateral {lateral} and spin {spin} rad/m, but one of them must be \
                      at least {LEAST_CREEPAGE:e}: a wheel that does not creep does not wear the rail"
                 ),
@@ -284,11 +284,11 @@ impl CheckedKeys {
             let others: Vec<&str> = others.chain([CreepLawName::HALF_SPACE.name()]).collect();
             self.text.keys.invalid(
                 &format!("{key}.{component}"),
-                &format!(
+                format!(
                     "is {value}, but contact.creep_law = \"{}\" does not know it",
                     law.name
                 ),
-                &format!("laws that do: {}", others.join(", ")),
+                format!("laws that do: {}", others.join(", ")),
             )
         };
         if lateral != 0.0 && !law.lateral {
@@ -318,7 +318,7 @@ impl CheckedKeys {
             if let Some(other) = wheels[..index].iter().position(at_one_place) {
                 return Err(self.text.keys.invalid(
                     &format!("{key}[{index}]"),
-                    &format!(
+                    format!(
                         "is {}, where wheel {} stands: two wheels must not be at one place",
                         train.wheels[index],
                         other + 1

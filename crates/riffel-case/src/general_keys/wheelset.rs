@@ -200,7 +200,7 @@ impl CheckedKeys {
             if let Some((name, _)) = one.iter().find(|(_, value)| value.is_some()) {
                 return Err(keys.invalid(
                     "wheelset.axle.segments",
-                    &format!("and `wheelset.axle.{name}` exclude each other"),
+                    format!("and `wheelset.axle.{name}` exclude each other"),
                     say!(give_length_and_diameter_of_an),
                 ));
             }

@@ -256,8 +256,7 @@ impl Case {
                     quantity = quantity.name(),
                     wavelength = wavelength,
                     speed = speed
-                )
-                .into(),
+                ),
             }),
         }
     }

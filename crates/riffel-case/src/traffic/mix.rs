@@ -58,7 +58,7 @@ impl Traffic {
         let mut file = self.file.clone();
         change(&mut file);
         let text = toml::to_string(&file)
-            .map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
+            .map_err(|error| self.source.refuse("vehicle", error.to_string()))?;
         let mut traffic = Self::parse(self.source.name(), &text)?;
         traffic.folder.clone_from(&self.folder);
         Ok(traffic)
@@ -245,9 +245,8 @@ fn distribution(
             let deviation = normal
                 .standard_deviation
                 .map_or(0.0, |deviation| deviation.si());
-            SpeedDistribution::normal(normal.mean.si(), deviation).map_err(|error| {
-                source.invalid(&key("speed.standard_deviation"), &error.to_string(), "")
-            })
+            SpeedDistribution::normal(normal.mean.si(), deviation)
+                .map_err(|error| source.invalid(&key("speed.standard_deviation"), &error, ""))
         }
         (None, Some(list)) => {
             for (place, entry) in list.iter().enumerate() {
@@ -261,7 +260,7 @@ fn distribution(
                 .map(|entry| (entry.speed.si(), entry.share.si()))
                 .collect();
             SpeedDistribution::shares(&list)
-                .map_err(|error| source.invalid(&key("speeds"), &error.to_string(), ""))
+                .map_err(|error| source.invalid(&key("speeds"), &error, ""))
         }
     }
 }

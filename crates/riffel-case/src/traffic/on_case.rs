@@ -83,7 +83,7 @@ impl Traffic {
         let mut remarks = self.merged(remarks);
         remarks.splice(0..0, own.cloned());
         let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
-        let growth = growth.map_err(|error| self.source.refuse("vehicle", &error.to_string()))?;
+        let growth = growth.map_err(|error| self.source.refuse("vehicle", &error))?;
         let line = self.file.line;
         let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
@@ -154,7 +154,7 @@ impl Traffic {
         self.check_traction_share(index, case)?;
         let growth = growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
-            growth: growth.map_err(|error| self.source.refuse(&at, &error.to_string()))?,
+            growth: growth.map_err(|error| self.source.refuse(&at, &error))?,
             held,
             remarks,
         })

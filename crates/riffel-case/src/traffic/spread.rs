@@ -136,7 +136,7 @@ impl<D: Dimension> Spread<D> {
         key: &str,
         values: Values,
     ) -> Result<Distribution, CaseError> {
-        let refused = |error: riffel::Error| source.invalid(key, &error.to_string(), "");
+        let refused = |error: riffel::Error| source.invalid(key, &error, "");
         let distribution = match self {
             Self::Shares(list) => {
                 if list.is_empty() {
@@ -215,7 +215,7 @@ fn in_si(source: &KeyFile, at: &str, kind: Kind, value: &Value) -> Result<Value,
     match value {
         Value::String(text) => {
             let read = kind.read(text);
-            let number = read.map_err(|error| source.invalid(at, &error.to_string(), ""))?;
+            let number = read.map_err(|error| source.invalid(at, error.to_string(), ""))?;
             Ok(Value::Float(number))
         }
         Value::Table(table) => {

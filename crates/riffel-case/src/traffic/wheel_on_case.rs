@@ -2,7 +2,7 @@
 
 use riffel::STANDARD_GRAVITY;
 use riffel::forecast::SpeedDistribution;
-use riffel_keys::{CaseError, say};
+use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
 use super::spreads::PartValues;
@@ -49,7 +49,11 @@ impl Traffic {
             return Err(self.source.refuse(&at(&format!(".{key}")), &message));
         }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
-            let message = say!(vehicle, vehicle = &vehicle.name, error = error.to_string());
+            let message = say!(
+                vehicle,
+                vehicle = &vehicle.name,
+                error = Message::from(&error)
+            );
             self.source.refuse(&at(""), &message)
         })?;
         let window = window(case, lines, &speeds);

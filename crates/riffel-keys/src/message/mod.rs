@@ -30,7 +30,7 @@ pub use value::{Value, decimal, fixed, number, significant, significant_digits};
 #[derive(Debug, Clone, PartialEq)]
 pub struct Message {
     id: &'static str,
-    values: Vec<(&'static str, Value)>,
+    values: Box<[(&'static str, Value)]>,
 }
 
 /// A [`Message`] by its id, with underscores for hyphens, and its values: `say!(far_away, distance = number(x))`.
@@ -43,6 +43,7 @@ macro_rules! say {
 
 impl Message {
     fn new(id: &'static str, values: Vec<(&'static str, Value)>) -> Self {
+        let values = values.into_boxed_slice();
         Self { id, values }
     }
 

@@ -2,8 +2,8 @@
 
 use std::fmt;
 
-use super::dimension::named;
-use crate::{Message, say};
+use super::named;
+use crate::{Message, Value, say};
 
 /// A text that is not the quantity it should be.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -129,8 +129,8 @@ impl QuantityError {
                     unit => say!(in_unit, unit = unit),
                 },
                 kind = match *unit {
-                    "" => named(name),
-                    unit => say!(kind_in_unit, kind = named(name), unit = unit),
+                    "" => Value::from(named(name)),
+                    unit => say!(kind_in_unit, kind = named(name), unit = unit).into(),
                 },
                 example = *example
             ),

@@ -1,7 +1,6 @@
 //! Quantities where only the key tells which, read from text.
 
-use super::dimension::named;
-use super::{Dimension, QuantityError, WrittenQuantity};
+use super::{Dimension, QuantityError, WrittenQuantity, named};
 use crate::unit::{Exponents, Unit};
 use crate::{Message, say};
 

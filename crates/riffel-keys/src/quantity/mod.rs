@@ -18,7 +18,7 @@ use serde::{Deserialize, Deserializer, Serialize, Serializer, de};
 pub use dimension::*;
 pub use error::QuantityError;
 pub use kind::Kind;
-pub use name::{named, names};
+pub use name::named;
 pub(crate) use written::WrittenQuantity;
 
 /// A quantity of the dimension `D`, held in SI.

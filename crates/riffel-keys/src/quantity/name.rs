@@ -15,13 +15,6 @@ pub fn named(english: &str) -> Words {
     Words::new(english.to_owned(), GERMAN.get(english).cloned())
 }
 
-/// Every name in English and in German.
-pub fn names() -> impl Iterator<Item = (&'static str, &'static str)> {
-    GERMAN
-        .iter()
-        .map(|(english, german)| (&**english, &**german))
-}
-
 #[cfg(test)]
 mod tests {
     use std::fs;

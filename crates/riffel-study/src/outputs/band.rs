@@ -43,7 +43,7 @@ pub(super) fn bands(
                 let (from, to) = (written.from.si(), written.to.si());
                 let key = format!("outputs.band[{index}]");
                 WavelengthBand::new(from, to)
-                    .map_err(|error| source.invalid(&key, &error.to_string(), ""))?;
+                    .map_err(|error| source.invalid(&key, error.to_string(), ""))?;
                 let band = band(from, to, false);
                 if band.lines.is_empty() {
                     let rule = format!(
@@ -75,9 +75,8 @@ pub(super) fn bands(
             // An axis has wavelengths above zero.
             let ends = ThirdOctave::containing(first)
                 .and_then(|low| Ok((low, ThirdOctave::containing(last)?)));
-            let ends = ends.map_err(|error| {
-                source.invalid("outputs.growth_by_band", &error.to_string(), "")
-            })?;
+            let ends = ends
+                .map_err(|error| source.invalid("outputs.growth_by_band", error.to_string(), ""))?;
             ThirdOctave::between(ends.0, ends.1)
                 .map(|octave| {
                     let (from, to) = octave.wavelength_range();

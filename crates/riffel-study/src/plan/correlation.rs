@@ -24,7 +24,7 @@ impl Plan {
             };
             return Err(source.invalid(
                 "correlation[0]",
-                &format!(
+                format!(
                     "and design.method = \"{}\" exclude each other: {why}",
                     method.name()
                 ),

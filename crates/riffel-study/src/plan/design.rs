@@ -49,7 +49,7 @@ impl Plan {
             };
             return Err(source.invalid(
                 "design.samples",
-                &format!("{what} more than the {MOST_SAMPLES} of the largest study"),
+                format!("{what} more than the {MOST_SAMPLES} of the largest study"),
                 "the error of a mean falls with the root of their number: take fewer",
             ));
         }
@@ -86,7 +86,7 @@ impl Plan {
             let Some(count) = parameter.levels() else {
                 return Err(source.invalid(
                     &format!("parameter[{index}]"),
-                    &format!("`{}` has a distribution, but a grid takes values or a range", parameter.key.key),
+                    format!("`{}` has a distribution, but a grid takes values or a range", parameter.key.key),
                     "write values or range, or choose design.method = \"sobol\" or \"latin-hypercube\"",
                 ));
             };
@@ -105,7 +105,7 @@ impl Plan {
             }
             return Err(source.invalid(
                 "parameter",
-                &format!(
+                format!(
                     "{factors} make a grid of {} samples, more than the {MOST_SAMPLES} of the largest study",
                     in_figures(total)
                 ),

@@ -87,7 +87,7 @@ impl Plan {
             CaseError::Changed { key, message } => source.refuse(&format!("set.{key}"), &message),
             CaseError::Read { reason, .. } => source.invalid(
                 "case",
-                &format!("cannot read {}: {reason}", path.display()),
+                format!("cannot read {}: {reason}", path.display()),
                 "the case is looked for beside the plan",
             ),
             error => error,
@@ -104,7 +104,7 @@ impl Plan {
         {
             return Err(source.invalid(
                 &format!("parameter[{index}].key"),
-                &format!(
+                format!(
                     "is \"{}\", but the window of the map gives the results their axes and cannot vary",
                     file.parameter[index].key
                 ),
@@ -160,8 +160,8 @@ impl Plan {
                 let nearest = CaseKey::nearest(&written.key);
                 return Err(source.invalid(
                     &place,
-                    &format!("is \"{}\", but the case file has no such key", written.key),
-                    &format!("did you mean {nearest}? The case file lists all keys"),
+                    format!("is \"{}\", but the case file has no such key", written.key),
+                    format!("did you mean {nearest}? The case file lists all keys"),
                 ));
             };
             if parameters.iter().any(|other| other.key == key) {

@@ -58,7 +58,7 @@ pub(super) fn of(
         let Some(values) = &written.values else {
             return Err(source.invalid(
                 &format!("{at}.{way}"),
-                &format!(
+                format!(
                     "is for quantities, but `{}` takes a choice, a name or a whole number",
                     key.key
                 ),

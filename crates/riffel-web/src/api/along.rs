@@ -1,6 +1,6 @@
 //! `POST /api/along`: a measured rail along the line; `GET /api/sample`: a profile to try.
 
-use riffel_keys::{number, say};
+use riffel_keys::say;
 use std::path::Path;
 
 use axum::extract::State;

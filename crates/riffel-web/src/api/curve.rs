@@ -204,13 +204,13 @@ impl Question {
 /// A folder of its own for each question: gone with it, or with the program.
 pub(super) fn place(uploads: &Uploads) -> Result<tempfile::TempDir, Fault> {
     let folder = uploads.folder();
-    folder.map_err(|error| Fault::defect(&format!("there is no place for files: {error}")))
+    folder.map_err(|error| Fault::defect(format!("there is no place for files: {error}")))
 }
 
 /// Put a file of a question, a profile or the curve on them, into its folder.
 pub(super) fn store(path: &Path, text: &str) -> Result<(), Fault> {
     std::fs::write(path, text)
-        .map_err(|error| Fault::defect(&format!("the profile cannot be stored: {error}")))
+        .map_err(|error| Fault::defect(format!("the profile cannot be stored: {error}")))
 }
 
 impl ProfileText {

@@ -46,7 +46,7 @@ pub(crate) async fn post(
             own.folder.path().join(own.data.file(number)?)
         }
     };
-    let gone = |error| Fault::defect(&format!("the file cannot be read: {error}"));
+    let gone = |error| Fault::defect(format!("the file cannot be read: {error}"));
     let about = tokio::fs::metadata(&path).await.map_err(gone)?;
     if about.len() > LARGEST {
         return Err(Refusal(Fault::refused(

@@ -148,7 +148,11 @@ impl Asked<'_> {
             None => self.variant.speed.apply(own).map_err(|error| {
                 self.refuse(
                     "",
-                    say!(vehicle, vehicle = self.name(), error = error.to_string()),
+                    say!(
+                        vehicle,
+                        vehicle = self.name(),
+                        error = Message::from(&error)
+                    ),
                 )
             })?,
         };
@@ -332,7 +336,7 @@ impl Asked<'_> {
     ) -> Result<VehicleGrowth, CaseError> {
         let vehicle = &self.traffic.file.vehicle[self.index];
         let (name, share) = (&vehicle.name, vehicle.share.si());
-        let refused = |error: riffel::Error| self.refuse("", &error.to_string());
+        let refused = |error: riffel::Error| self.refuse("", &error);
         let mut growths = Vec::new();
         for (part, it) in parts {
             for wheel in &it.wheels {
