@@ -3,6 +3,7 @@
 use riffel::noise::{FrequencyBand, RailDecay, SoundPower};
 use riffel_case::Case;
 use riffel_keys::{Message, Value, fixed, number, say};
+use riffel_rail::name_in_words;
 
 use super::Train;
 
@@ -19,10 +20,9 @@ pub(super) fn remarks(
 ) -> Vec<Message> {
     let mut remarks = Vec::new();
     if let [_, _, ..] = &train.question.rails[..] {
-        remarks.push(say!(
-            noise_on_mean_of_rails,
-            rails = train.question.rails.join(", ")
-        ));
+        let rails = train.question.rails.iter();
+        let rails: Value = rails.map(|rail| name_in_words(rail)).collect();
+        remarks.push(say!(noise_on_mean_of_rails, rails = rails));
     }
     match &train.modes {
         None => remarks.push(say!(rigid_wheel)),

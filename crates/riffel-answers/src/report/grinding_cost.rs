@@ -84,11 +84,11 @@ mod tests {
         };
         assert_eq!(
             cost.words(1240.0, Some(18.0)).to_string(),
-            "To grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months"
+            "to grind 1240 m of line takes 2 grinding shifts and 30000 EUR, 20000 EUR a year if repeated every 18 months"
         );
         assert_eq!(
             cost.words(90.0, None).to_string(),
-            "To grind 90 m of line takes 1 grinding shift and 15000 EUR"
+            "to grind 90 m of line takes 1 grinding shift and 15000 EUR"
         );
     }
 }

@@ -414,7 +414,7 @@ fn a_cost_is_told_where_it_is_given() {
     );
 }
 
-/// The words of a page with all parts, but for what stays as somebody wrote it: inputs, sources of limits, and names in
+/// The words of a page with all parts, but for what stays as somebody wrote it: inputs, published sources, and names in
 /// quotation marks.
 fn own_words(page: &str) -> Vec<String> {
     let body = page.split_once("</style>").unwrap().1;
@@ -427,7 +427,11 @@ fn own_words(page: &str) -> Vec<String> {
         line.split('"').step_by(2).collect::<String>()
     };
     let is_own = |line: &&str| {
-        let sources = ["Values of EN ISO 3095", "S. L. Grassie"];
+        let sources = [
+            "Values of EN ISO 3095",
+            "S. L. Grassie",
+            "Shock and Vibration",
+        ];
         !sources.iter().any(|source| line.contains(source))
     };
     let lines = lines.map(|(_, line)| line).filter(is_own);
