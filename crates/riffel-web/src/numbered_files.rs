@@ -4,9 +4,8 @@ use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use axum::http::StatusCode;
-
 use crate::fault::Fault;
+use crate::uploads::gone;
 
 /// Most files of one folder.
 pub(crate) const MOST: usize = 6;
@@ -82,13 +81,7 @@ impl NumberedFiles {
         let mut files = numbered.files.iter();
         files
             .find_map(|(own, name)| name.clone().filter(|_| *own == number))
-            .ok_or_else(|| {
-                Fault::refused(
-                    StatusCode::GONE,
-                    "the file is no longer here".to_owned(),
-                    "choose it once more",
-                )
-            })
+            .ok_or_else(gone)
     }
 
     /// Remove a record from its folder; one that is not there is removed already.
