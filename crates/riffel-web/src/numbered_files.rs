@@ -5,9 +5,8 @@ use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use axum::http::StatusCode;
-
 use crate::fault::Fault;
+use crate::uploads::gone;
 
 /// Most files of one folder.
 pub(crate) const MOST: usize = 6;
@@ -84,13 +83,7 @@ impl NumberedFiles {
         let mut files = numbered.files.iter();
         files
             .find_map(|(own, name)| name.clone().filter(|_| *own == number))
-            .ok_or_else(|| {
-                Fault::refused(
-                    StatusCode::GONE,
-                    say!(the_file_is_no_longer_here),
-                    say!(choose_it_once_more),
-                )
-            })
+            .ok_or_else(gone)
     }
 
     /// Remove a record from its folder; one that is not there is removed already.

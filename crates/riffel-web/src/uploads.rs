@@ -235,13 +235,7 @@ impl Uploads {
             .iter()
             .find(|(other, _)| other == page)
             .map(|(_, upload)| upload.clone())
-            .ok_or_else(|| {
-                Fault::refused(
-                    StatusCode::GONE,
-                    say!(the_file_is_no_longer_here),
-                    say!(choose_it_once_more),
-                )
-            })
+            .ok_or_else(gone)
     }
 
     fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
@@ -258,6 +252,15 @@ fn size_of(folder: &Path) -> u64 {
         Err(_) => 0,
     });
     sizes.sum()
+}
+
+/// There is no such file any more.
+pub(crate) fn gone() -> Fault {
+    Fault::refused(
+        StatusCode::GONE,
+        "the file is no longer here".to_owned(),
+        "choose it once more",
+    )
 }
 
 /// The disk is full, or refuses.

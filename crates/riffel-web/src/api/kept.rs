@@ -8,6 +8,7 @@ use serde::Deserialize;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
+use crate::uploads::gone;
 
 /// Largest file that is given back \[bytes\]: in a project it is text, of which browsers take no more.
 const LARGEST: u64 = 256 << 20;
@@ -46,8 +47,7 @@ pub(crate) async fn post(
             own.folder.path().join(own.data.file(number)?)
         }
     };
-    let gone = |error| Fault::defect(format!("the file cannot be read: {error}"));
-    let about = tokio::fs::metadata(&path).await.map_err(gone)?;
+    let about = tokio::fs::metadata(&path).await.map_err(|_| gone())?;
     if about.len() > LARGEST {
         return Err(Refusal(Fault::refused(
             StatusCode::PAYLOAD_TOO_LARGE,
@@ -55,6 +55,6 @@ pub(crate) async fn post(
             "",
         )));
     }
-    let bytes = tokio::fs::read(&path).await.map_err(gone)?;
+    let bytes = tokio::fs::read(&path).await.map_err(|_| gone())?;
     Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes))
 }
