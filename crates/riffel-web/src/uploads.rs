@@ -258,8 +258,8 @@ fn size_of(folder: &Path) -> u64 {
 pub(crate) fn gone() -> Fault {
     Fault::refused(
         StatusCode::GONE,
-        "the file is no longer here".to_owned(),
-        "choose it once more",
+        say!(the_file_is_no_longer_here),
+        say!(choose_it_once_more),
     )
 }
 

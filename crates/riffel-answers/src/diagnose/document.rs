@@ -1,12 +1,13 @@
 //! A diagnosis as data: what `riffel diagnose --json` prints.
 
 use riffel::diagnosis::Candidate;
-use riffel_keys::{Language, Message, say};
+use riffel_keys::{Language, Message, Words, say};
 use serde::Serialize;
 
 use super::mechanism_words::{settled_by, source, validity};
 use super::{Diagnosis, Finding};
 use crate::defect_document::DefectDocument;
+use crate::ridge::mechanism_name;
 use crate::sentence;
 
 /// A diagnosis with keys and units, to be serialised.
@@ -49,7 +50,7 @@ struct Dominant {
     course: Option<CourseDocument>,
     summary: Message,
     candidates: Vec<CandidateDocument>,
-    measurements: Vec<String>,
+    measurements: Vec<Message>,
 }
 
 #[derive(Serialize)]
@@ -79,10 +80,10 @@ struct CourseDocument {
 
 #[derive(Serialize)]
 struct CandidateDocument {
-    mechanism: &'static str,
+    mechanism: Message,
     /// Which of several: the wheel under which it grows.
     #[serde(skip_serializing_if = "Option::is_none")]
-    of: Option<String>,
+    of: Option<Message>,
     share: f64,
     frequency_hz: Option<f64>,
     wavelength_min_m: Option<f64>,
@@ -92,11 +93,14 @@ struct CandidateDocument {
     source: Message,
     validity: Message,
     /// What would settle it.
-    measurement: String,
+    measurement: Message,
 }
 
-fn in_english(message: &Message) -> String {
-    sentence(message, Language::English)
+/// A message as a sentence with its stop.
+fn as_sentence(message: &Message) -> Message {
+    let [english, german] =
+        [Language::English, Language::German].map(|language| sentence(message, language));
+    say!(verbatim, words = Words::new(english, Some(german)))
 }
 
 impl DiagnosisDocument {
@@ -175,7 +179,10 @@ impl Dominant {
                 .iter()
                 .map(|candidate| CandidateDocument::new(finding, candidate))
                 .collect(),
-            measurements: finding.measurements().map(|one| in_english(&one)).collect(),
+            measurements: finding
+                .measurements()
+                .map(|one| as_sentence(&one))
+                .collect(),
         }
     }
 }
@@ -183,8 +190,9 @@ impl Dominant {
 impl CandidateDocument {
     fn new(finding: &Finding, candidate: &Candidate) -> Self {
         Self {
-            mechanism: candidate.kind.name(),
-            of: candidate.of.clone(),
+            mechanism: mechanism_name(candidate.kind),
+            of: (finding.wheel(candidate).cloned())
+                .or_else(|| candidate.of.clone().map(Message::verbatim)),
             share: candidate.share,
             frequency_hz: candidate.frequency,
             wavelength_min_m: candidate.wavelengths.map(|range| range.0),
@@ -193,7 +201,7 @@ impl CandidateDocument {
             reasons_against: finding.reasons(&candidate.reasons_against).collect(),
             source: source(candidate.kind),
             validity: validity(candidate.kind),
-            measurement: in_english(&settled_by(candidate.kind)),
+            measurement: as_sentence(&settled_by(candidate.kind)),
         }
     }
 }

@@ -180,12 +180,16 @@ impl Finding {
     /// What a candidate is called, as in "growth ridge, wheelset 1, low rail".
     pub fn name(&self, candidate: &Candidate) -> Message {
         let mechanism = mechanism_name(candidate.kind);
-        let mut wheels = self.wheels.iter();
-        let wheel = wheels.find(|wheel| candidate.of == Some(wheel.text(Language::English)));
-        match wheel {
+        match self.wheel(candidate) {
             Some(wheel) => say!(mechanism_of, mechanism = mechanism, wheel = wheel.clone()),
             None => mechanism,
         }
+    }
+
+    /// Under which of several wheels a candidate grows.
+    pub(super) fn wheel(&self, candidate: &Candidate) -> Option<&Message> {
+        let mut wheels = self.wheels.iter();
+        wheels.find(|wheel| candidate.of == Some(wheel.text(Language::English)))
     }
 
     /// Reasons in sentences.
