@@ -114,7 +114,7 @@ impl crate::Question for Question {
         let mut values = Vec::new();
         for variant in &self.variants {
             let own = variant.covering(&case)?;
-            let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted);
+            let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted)?;
             variants.push(Compared {
                 head: map.head,
                 under_traffic: UnderTraffic::of(&own, traffic.as_ref()),

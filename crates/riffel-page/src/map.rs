@@ -156,8 +156,12 @@ impl Computed {
         wavelength: Axis,
         speed: Axis,
         wanted: Wanted,
-    ) -> Self {
+    ) -> Result<Self, Fault> {
         let map = GrowthMap::compute_while(feedback, wavelength, speed, wanted, |_| ());
+        // The ridge takes as long again.
+        if !wanted() {
+            return Err(Fault::superseded());
+        }
         let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
@@ -167,7 +171,7 @@ impl Computed {
             .filter(|point| point.growth_rate > 0.0)
             .collect();
         let column = |value: fn(&RidgePoint) -> f64| growing.iter().map(|&p| value(p)).collect();
-        Self {
+        Ok(Self {
             head: Head {
                 title: case.file.title.clone(),
                 window: Window {
@@ -209,7 +213,7 @@ impl Computed {
                 .flat_map(|(_, row)| row)
                 .map(|value| value.re as f32)
                 .collect(),
-        }
+        })
     }
 }
 
@@ -259,7 +263,7 @@ impl crate::Question for Question {
     fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let (wavelength, speed) = (case.wavelength, case.speed);
-        let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted);
+        let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted)?;
         Reply::framed(&map.head, &map.values)
     }
 }
