@@ -1,6 +1,6 @@
 //! The beginning of a sentence.
 
-use riffel_keys::{Language, Message};
+use riffel_keys::{Language, Message, Words, say};
 
 /// Words with a capital first letter.
 pub fn capital(words: &str) -> String {
@@ -13,4 +13,11 @@ pub fn capital(words: &str) -> String {
 /// A message as a sentence of its own.
 pub fn sentence(message: &Message, language: Language) -> String {
     message.capitalised(language) + "."
+}
+
+/// The same as a message.
+pub(crate) fn as_sentence(message: &Message) -> Message {
+    let english = sentence(message, Language::English);
+    let german = sentence(message, Language::German);
+    say!(verbatim, words = Words::new(english, Some(german)))
 }

@@ -2,10 +2,11 @@
 
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
-use riffel_keys::{Language, Message, Value, fixed, say, significant};
+use riffel_keys::{Message, Value, fixed, say, significant};
 use serde::Serialize;
 
 use crate::Highest;
+use crate::capital::as_sentence;
 use crate::diagnose::mechanism_words::settled_by;
 use crate::highest::over_the_window;
 use crate::ridge::{NEAR, mechanism_name, nearest, resonances};
@@ -30,7 +31,7 @@ pub struct Cause {
     /// What speaks against it.
     pub evidence_against: Vec<Message>,
     /// What would settle it.
-    pub measurement: String,
+    pub measurement: Message,
 }
 
 impl Cause {
@@ -93,7 +94,7 @@ impl Cause {
             frequency_hz: frequency,
             evidence_for,
             evidence_against,
-            measurement: crate::sentence(&settled_by(kind), Language::English),
+            measurement: as_sentence(&settled_by(kind)),
         })
     }
 

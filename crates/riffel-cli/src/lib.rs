@@ -38,10 +38,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     messages::lay_out_errors();
     let words: Vec<OsString> = arguments.into_iter().collect();
     match parse(&words) {
-        Ok((arguments, _)) if matches!(arguments.command, Command::Ask(_)) => {
-            messages::begin(arguments.verbosity(), arguments.language(), Reader::Program);
+        Ok((
+            arguments @ Arguments {
+                command: Command::Ask(Ask { translations, .. }),
+                ..
+            },
+            _,
+        )) => {
+            let reader = Reader::Program { translations };
+            messages::begin(arguments.verbosity(), arguments.language(), reader);
             match asked(&arguments) {
-                Ok(words) => run_parsed(parse(&words), &words, Reader::Program, program),
+                Ok(words) => run_parsed(parse(&words), &words, reader, program),
                 Err(error) => {
                     complain_of(error.into());
                     BAD_INPUT
@@ -87,7 +94,7 @@ fn with_numbers_below_zero(command: clap::Command) -> clap::Command {
 
 /// The command line of the question on standard input.
 fn asked(arguments: &Arguments) -> Result<Vec<OsString>, CliError> {
-    let Command::Ask(Ask { name }) = &arguments.command else {
+    let Command::Ask(Ask { name, .. }) = &arguments.command else {
         return Ok(Vec::new());
     };
     let command = question::find(&Arguments::command(), name)?;

@@ -43,16 +43,27 @@ pub(crate) enum Reader {
     /// A person, in words.
     Person,
     /// Another program, in lines of JSON.
-    Program,
+    Program {
+        /// With the German of answers and errors beside them.
+        translations: bool,
+    },
 }
 
 /// True if this run speaks to a program.
 static TO_A_PROGRAM: AtomicBool = AtomicBool::new(false);
 
+/// True if the German of answers and errors stands beside them.
+static WITH_TRANSLATIONS: AtomicBool = AtomicBool::new(false);
+
 /// Begin a run that says as much, in a language, to somebody.
 pub(crate) fn begin(verbosity: Verbosity, language: Language, reader: Reader) {
     VERBOSITY.store(verbosity as u8, Ordering::Relaxed);
-    TO_A_PROGRAM.store(reader == Reader::Program, Ordering::Relaxed);
+    let (to_a_program, with_translations) = match reader {
+        Reader::Person => (false, false),
+        Reader::Program { translations } => (true, translations),
+    };
+    TO_A_PROGRAM.store(to_a_program, Ordering::Relaxed);
+    WITH_TRANSLATIONS.store(with_translations, Ordering::Relaxed);
     GERMAN.store(language == Language::German, Ordering::Relaxed);
     printed().clear();
 }
@@ -114,6 +125,11 @@ pub(crate) fn is_for_a_program() -> bool {
     TO_A_PROGRAM.load(Ordering::Relaxed)
 }
 
+/// True if the German of answers and errors stands beside them.
+pub(crate) fn has_translations() -> bool {
+    WITH_TRANSLATIONS.load(Ordering::Relaxed)
+}
+
 /// How far the work is, for a program that reads it; whether one does.
 pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     let is_for_a_program = is_for_a_program();
@@ -123,12 +139,12 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     is_for_a_program
 }
 
-/// An error as one line of JSON; in a German run with the German of its sentences, by their English.
+/// An error as one line of JSON, with the German of its sentences, by their English, if that is wanted.
 fn write_document(message: &Message, help: Option<&Message>) {
     let words = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
     let english = |message| words(message, Language::English);
     let mut error = json!({ "message": english(message), "help": help.map(english) });
-    if language() == Language::German {
+    if has_translations() {
         let both = std::iter::once(message).chain(help);
         let both = both.map(|message| (english(message), words(message, Language::German)));
         let both = both.filter(|(english, german)| english != german);

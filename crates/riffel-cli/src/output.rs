@@ -10,8 +10,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 
 use crate::error::CliError;
-use crate::messages::{is_for_a_program, is_quiet, language};
-use riffel_keys::Language;
+use crate::messages::{has_translations, is_quiet, language};
 use riffel_keys::message::with_translations;
 use riffel_keys::text_file::printable;
 
@@ -75,24 +74,24 @@ pub(crate) fn unless_reader_left(outcome: io::Result<()>) -> Result<(), CliError
     }
 }
 
-/// Print one JSON document. Another program that asks in German has the German of its messages in a table `german`, by
-/// their English.
+/// Print one JSON document.
 pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
-    if !is_for_a_program() || language() == Language::English {
-        return write(&json(document));
-    }
-    let (document, german) = with_translations(|| serde_json::to_value(document));
-    let mut document = document.unwrap_or_default();
-    if let serde_json::Value::Object(document) = &mut document {
-        document.insert("german".to_owned(), serde_json::json!(german));
-    }
-    write(&json(&document))
+    write(&json(document))
 }
 
-/// A JSON document, indented, with a final line feed.
+/// A JSON document, indented, with a final line feed; where that is wanted, with the German of its messages in a table
+/// `german`, by their English.
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
-    let mut text = serde_json::to_string_pretty(document).unwrap_or_default();
+    let (mut text, german) =
+        with_translations(|| serde_json::to_string_pretty(document).unwrap_or_default());
+    if has_translations()
+        && !german.is_empty()
+        && let Some(body) = text.strip_suffix("\n}")
+    {
+        let german = serde_json::to_string(&german).unwrap_or_default();
+        text = format!("{body},\n  \"german\": {german}\n}}");
+    }
     // JSON writes out those below a blank alone; no other place than in a string has one.
     if let Cow::Owned(_) = printable(&text) {
         let escaped = |character: char| match printable(character.encode_utf8(&mut [0; 4])) {

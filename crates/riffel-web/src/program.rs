@@ -144,7 +144,7 @@ impl Program {
     ) -> Result<Value, Fault> {
         let printed = self.run_telling(
             folder,
-            &["--language=de", "ask", name],
+            &["ask", "--translations", name],
             question,
             wanted,
             tell,

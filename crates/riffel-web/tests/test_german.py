@@ -139,7 +139,7 @@ SEEN = r"""() => {
     for (const line of (text ?? '').split('\n')) if (line.trim()) seen.add(line.trim());
   };
   for (const node of document.querySelectorAll('body *')) {
-    if (!node.checkVisibility() || node.closest('option, select, script, style, noscript, #map-title, #key-title')) continue;
+    if (!node.checkVisibility() || node.closest('option, select, script, style, noscript, #map-title, #key-title, #field th')) continue;
     for (const name of ['title', 'aria-label', 'placeholder', 'aria-valuetext']) note(node.getAttribute(name), node);
     for (const child of node.childNodes) if (child.nodeType === Node.TEXT_NODE) note(child.textContent, node);
   }

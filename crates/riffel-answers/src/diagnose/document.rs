@@ -1,14 +1,14 @@
 //! A diagnosis as data: what `riffel diagnose --json` prints.
 
 use riffel::diagnosis::Candidate;
-use riffel_keys::{Language, Message, Words, say};
+use riffel_keys::{Message, say};
 use serde::Serialize;
 
 use super::mechanism_words::{settled_by, source, validity};
 use super::{Diagnosis, Finding};
+use crate::capital::as_sentence;
 use crate::defect_document::DefectDocument;
 use crate::ridge::mechanism_name;
-use crate::sentence;
 
 /// A diagnosis with keys and units, to be serialised.
 #[derive(Serialize)]
@@ -94,13 +94,6 @@ struct CandidateDocument {
     validity: Message,
     /// What would settle it.
     measurement: Message,
-}
-
-/// A message as a sentence with its stop.
-fn as_sentence(message: &Message) -> Message {
-    let [english, german] =
-        [Language::English, Language::German].map(|language| sentence(message, language));
-    say!(verbatim, words = Words::new(english, Some(german)))
 }
 
 impl DiagnosisDocument {

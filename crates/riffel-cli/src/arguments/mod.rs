@@ -399,6 +399,10 @@ pub(crate) struct Ask {
     /// The command, such as noise or network worst.
     #[arg(value_name = "NAME", required = true, num_args = 1..=2)]
     pub(crate) name: Vec<String>,
+
+    /// Add a table `german` to the answer or the error: the German of each of its messages, by its English.
+    #[arg(long)]
+    pub(crate) translations: bool,
 }
 
 #[derive(Args)]

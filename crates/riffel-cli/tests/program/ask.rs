@@ -234,3 +234,29 @@ fn the_schema_of_a_question_has_its_keys() {
     assert_eq!(below["title"], "riffel ask network worst");
     assert_eq!(below["required"], json!(["store"]));
 }
+
+/// An answer and an error have their German beside them where that is wanted.
+#[test]
+fn an_answer_has_its_german_beside_it() {
+    let sandbox = Sandbox::new();
+    let question = json!({ "case": "cases/wheelset-metro-motor.toml" });
+    let english = answer(&sandbox, "wheelset", &question);
+    let mut german = answer(&sandbox, "--translations wheelset", &question);
+    let beside = german.as_object_mut().unwrap().remove("german").unwrap();
+    assert_eq!(english, german);
+    assert_eq!(
+        beside["first torsion (discs against wheels)"],
+        "erste Torsion (Scheiben gegen Räder)"
+    );
+    let refused = ask(
+        &sandbox,
+        "--translations wheelset",
+        r#"{ "case": "none.toml" }"#,
+    );
+    let error = &said(&refused)[0]["error"];
+    let german = &error["german"][error["message"].as_str().unwrap()];
+    assert!(
+        german.as_str().unwrap().contains("ist nicht zu lesen"),
+        "{error}"
+    );
+}

@@ -220,14 +220,14 @@ mod tests {
                 "",
             ),
         ] {
-            let (rule, help) = (rule.to_owned(), help.to_owned());
-            assert_eq!(
-                judged(key, text),
-                Judgement::Impossible {
-                    rule: rule.into(),
-                    help: help.into()
-                }
-            );
+            let Judgement::Impossible {
+                rule: own,
+                help: advice,
+            } = judged(key, text)
+            else {
+                panic!("{key} = {text} is possible");
+            };
+            assert_eq!((&*own.to_string(), &*advice.to_string()), (rule, help));
         }
     }
 
