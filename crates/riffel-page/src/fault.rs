@@ -17,18 +17,18 @@ pub struct Fault {
     retry_after_s: Option<u32>,
     /// Dotted key of the case.
     #[serde(skip_serializing_if = "Option::is_none")]
-    key: Option<String>,
+    key: Option<Box<str>>,
     /// The sentence.
-    message: String,
+    message: Box<str>,
     /// What would be right.
     #[serde(skip_serializing_if = "Option::is_none")]
-    help: Option<String>,
+    help: Option<Box<str>>,
     /// Line of the text that was sent, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<usize>,
     /// The German of both, by their English.
     #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    german: Box<BTreeMap<String, String>>,
+    german: BTreeMap<String, String>,
     /// What a developer of the page wants to know, and nobody else.
     #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<Box<str>>,
@@ -80,14 +80,12 @@ impl Fault {
             status: status.into(),
             retry_after_s: None,
             key: None,
-            message,
-            help: (!help.is_empty()).then_some(help),
+            message: message.into(),
+            help: (!help.is_empty()).then(|| help.into()),
             line: None,
-            german: Box::new(
-                (both.into_iter())
-                    .filter(|(english, german)| english != german)
-                    .collect(),
-            ),
+            german: (both.into_iter())
+                .filter(|(english, german)| english != german)
+                .collect(),
             detail: None,
         }
     }
@@ -95,10 +93,7 @@ impl Fault {
     /// The same fault with the German of its sentences, by their English.
     #[must_use]
     pub fn with_german(self, german: BTreeMap<String, String>) -> Self {
-        Self {
-            german: Box::new(german),
-            ..self
-        }
+        Self { german, ..self }
     }
 
     /// A newer question for the same has come.
@@ -117,7 +112,7 @@ impl Fault {
     /// A value of the case beyond what the page computes.
     pub fn of_key(key: &str, message: impl Into<Message>, help: impl Into<Message>) -> Self {
         Self {
-            key: Some(key.to_owned()),
+            key: Some(key.into()),
             ..Self::refused(Self::UNPROCESSABLE, message, help)
         }
     }
@@ -143,15 +138,15 @@ impl Fault {
     pub fn without_key(self, what: &str) -> Self {
         let told = |sentence: &str| format!("{what}{sentence}");
         let german = self.german.into_iter();
-        let german = german.map(|(english, german)| match english == self.message {
+        let german = german.map(|(english, german)| match *english == *self.message {
             true => (told(&english), told(&german)),
             false => (english, german),
         });
         Self {
             key: None,
             line: None,
-            message: told(&self.message),
-            german: Box::new(german.collect()),
+            message: told(&self.message).into(),
+            german: german.collect(),
             ..self
         }
     }
@@ -159,13 +154,11 @@ impl Fault {
     /// The same fault in other words.
     pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
         Self {
-            message: words(&self.message),
-            help: self.help.as_deref().map(&words),
-            german: Box::new(
-                (self.german.iter())
-                    .map(|(english, german)| (words(english), words(german)))
-                    .collect(),
-            ),
+            message: words(&self.message).into(),
+            help: self.help.as_deref().map(|help| words(help).into()),
+            german: (self.german.iter())
+                .map(|(english, german)| (words(english), words(german)))
+                .collect(),
             ..self
         }
     }
@@ -189,7 +182,7 @@ impl From<CaseError> for Fault {
             cause = inner;
         }
         let key = match cause {
-            CaseError::Invalid { key, .. } => Some(key.clone()),
+            CaseError::Invalid { key, .. } => Some(key.as_str().into()),
             _ => None,
         };
         let help = error.advice().unwrap_or_else(|| "".into());

@@ -34,7 +34,7 @@ pub struct SectionVerdict {
     #[serde(skip_serializing_if = "Vec::is_empty")]
     along: Vec<LinePlace>,
     /// All this in a sentence.
-    sentence: String,
+    sentence: Message,
     /// Number of limits it is over.
     #[serde(skip)]
     over: usize,
@@ -98,7 +98,8 @@ impl SectionVerdict {
     fn new(rail: &str, [from, to]: [f64; 2], known: &Judged<'_>) -> Self {
         let rms = known.rms.map(|(section, _)| section);
         let sentences = known.sentences().into_iter();
-        let sentences: Vec<String> = sentences.map(|said| said.to_string()).collect();
+        let sentence =
+            sentences.reduce(|one, other| say!(one_after_other, one = one, other = other));
         let over = usize::from(known.is_over_levels()) + usize::from(known.is_over_rms());
         Self {
             rail: rail.to_owned(),
@@ -112,7 +113,7 @@ impl SectionVerdict {
             band_m: rms.map(|section| [section.band.from(), section.band.to()]),
             grind_m: known.grind,
             along: Vec::new(),
-            sentence: sentences.join("; "),
+            sentence: sentence.unwrap_or_else(|| "".into()),
             over,
         }
     }
@@ -264,10 +265,23 @@ mod tests {
             panic!("four sections");
         };
         // The moving RMS has a window of 1 m, half of which reaches beyond either end.
-        assert!((both.grind_m - 20.0).abs() < 2.0 && both.sentence.contains("limit of levels by"));
-        assert!(both.sentence.contains("over the limit of RMS on 2") && !both.within);
+        assert!(
+            (both.grind_m - 20.0).abs() < 2.0
+                && both.sentence.to_string().contains("limit of levels by")
+        );
+        assert!(
+            both.sentence
+                .to_string()
+                .contains("over the limit of RMS on 2")
+                && !both.within
+        );
         assert!(!levels.within && levels.grind_m == 0.0);
-        assert!(levels.sentence.ends_with("nowhere over its limit here"));
+        assert!(
+            levels
+                .sentence
+                .to_string()
+                .ends_with("nowhere over its limit here")
+        );
         assert!(
             short.within && (short.grind_m - 10.0).abs() < 0.1,
             "{short:?}"
@@ -275,9 +289,12 @@ mod tests {
         assert!(
             short
                 .sentence
+                .to_string()
                 .starts_with("within the limits, but 10.0 m to grind:")
         );
-        assert!(within.within && within.sentence == "within the limits, nothing to grind");
+        assert!(
+            within.within && within.sentence.to_string() == "within the limits, nothing to grind"
+        );
     }
 
     /// A weld is put where it lies, a curve into each section that it reaches.
@@ -313,16 +330,18 @@ mod tests {
         assert!(
             sections[0]
                 .sentence
+                .to_string()
                 .starts_with("over the limit of levels by")
         );
         assert!(
             sections
                 .iter()
-                .all(|section| !section.sentence.contains("to grind;"))
+                .all(|section| !section.sentence.to_string().contains("to grind;"))
         );
         assert!(
             sections[1]
                 .sentence
+                .to_string()
                 .ends_with("no limit says what to grind")
         );
     }
@@ -345,6 +364,6 @@ mod tests {
         );
         assert!(beside.grind_m > SHORTEST_GROUND, "{beside:?}");
         let expected = say!(section_ground_along, length = fixed(beside.grind_m, 1)).to_string();
-        assert_eq!(beside.sentence, expected);
+        assert_eq!(beside.sentence.to_string(), expected);
     }
 }

@@ -42,6 +42,7 @@ fn a_booted_sleeper_is_followed_wherever_it_resonates() {
         assert!(
             found
                 .measurement
+                .to_string()
                 .starts_with("Sleeper antiresonance: impact hammer on sleeper")
         );
     }
