@@ -153,20 +153,18 @@ fn write_document(message: &Message, help: Option<&Message>) {
     write_line(&json!({ "error": error }));
 }
 
-/// What ends a run and what would be right: errors of a case have every language, others are English.
+/// What ends a run and what would be right: errors of a case and of the physics have every language, others are English.
 fn words_of(report: &Report) -> (Message, Option<Message>) {
-    let case = report.downcast_ref::<CaseError>();
-    let case = case.or_else(|| match report.downcast_ref()? {
-        AnswerError::Case(error) => Some(error),
+    let answer = report.downcast_ref::<AnswerError>();
+    let case = report.downcast_ref::<CaseError>().or(match answer {
+        Some(AnswerError::Case(error)) => Some(error),
         _ => None,
     });
-    match case {
-        Some(error) => (error.message(), error.advice()),
-        None => {
-            let help = report.help().map(|help| help.to_string().into());
-            (report.to_string().into(), help)
-        }
+    if let Some(error) = case {
+        return (error.message(), error.advice());
     }
+    let message = answer.map_or_else(|| report.to_string().into(), AnswerError::message);
+    (message, report.help().map(|help| help.to_string().into()))
 }
 
 /// A document on a line of standard error.

@@ -8,6 +8,7 @@ use std::sync::Arc;
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
 use thiserror::Error;
 
+use crate::quantity::named;
 use crate::text_file::in_a_message;
 use crate::{Language, Message, Value, physics_in_words, say};
 
@@ -147,7 +148,7 @@ impl CaseError {
         match self {
             Self::Read { what, path, reason } => say!(
                 file_cannot_be_read,
-                what = *what,
+                what = named(what),
                 path = path.display(),
                 reason = reason.to_string()
             ),

@@ -1,4 +1,4 @@
-"""A page in German says nothing in English: what the program says is put into German by one catalogue."""
+"""A page in German says nothing in English: each message of the program has its German beside it."""
 
 import re
 import subprocess
