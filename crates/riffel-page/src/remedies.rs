@@ -46,9 +46,12 @@ impl crate::Question for Question {
         Some("remedies".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
         let (case, traffic) = self.line.read()?;
-        let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
+        let answer = RemediesAnswer::new(&case, traffic.as_ref(), wanted, &|_| ())?;
+        if !wanted() {
+            return Err(Fault::superseded());
+        }
         let answer = answer.with_costs(&self.costs)?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: Note::from(&remedy.title),
