@@ -1394,3 +1394,9 @@ off-the-rails = im Gleichgewicht ist Radsatz { $wheelset } um { $shift } mm vers
 no-equilibrium-beyond = jenseits von { $percent } % dieses Bogens fand sich kein Gleichgewicht: er ist vielleicht enger, als es die Radsätze auf diesen Profilen vertragen; einen weiteren Bogen, weniger unausgeglichene Beschleunigung, weniger Moment und Antrieb oder weichere Federn nehmen
 torque-beyond-friction = es gibt kein Gleichgewicht, und ein Antriebsmoment von { $torque } N m am Radsatz { $wheelset } ist mehr als die { $largest } N m, die die Reibung unter den Lasten seiner Räder trägt
 beyond-full-slip = der Schlupf ist { $creepage } %, volles Gleiten beginnt in diesem Kontakt aber bei { $limit } %; im mittleren Zustand muss ein Haftgebiet bleiben
+
+## Records that are refused
+
+heights-without-position = es gibt eine Spalte mit Höhen und keinen Ort
+no-heights = es gibt keine Spalte mit Höhen
+no-table-of-numbers = hier und darunter beginnt keine Tabelle von Zahlen

@@ -1411,3 +1411,9 @@ off-the-rails = in its equilibrium wheelset { $wheelset } is shifted by { $shift
 no-equilibrium-beyond = no equilibrium was found beyond { $percent } % of this curve: it may be tighter than the wheelsets can take on these profiles; take a wider curve, less uncompensated acceleration, less moment and torque or softer springs
 torque-beyond-friction = no equilibrium is found, and a drive torque of { $torque } N m on wheelset { $wheelset } is more than the { $largest } N m that friction carries under the loads of its wheels
 beyond-full-slip = creepage is { $creepage } %, but full slip begins at { $limit } % for this contact; the mean state must keep a region of stick
+
+## Records that are refused
+
+heights-without-position = there is one column of heights and no position
+no-heights = there is no column of heights
+no-table-of-numbers = no table of numbers begins here or below

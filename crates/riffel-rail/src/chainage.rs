@@ -472,7 +472,10 @@ mod tests {
         let error = Chainage::new(&repeated).unwrap_err();
         assert_eq!(error.row, 200);
         assert!(
-            error.message.contains("100 rows (2.0 %) repeat"),
+            error
+                .message
+                .to_string()
+                .contains("100 rows (2.0 %) repeat"),
             "{error:?}"
         );
         assert!(Chainage::new(&[5.0; 100]).is_err());

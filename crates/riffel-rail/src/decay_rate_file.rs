@@ -76,14 +76,14 @@ mod tests {
 
     fn of(rows: &str) -> Result<Vec<(FrequencyBand, f64)>, String> {
         let text = format!("section,frequency_hz,decay_rate_db_per_m\n{rows}");
-        parse(&text).map_err(|refusal| refusal.message)
+        parse(&text).map_err(|refusal| refusal.message.to_string())
     }
 
     /// Of two columns divided by a comma the first row could be one number with a decimal comma.
     #[test]
     fn a_comma_in_the_head_divides_the_rows() {
         let read = parse("frequency_hz,decay_rate_db_per_m\n500,2\n630,1.5\n");
-        let rates = read.map_err(|refusal| refusal.message).unwrap();
+        let rates = read.map_err(|refusal| refusal.message.to_string()).unwrap();
         let rates: Vec<f64> = rates.into_iter().map(|(_, rate)| rate).collect();
         assert_eq!(rates, [2.0, 1.5]);
     }
@@ -102,6 +102,6 @@ mod tests {
             assert!(refusal.contains(part), "{refusal}");
         }
         let refusal = parse("a,b\n1,2\n3,4\n").unwrap_err();
-        assert!(refusal.message.contains("decay_rate_db_per_m"));
+        assert!(refusal.message.to_string().contains("decay_rate_db_per_m"));
     }
 }

@@ -117,7 +117,7 @@ mod tests {
     use super::*;
 
     fn of(text: &str) -> Result<Vec<LinePlace>, String> {
-        parse(text).map_err(|refusal| refusal.message)
+        parse(text).map_err(|refusal| refusal.message.to_string())
     }
 
     fn place(from: f64, to: f64, kind: &str, name: &str) -> LinePlace {

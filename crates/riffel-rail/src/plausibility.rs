@@ -69,8 +69,8 @@ pub(super) fn check_spacing(spacing: f64, unit: Option<(&str, f64)>) -> Result<(
     };
     Err(Refusal {
         line: None,
-        message,
-        help,
+        message: message.into(),
+        help: help.map(Into::into),
     })
 }
 
@@ -110,8 +110,8 @@ pub(super) fn check_heights(rails: &[(&Rail, &str, f64)]) -> Result<(), Refusal>
         });
         return Err(Refusal {
             line: None,
-            message,
-            help,
+            message: message.into(),
+            help: help.map(Into::into),
         });
     }
     Ok(())
@@ -270,7 +270,7 @@ mod tests {
     fn heights_in_the_wrong_unit_are_no_rail() {
         let check = |amplitude: f64, unit: &str, factor: f64| {
             let rail = rail(amplitude, 0.04);
-            check_heights(&[(&rail, unit, factor)]).map_err(|refusal| refusal.message)
+            check_heights(&[(&rail, unit, factor)]).map_err(|refusal| refusal.message.to_string())
         };
         for amplitude in [1e-6, 10e-6, 100e-6, 450e-6] {
             assert_eq!(check(amplitude, "um", 1e-6), Ok(()));
@@ -294,14 +294,23 @@ mod tests {
     fn steps_in_the_wrong_unit_are_no_record() {
         assert!(check_spacing(1e-3, Some(("m", 1.0))).is_ok());
         let wrong = check_spacing(1.0, Some(("m", 1.0))).unwrap_err();
-        assert!(wrong.message.contains("look like mm"), "{}", wrong.message);
+        assert!(
+            wrong.message.to_string().contains("look like mm"),
+            "{}",
+            wrong.message.to_string()
+        );
         let wrong = check_spacing(1e-6, Some(("mm", 1e-3))).unwrap_err();
-        assert!(wrong.message.contains("look like m"), "{}", wrong.message);
+        assert!(
+            wrong.message.to_string().contains("look like m"),
+            "{}",
+            wrong.message.to_string()
+        );
         assert!(
             check_spacing(1.0, None)
                 .unwrap_err()
                 .help
                 .unwrap()
+                .to_string()
                 .contains("1 mm")
         );
     }
@@ -324,6 +333,10 @@ mod tests {
     fn levels_of_another_reference_are_named() {
         assert!(check_levels([-20.0, 5.0, 12.0].into_iter()).is_ok());
         let wrong = check_levels([-130.0, -120.0, -110.0].into_iter()).unwrap_err();
-        assert!(wrong.message.contains("dB re 1 m,"), "{}", wrong.message);
+        assert!(
+            wrong.message.to_string().contains("dB re 1 m,"),
+            "{}",
+            wrong.message.to_string()
+        );
     }
 }

@@ -93,7 +93,7 @@ impl Record {
             .map(|(rail, column)| (rail, column.unit.as_str(), size(column)))
             .collect();
         match plausibility::check_heights(&checked) {
-            Err(refusal) if insisted => warnings.push(Message::verbatim(refusal.message)),
+            Err(refusal) if insisted => warnings.push(refusal.message),
             checked => checked?,
         }
         warnings.extend(coarse_sampling(spacing));

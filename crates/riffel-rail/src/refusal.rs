@@ -2,17 +2,17 @@
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 
 /// A sentence on a file, with the line.
 pub(super) struct Refusal {
     pub(super) line: Option<usize>,
-    pub(super) message: String,
-    pub(super) help: Option<String>,
+    pub(super) message: Message,
+    pub(super) help: Option<Message>,
 }
 
 impl Refusal {
-    pub(super) fn new(line: Option<usize>, message: impl Into<String>) -> Self {
+    pub(super) fn new(line: Option<usize>, message: impl Into<Message>) -> Self {
         Self {
             line,
             message: message.into(),
@@ -24,8 +24,8 @@ impl Refusal {
         CaseError::Data {
             path: path.to_owned(),
             line: self.line,
-            message: self.message.into(),
-            help: self.help.map(Into::into),
+            message: self.message,
+            help: self.help,
         }
     }
 }

@@ -7,7 +7,7 @@ use riffel_rail::AxleBoxFile;
 
 use super::roughness::{bands_table, grind_table, limits};
 use crate::arguments::{AxleBox, stem};
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{Progress, json, print, table};
 use crate::staging::Staging;
 
@@ -90,7 +90,7 @@ fn readable(answer: &AxleBoxAnswer) -> String {
     text += &format!("{rows}\n");
     text += &bands_table(answer.rails.iter().map(|rail| &rail.rail));
     for verdict in answer.rails.iter().flat_map(|rail| &rail.rail.verdicts) {
-        text += &format!("{}\n", verdict.sentence);
+        text += &format!("{}\n", verdict.sentence.text(language()));
     }
     text + &grind_in_words(answer)
 }

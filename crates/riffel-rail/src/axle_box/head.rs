@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 
 use super::clock::Clock;
 use super::columns::Content;
@@ -76,7 +76,7 @@ impl Counting {
         }
     }
 
-    pub(super) fn refuse(self, number: usize, message: impl Into<String>) -> Refusal {
+    pub(super) fn refuse(self, number: usize, message: impl Into<Message>) -> Refusal {
         match self {
             Self::Lines => Refusal::new(Some(number), message),
             Self::Samples => Refusal::new(None, format!("{}: {}", self.at(number), message.into())),

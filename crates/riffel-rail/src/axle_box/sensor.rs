@@ -130,8 +130,8 @@ impl Sensor {
                     line: None,
                     message: format!(
                         "{name}: the mean is {shown:.3} {what}, as gravity is in {other}: the unit is wrong"
-                    ),
-                    help: Some(format!("give it in {other}")),
+                    ).into(),
+                    help: Some(format!("give it in {other}").into()),
                 });
             }
         }

@@ -89,10 +89,11 @@ impl Witness {
         if off > CONTRARY + rounding && !is_given {
             return Err(Refusal {
                 line: None,
-                message: format!("{message}: one of the two is wrong, or in another unit"),
+                message: format!("{message}: one of the two is wrong, or in another unit").into(),
                 help: Some(
                     "take the wrong one out, or give the speed by --speed where it was constant"
-                        .to_owned(),
+                        .to_owned()
+                        .into(),
                 ),
             });
         }
@@ -114,7 +115,9 @@ mod tests {
         for n in 0..1000 * seconds {
             witness.hear(at(n + 1) - at(n), 20.0, false);
         }
-        witness.judged().map_err(|refusal| refusal.message)
+        witness
+            .judged()
+            .map_err(|refusal| refusal.message.to_string())
     }
 
     #[test]

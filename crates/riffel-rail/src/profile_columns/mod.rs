@@ -42,7 +42,7 @@ impl<'a> ProfileTable<'a> {
     }
 
     /// The layout of a profile, or why there is none, as a sentence.
-    pub(super) fn format(&self) -> Result<ReaderFormat, String> {
+    pub(super) fn format(&self) -> Result<ReaderFormat, Message> {
         let (table, heading) = (self.table, &self.table.heading);
         let spacing = self.layout.spacing;
         let (position, mut columns) = self.position_and_others();
@@ -57,13 +57,13 @@ impl<'a> ProfileTable<'a> {
                  --spacing",
                 counter + 1,
                 heading.name(counter).unwrap_or_default()
-            ));
+            ).into());
         }
         if columns.is_empty() {
-            return Err("there is no column of heights".to_owned());
+            return Err(say!(no_heights));
         }
         if position.is_none() && spacing.is_none() {
-            return Err("there is one column of heights and no position".to_owned());
+            return Err(say!(heights_without_position));
         }
         self.check_units(&columns, position)?;
         let rails = columns.into_iter().map(|column| Column {
@@ -174,7 +174,7 @@ impl<'a> ProfileTable<'a> {
     }
 
     /// Refuse a head whose unit is no length, and a remark that contradicts a head, unless the user says the unit.
-    fn check_units(&self, heights: &[usize], position: Option<usize>) -> Result<(), String> {
+    fn check_units(&self, heights: &[usize], position: Option<usize>) -> Result<(), Message> {
         let heading = &self.table.heading;
         let heights = heights.iter().map(|&column| (column, Kind::Height));
         let all = heights.chain(position.map(|column| (column, Kind::Position)));
@@ -190,14 +190,14 @@ impl<'a> ProfileTable<'a> {
                          wavelength_mm; for heights give {option}",
                         column + 1,
                         heading.name(column).unwrap_or_default()
-                    ));
+                    ).into());
                 }
                 return Err(format!(
                     "the head of column {}, \"{}\", gives {foreign} as the unit of the {what}, which is no length known \
                      here; convert the column, or give {option}",
                     column + 1,
                     heading.name(column).unwrap_or_default()
-                ));
+                ).into());
             }
             if let (Some(own), Some(stated)) = (heading.unit_of(column), self.stated.unit(kind))
                 && own != stated.unit
@@ -207,7 +207,7 @@ impl<'a> ProfileTable<'a> {
                     column + 1,
                     stated.line,
                     stated.unit
-                ));
+                ).into());
             }
         }
         Ok(())

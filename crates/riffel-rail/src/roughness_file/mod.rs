@@ -7,7 +7,7 @@ use std::path::Path;
 
 use riffel_keys::table::{NumberColumns, Table, is_comment, lines, rows};
 use riffel_keys::text_file::Encoding;
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, say};
 
 use crate::format::ReaderFormat;
 use crate::labelled_spectrum::LabelledSpectrum;
@@ -99,7 +99,7 @@ impl RoughnessFile {
                 let format = profile.format().map_err(|message| Refusal {
                     line: None,
                     message,
-                    help: Some(HELP.to_owned()),
+                    help: Some(HELP.to_owned().into()),
                 })?;
                 let assumptions = profile.assumptions(&format);
                 (format, table.count(), table.text_behind, assumptions)
@@ -137,7 +137,7 @@ fn check_marks(table: &Table) -> Result<(), Refusal> {
         );
         let help = "write the file with semicolons or tabs between its columns";
         return Err(Refusal {
-            help: Some(help.to_owned()),
+            help: Some(help.to_owned().into()),
             ..Refusal::new(line, message)
         });
     }
@@ -165,8 +165,8 @@ fn no_table(bytes: &[u8]) -> Refusal {
     let first = lines(bytes).position(|line| !is_comment(line));
     Refusal {
         line: first.map(|line| line + 1),
-        message: "no table of numbers begins here or below".to_owned(),
-        help: Some(HELP.to_owned()),
+        message: say!(no_table_of_numbers),
+        help: Some(HELP.to_owned().into()),
     }
 }
 

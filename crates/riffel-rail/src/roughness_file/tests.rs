@@ -9,7 +9,7 @@ fn parse(text: &[u8], spacing: Option<f64>) -> Result<RoughnessFile, String> {
     };
     RoughnessFile::parse(text, &layout, &|_| ()).map_err(|refusal| match refusal.line {
         Some(line) => format!("line {line}: {}", refusal.message),
-        None => refusal.message,
+        None => refusal.message.to_string(),
     })
 }
 

@@ -8,7 +8,7 @@ use riffel_rail::{LimitTable, LinePlace, Record};
 
 use super::{bands_table, folder, grind_table, with_progress};
 use crate::arguments::{Roughness, Statistics};
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{json, print};
 use crate::staging::{Existing, Staging, write_file};
 
@@ -83,10 +83,10 @@ fn readable(profile: &ProfileAnswer, path: &Path) -> String {
     );
     text += &bands_table(profile.rails.iter());
     if let Some(worst) = profile.worst() {
-        text += &format!("{worst}\n");
+        text += &format!("{}\n", worst.text(language()));
     }
     for verdict in profile.verdicts() {
-        text += &format!("{}\n", verdict.sentence);
+        text += &format!("{}\n", verdict.sentence.text(language()));
     }
     text + &grind_in_words(profile)
 }

@@ -7,7 +7,7 @@ use riffel_rail::{LimitTable, Survey};
 use super::folder;
 use crate::arguments::Roughness;
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{json, print, table};
 use crate::staging::Staging;
 
@@ -73,7 +73,7 @@ pub(super) fn run(
         text += &readable(&answer);
         let verdicts = answer.verdicts.iter().map(|verdict| &verdict.sentence);
         for line in verdicts.chain(&answer.findings) {
-            text += &format!("{line}\n");
+            text += &format!("{}\n", line.text(language()));
         }
         print(&format!(
             "{text}{}: {}\n",
