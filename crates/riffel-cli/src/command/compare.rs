@@ -119,13 +119,13 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
         text += &format!("from {} to {}\n", ground.words, answer.table.edition);
     }
     let header = answer.header().into_iter();
-    let header: Vec<String> = header.map(|head| head.to_string()).collect();
+    let header: Vec<String> = header.map(|head| head.text(language())).collect();
     let header = std::iter::once("").chain(header.iter().map(String::as_str));
     let mut rows = table(&header.collect::<Vec<_>>());
     for outcome in &answer.comparison.outcomes {
         let mut row = vec![Message::verbatim(&outcome.title)];
         row.extend(answer.row(outcome));
-        rows.add_row(row);
+        rows.add_row(row.iter().map(|cell| cell.text(language())));
     }
     text += &format!("{rows}\n");
     if answer.names_rails() {

@@ -60,3 +60,26 @@ fn cases_and_findings_are_german_and_the_command_line_is_not() {
         assert!(text.contains(words), "{command}: {text}");
     }
 }
+
+/// Findings of every command, not of one.
+#[test]
+fn findings_are_german_on_a_terminal() {
+    let sandbox = Sandbox::new();
+    let sample = sandbox.riffel("roughness --synthesise").text;
+    std::fs::write(sandbox.path("rail.csv"), sample).unwrap();
+    let said = [
+        ("roughness rail.csv", "über der Grenze, 1 von 22 Bändern"),
+        (
+            "diagnose cases/metro.toml --roughness rail.csv",
+            "führt mit einem Anteil von 0,",
+        ),
+        (
+            "forecast cases/nominal.toml --traffic cases/traffic.toml --from-limit '-6 dB'",
+            "63 mm wächst am schnellsten, um 0,",
+        ),
+    ];
+    for (command, words) in said {
+        let text = sandbox.riffel(&format!("{command} --language de")).text;
+        assert!(text.contains(words), "{command}: {text}");
+    }
+}

@@ -3,7 +3,7 @@
 use riffel_answers::diagnose::{Diagnosis, Finding, candidate_row};
 use riffel_answers::sentence;
 use riffel_case::Case;
-use riffel_keys::Language;
+use riffel_keys::Message;
 
 use crate::messages::language;
 use crate::output::table;
@@ -29,33 +29,31 @@ pub(super) fn readable(diagnosis: &Diagnosis, file: &str, case: &Case) -> String
 }
 
 fn of_finding(finding: &Finding) -> String {
-    let mut text = format!("{}\n  {}\n", finding.headline(), finding.sureness());
+    let words = |message: Message| message.text(language());
+    let (headline, sureness) = (words(finding.headline()), words(finding.sureness()));
+    let mut text = format!("{headline}\n  {sureness}\n");
     if let Some(course) = finding.course() {
-        text += &format!("  course: {course}\n");
+        text += &format!("  course: {}\n", words(course));
     }
     let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
     for candidate in &finding.candidates {
         rows.add_row(candidate_row(finding, candidate, language()));
     }
-    text += &format!(
-        "{rows}\n{}\n",
-        finding.summary().capitalised(Language::English)
-    );
+    text += &format!("{rows}\n{}\n", finding.summary().capitalised(language()));
     let shown = finding.candidates.iter().enumerate();
     let shown = shown.filter(|(place, candidate)| *place < 3 || candidate.share >= SHOWN);
     for (_, candidate) in shown {
-        text += &format!("{}\n", finding.name(candidate));
+        text += &format!("{}\n", words(finding.name(candidate)));
         for reason in finding.reasons(&candidate.reasons_for) {
-            text += &format!("  for:     {reason}\n");
+            text += &format!("  for:     {}\n", words(reason));
         }
         for reason in finding.reasons(&candidate.reasons_against) {
-            text += &format!("  against: {reason}\n");
+            text += &format!("  against: {}\n", words(reason));
         }
     }
     text += "to tell them apart\n";
     for measurement in finding.measurements() {
-        let measurement = sentence(&measurement, Language::English);
-        text += &format!("  {measurement}\n");
+        text += &format!("  {}\n", sentence(&measurement, language()));
     }
     text
 }

@@ -19,7 +19,7 @@ use wear::wear_report;
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
 use crate::command::roughness::survey;
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{Progress, json, table};
 use crate::results::Results;
 
@@ -123,11 +123,11 @@ fn readable(case: &Case, answer: &ForecastAnswer) -> String {
     }
     let mut rows = table(&header);
     for row in answer.rows() {
-        rows.add_row(row);
+        rows.add_row(row.iter().map(|cell| cell.text(language())));
     }
     text += &format!("{rows}\n");
     for sentence in answer.findings() {
-        text += &format!("{sentence}\n");
+        text += &format!("{}\n", sentence.text(language()));
     }
     if let Some(wear) = &answer.wear {
         text += &wear::readable(wear);

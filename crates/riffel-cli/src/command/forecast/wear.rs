@@ -12,6 +12,7 @@ use super::dated::Dated;
 use crate::arguments::Spectra;
 use crate::command::roughness::places_of_both;
 use crate::error::CliError;
+use crate::messages::language;
 use crate::output::table;
 
 /// A fit, where there is an earlier measurement.
@@ -117,7 +118,7 @@ pub(super) fn readable(report: &WearReport) -> String {
         report.passages
     );
     for sentence in report.sentences() {
-        text += &format!("{sentence}\n");
+        text += &format!("{}\n", sentence.text(language()));
     }
     text
 }

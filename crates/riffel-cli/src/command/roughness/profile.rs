@@ -101,5 +101,5 @@ fn grind_in_words(profile: &ProfileAnswer) -> String {
     }
     let (rows, more) = grind_table(&sections);
     let more = more.map_or_else(String::new, |more| format!("{more}; "));
-    format!("{rows}\n{more}{}\n", profile.total())
+    format!("{rows}\n{more}{}\n", profile.total().text(language()))
 }
