@@ -1,14 +1,15 @@
 //! What is said on standard error beside the results: messages and notes, as much as was asked for.
 
-use std::collections::BTreeMap;
 use std::ffi::OsStr;
 use std::fmt::{self, Display};
 use std::io::{self, IsTerminal, Write};
+use std::iter;
 use std::sync::atomic::{AtomicBool, AtomicU8, Ordering};
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
 use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_answers::AnswerError;
+use riffel_keys::message::translations;
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{CaseError, Language, Message};
 use serde_json::{Value, json};
@@ -141,14 +142,10 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
 
 /// An error as one line of JSON, with the German of its sentences, by their English, if that is wanted.
 fn write_document(message: &Message, help: Option<&Message>) {
-    let words = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
-    let english = |message| words(message, Language::English);
+    let english = |message: &Message| in_a_message(&message.to_string()).into_owned();
     let mut error = json!({ "message": english(message), "help": help.map(english) });
     if has_translations() {
-        let both = std::iter::once(message).chain(help);
-        let both = both.map(|message| (english(message), words(message, Language::German)));
-        let both = both.filter(|(english, german)| english != german);
-        error["german"] = json!(both.collect::<BTreeMap<_, _>>());
+        error["german"] = json!(translations(iter::once(message).chain(help)));
     }
     write_line(&json!({ "error": error }));
 }

@@ -1,6 +1,7 @@
 //! What is printed as the result, and how far the work is.
 
 use std::borrow::Cow;
+use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -83,10 +84,12 @@ pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
 /// `german`, by their English.
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
-    let (mut text, german) =
-        with_translations(|| serde_json::to_string_pretty(document).unwrap_or_default());
-    if has_translations()
-        && !german.is_empty()
+    let write = || serde_json::to_string_pretty(document).unwrap_or_default();
+    let (mut text, german) = match has_translations() {
+        true => with_translations(write),
+        false => (write(), BTreeMap::new()),
+    };
+    if !german.is_empty()
         && let Some(body) = text.strip_suffix("\n}")
     {
         let german = serde_json::to_string(&german).unwrap_or_default();

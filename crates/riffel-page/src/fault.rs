@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 
 use miette::Diagnostic;
+use riffel_keys::message::translations;
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{CaseError, Language, Message, say};
+use riffel_keys::{CaseError, Message, say};
 use serde::Serialize;
 
 /// An error: a status of HTTP for the browser, a sentence for the reader and, where there is one, the key of the
@@ -69,13 +70,9 @@ impl Fault {
         help: impl Into<Message>,
     ) -> Self {
         let (message, help) = (message.into(), help.into());
-        let words =
-            |message: &Message, language| in_a_message(&message.text(language)).into_owned();
-        let both = [&message, &help].map(|message| {
-            let [english, german] = [Language::English, Language::German];
-            (words(message, english), words(message, german))
-        });
-        let [(message, _), (help, _)] = both.clone();
+        let german = translations([&message, &help]);
+        let [message, help] =
+            [message, help].map(|message| in_a_message(&message.to_string()).into_owned());
         Self {
             status: status.into(),
             retry_after_s: None,
@@ -83,9 +80,7 @@ impl Fault {
             message: message.into(),
             help: (!help.is_empty()).then(|| help.into()),
             line: None,
-            german: (both.into_iter())
-                .filter(|(english, german)| english != german)
-                .collect(),
+            german,
             detail: None,
         }
     }

@@ -23,7 +23,7 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use piece::Piece;
-pub use translations::with_translations;
+pub use translations::{translations, with_translations};
 pub use value::{Value, decimal, fixed, number, significant, significant_digits};
 
 /// A message of the Fluent files with the values that it names.

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 
 use super::Message;
 use crate::Language;
+use crate::text_file::in_a_message;
 
 thread_local! {
     /// English of each message that was written since somebody listens, with its German.
@@ -18,6 +19,19 @@ pub fn with_translations<T>(write: impl FnOnce() -> T) -> (T, BTreeMap<String, S
     let written = write();
     let german = WRITTEN.replace(outer).unwrap_or_default();
     (written, german)
+}
+
+/// The German of messages by their English, both as they are shown where no character commands a terminal; what is the same
+/// in both languages is left out.
+pub fn translations<'a>(
+    messages: impl IntoIterator<Item = &'a Message>,
+) -> BTreeMap<String, String> {
+    let shown = |message: &Message, language| in_a_message(&message.text(language)).into_owned();
+    let both = messages.into_iter().map(|message| {
+        let english = shown(message, Language::English);
+        (english, shown(message, Language::German))
+    });
+    both.filter(|(english, german)| english != german).collect()
 }
 
 /// Keep the German of a message, if somebody listens and it differs.
