@@ -58,7 +58,7 @@ impl CaseText {
         let keys = case_keys(name, text)?;
         // In a case `vehicle` is the name of a preset.
         if let Some(Value::Array(_)) = keys.table().get("vehicle") {
-            return Err(keys.refuse("vehicle", say!(this_is_a_traffic_file_with)));
+            return Err(keys.refuse("vehicle", say!(traffic_file_for_case)));
         }
         Ok(Self::of(keys))
     }

@@ -129,7 +129,7 @@ impl CheckedKeys {
                      largest map",
                     wavelength.points, speed.points
                 ),
-                say!(lower_map_wavelength_points_or_map),
+                say!(lower_points),
             ));
         }
         Ok((wavelength_axis, speed_axis))

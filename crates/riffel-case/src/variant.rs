@@ -89,7 +89,7 @@ impl Variant {
     pub fn parse(name: &str, text: &str) -> Result<Self, CaseError> {
         let source = case_keys(name, text)?;
         if let Some(Value::Array(_)) = source.table().get("vehicle") {
-            return Err(source.refuse("vehicle", say!(this_is_a_traffic_file_with_2)));
+            return Err(source.refuse("vehicle", say!(traffic_file_for_changes)));
         }
         let own: Own = source.deserialize()?;
         let change = own.speed;

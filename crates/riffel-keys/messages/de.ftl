@@ -1204,17 +1204,6 @@ kind-in-unit = { $kind } in { $unit }
 kind-as-in = { $kind } in { $unit } oder wie "{ $example }"
 ratio-such-as = { $kind } wie 0.4 oder "{ $example }"
 name-as-subject = { $name } { $rule }
-
-## Faults of the page
-
-newer-request = eine neuere Anfrage ist an die Stelle dieser getreten
-page-asks-again = die Seite fragt von selbst noch einmal
-defect-of-riffel = das ist ein Fehler von Riffel; der Fall in der Adresszeile zeigt ihn wieder
-page-misunderstood = Seite und Programm verstehen einander nicht
-reload-page = die Seite neu laden: vielleicht ist sie älter als das Programm
-
-## Cases that are refused, further
-
 is-flange-but-the-wheel-stands = ist "flange", das Rad steht aber auf einem Punkt, bei einem Kontaktwinkel von { $angle }°
 the-profiles-do-not-part-across = die Profile gehen quer zum Gleis nicht auseinander, wo sie sich berühren (Krümmung { $curvature } 1/m), es gibt also keine Ellipse; { $key } angeben
 the-rail-is-not-convex-where = die Schiene ist nicht konvex, wo das Rad steht (Krümmung { $curvature } 1/m), dort wandert also kein Kontakt über einen Kopf; contact.conformity weglassen, oder { $key } angeben
@@ -1243,7 +1232,7 @@ track-model-says-what-the-rail = track.model = "{ $model }" sagt nur, was die Sc
 the-rail-of-track-model-carries = die Schiene von track.model = "{ $model }" trägt ihre Schwingung bei jeder Frequenz ohne Ende weiter
 takes-one-wheel-of-wheel-with = { $what } braucht ein Rad aus [wheel] mit Längsschlupf, und dies ist ein Kreis in allen Richtungen oder mit mehreren Rädern
 track-model-is-but-is-of = `track.model` ist "{ $model }", { $what } gibt es aber nur auf diskreten Stützpunkten; ein periodisches Modell wählen
-this-is-a-traffic-file-with = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Falldatei; sie mit --traffic angeben und an ihrer Stelle eine Falldatei, wie `riffel init` sie schreibt
+traffic-file-for-case = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Falldatei; sie mit --traffic angeben und an ihrer Stelle eine Falldatei, wie `riffel init` sie schreibt
 below-r-at-the-wavelength-of = kleiner als λ²/4π²R bei der Wellenlänge { $wavelength } m: darüber ist das Profil so gekrümmt wie das Rad, das die Täler überbrückt
 at-m-and-m-s-is = { $quantity } ist bei { $wavelength } m und { $speed } m/s keine endliche Zahl: mit so großen oder kleinen Werten des Falls lässt sich nicht rechnen
 wheelset-model-needs-it = wheelset.model = "{ $model }" braucht es
@@ -1251,7 +1240,7 @@ give-length-and-diameter-of-an = length und diameter einer Welle von einem Durch
 is-an-empty-list-an-axle = ist eine leere Liste, eine Welle von 0 m, die Summe der Längen muss aber über 0 liegen
 at-most-the-length-of-the = höchstens die Länge der Welle, { $length } m
 between-m-and-m-the-ends = zwischen -{ $end } m und { $end } m, den Enden der Welle
-this-is-a-traffic-file-with-2 = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Datei der Änderungen; sie mit --traffic angeben
+traffic-file-for-changes = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Datei der Änderungen; sie mit --traffic angeben
 give-one-of-the-two = eines von beiden angeben
 the-file-of-changes-changes-nothing = die Datei der Änderungen ändert nichts
 write-keys-of-the-case-as = Schlüssel des Falls schreiben, wie in [contact] friction = 0.3, oder [speed] mean, factor oder standard_deviation
@@ -1266,7 +1255,7 @@ it-belongs-to-wear-law-usfd = es gehört zu wear.law = "usfd" und "usfd-smooth"
 rates-of-the-laws-add-name = Raten der Gesetze addieren sich: jedes einmal nennen
 damage-laws-names-give-its-table = damage.laws nennt „{ $law }“: seine Tabelle angeben
 names-bending-but-track-model-does = nennt bending, aber track.model = "{ $name }" sagt nicht, was die Schiene trägt
-choose-a-model-of-rail-and = ein Modell von Schiene und Stützpunkten wählen, oder bending weglassen
+choose-a-model-or-no-bending = ein Modell von Schiene und Stützpunkten wählen, oder bending weglassen
 names-fatigue-by-t-but-the = nennt Ermüdung nach Tγ, aber der Kontakt hat keinen Schlupf
 give-contact-creepage-or-contact-tractive = contact.creepage oder contact.tractive_ratio über null angeben
 is-true-but-wheelset-model-tells = ist true, wheelset.model = "{ $model }" sagt aber, wie sich die Kontakte bewegen, und nicht, wie die Naben
@@ -1274,13 +1263,13 @@ choose-wheelset-model-rigid-or-flexible = wheelset.model = "rigid" oder "flexibl
 give-longitudinal-or-lateral-creepage-with = Längs- oder Querschlupf dazu angeben
 transverse-radius-is-the-relative-one = transverse_radius ist der relative beider Profile, unter einem Kegel der der Schiene
 are-several-but-track-model-does = nennt mehrere, track.model = "{ $model }" sagt aber nicht, wie das Gleis von einem zum nächsten antwortet
-choose-a-model-of-rail-and-2 = ein Modell aus Schiene und Stützpunkten wählen, oder ein einziges Rad
+choose-a-model-or-one-wheel = ein Modell aus Schiene und Stützpunkten wählen, oder ein einziges Rad
 give-rail-lateral-second-moment-and = rail.lateral_second_moment und track.pad.lateral_stiffness angeben, oder weglassen
 the-waves-that-run-along-this = die Wellen, die auf dieser Schiene über die { $furthest } m vom ersten Rad zum letzten laufen, geben die wenigen in der Zeit angepassten Schwingungen nicht wieder, im Effektivwert { $per_cent } % daneben; weniger oder nähere Räder angeben, oder ein Gleis, das mehr dämpft
 the-case-has-contacts-but-a = der Fall hat { $count } Kontakte, eine Überrollung in der Zeit nimmt aber höchstens { $most_contacts }: der Aufwand eines Schrittes und der Anpassung geht mit ihrem Quadrat; weniger Räder wählen, oder wheelset.opposite_rail = "absent"
 is-a-file-and-this-case = ist eine Datei, und dieser Fall darf keine nennen
 use-it-in-a-case-file = in einer Falldatei mit dem Programm verwenden, `riffel map CASE`
-lower-map-wavelength-points-or-map = map.wavelength.points oder map.speed.points senken
+lower-points = map.wavelength.points oder map.speed.points senken
 and-exclude-each-other = und `{ $other }` schließen einander aus
 the-nearest-key-is = der ähnlichste Schlüssel ist `{ $key }`
 is-no-key-of-a-case = ist kein Schlüssel eines Falls
@@ -1306,7 +1295,7 @@ the-speeds-of-the-traffic-go = die Geschwindigkeiten des Verkehrs gehen von { $f
 there-are-vehicles-but-the-page = es gibt { $count } Fahrzeuge, die Seite nimmt aber höchstens { $most_vehicles }
 the-case-is-larger-than-kib = der Fall ist größer als { $size } KiB
 map-points-are-more-than-the = `map`: { $points } Punkte sind mehr als die { $most_map_points }, die die Seite rechnet
-lower-map-wavelength-points-or-map-2 = map.wavelength.points oder map.speed.points senken; das Programm selbst rechnet größere Karten
+lower-points-on-the-page = map.wavelength.points oder map.speed.points senken; das Programm selbst rechnet größere Karten
 contact-grid-is-but-the-page = `contact.grid` ist { $grid }, die Seite geht aber bei instationärer Antwort nur bis { $finest_grid }
 the-program-itself-goes-further = das Programm selbst geht weiter
 the-of-the-point-is-but = { $what } des Punkts ist { $value }, die Karte reicht aber von { $low } bis { $high }
@@ -1353,13 +1342,21 @@ write-set-key-value-as-in = --set schlüssel=wert schreiben, wie --set contact.f
 is-empty-window = ist { $max }, aber das Fenster ist leer, wenn es nicht über dem Minimum von { $min } liegt
 track-model-needs-it = track.model = "{ $model }" braucht es: angeben{ $preset }
 or-name-a-preset = , oder mit track.preset eine Vorgabe nennen
-a-passage-in-time-needs-all = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell von Gleis und Rad an Stelle von Rezeptanzen
-a-passage-in-time-takes-the = eine Überrollung in der Zeit nimmt das starre Rad aus [wheel], keine Rezeptanz an seiner Stelle
-a-passage-in-time-needs-all-2 = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell des Radsatzes oder seine Eigenformen an Stelle gemessener Rezeptanzen
-a-passage-in-time-takes-contacts = eine Überrollung in der Zeit nimmt Kontakte, die auf den Profilen bleiben, wo sie sind; weglassen
+track-of-all-frequencies-in-time = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell von Gleis und Rad an Stelle von Rezeptanzen
+rigid-wheel-in-time = eine Überrollung in der Zeit nimmt das starre Rad aus [wheel], keine Rezeptanz an seiner Stelle
+wheelset-of-all-frequencies-in-time = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell des Radsatzes oder seine Eigenformen an Stelle gemessener Rezeptanzen
+contacts-at-rest-in-time = eine Überrollung in der Zeit nimmt Kontakte, die auf den Profilen bleiben, wo sie sind; weglassen
 no-spring-dashpot-in-time = `contact.response` ist "spring-dashpot", das nur für kleine Schwingungen bekannt ist; für eine Überrollung in der Zeit "quasi-static" oder "non-steady" wählen
 quasi-static-in-time = in allen Richtungen nimmt eine Überrollung in der Zeit einen Kontakt, der sofort antwortet, `contact.response` = "quasi-static"
 no-constant-force-in-time = `wheel.rotation` ist "constant-tangential-force", doch wo das Rad die Schiene verlässt, hält kein Schlupf die Kraft; "inertia" oder "constant-creepage" wählen
+
+## Faults of the page
+
+newer-request = eine neuere Anfrage ist an die Stelle dieser getreten
+page-asks-again = die Seite fragt von selbst noch einmal
+defect-of-riffel = das ist ein Fehler von Riffel; der Fall in der Adresszeile zeigt ihn wieder
+page-misunderstood = Seite und Programm verstehen einander nicht
+reload-page = die Seite neu laden: vielleicht ist sie älter als das Programm
 
 ## Modes of a wheelset
 

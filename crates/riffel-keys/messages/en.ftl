@@ -1212,17 +1212,6 @@ kind-in-unit = { $kind } in { $unit }
 kind-as-in = { $kind } in { $unit } or as in "{ $example }"
 ratio-such-as = { $kind } such as 0.4 or "{ $example }"
 name-as-subject = { $name } { $rule }
-
-## Faults of the page
-
-newer-request = a newer request has taken the place of this one
-page-asks-again = the page asks again by itself
-defect-of-riffel = this is a defect of Riffel; the case in the address bar reproduces it
-page-misunderstood = the page and the program do not understand each other
-reload-page = reload the page: it may be older than the program
-
-## Cases that are refused, further
-
 is-flange-but-the-wheel-stands = is "flange", but the wheel stands on one point, at a contact angle of { $angle }°
 the-profiles-do-not-part-across = the profiles do not part across the track where they touch (curvature { $curvature } 1/m), so that there is no ellipse; give { $key }
 the-rail-is-not-convex-where = the rail is not convex where the wheel stands (curvature { $curvature } 1/m), so that no contact of a head moves there; leave contact.conformity out, or give { $key }
@@ -1251,7 +1240,7 @@ track-model-says-what-the-rail = track.model = "{ $model }" says what the rail d
 the-rail-of-track-model-carries = the rail of track.model = "{ $model }" carries its vibration on without end at every frequency
 takes-one-wheel-of-wheel-with = { $what } takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several wheels
 track-model-is-but-is-of = `track.model` is "{ $model }", but { $what } is of discrete supports; choose a periodic model
-this-is-a-traffic-file-with = this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case file, as `riffel init` writes one, in its place
+traffic-file-for-case = this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case file, as `riffel init` writes one, in its place
 below-r-at-the-wavelength-of = below λ²/4π²R at the wavelength of { $wavelength } m: beyond it the profile is as curved as the wheel, which bridges the troughs
 at-m-and-m-s-is = { $quantity } at { $wavelength } m and { $speed } m/s is not a finite number: values of the case are too large or too small to compute with
 wheelset-model-needs-it = wheelset.model = "{ $model }" needs it
@@ -1259,7 +1248,7 @@ give-length-and-diameter-of-an = give length and diameter of an axle of one diam
 is-an-empty-list-an-axle = is an empty list, an axle of 0 m, but the sum of the lengths must be above 0
 at-most-the-length-of-the = at most the length of the axle, { $length } m
 between-m-and-m-the-ends = between -{ $end } m and { $end } m, the ends of the axle
-this-is-a-traffic-file-with-2 = this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic
+traffic-file-for-changes = this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic
 give-one-of-the-two = give one of the two
 the-file-of-changes-changes-nothing = the file of changes changes nothing
 write-keys-of-the-case-as = write keys of the case, as in [contact] friction = 0.3, or [speed] mean, factor or standard_deviation
@@ -1274,7 +1263,7 @@ it-belongs-to-wear-law-usfd = it belongs to wear.law = "usfd" and "usfd-smooth"
 rates-of-the-laws-add-name = rates of the laws add: name each once
 damage-laws-names-give-its-table = damage.laws names "{ $law }": give its table
 names-bending-but-track-model-does = names bending, but track.model = "{ $name }" does not tell what carries the rail
-choose-a-model-of-rail-and = choose a model of rail and supports, or leave bending out
+choose-a-model-or-no-bending = choose a model of rail and supports, or leave bending out
 names-fatigue-by-t-but-the = names fatigue by Tγ, but the contact does not creep
 give-contact-creepage-or-contact-tractive = give contact.creepage or contact.tractive_ratio above zero
 is-true-but-wheelset-model-tells = is true, but wheelset.model = "{ $model }" tells how the contacts move and not how the hubs do
@@ -1282,13 +1271,13 @@ choose-wheelset-model-rigid-or-flexible = choose wheelset.model = "rigid" or "fl
 give-longitudinal-or-lateral-creepage-with = give longitudinal or lateral creepage with it
 transverse-radius-is-the-relative-one = transverse_radius is the relative one of both profiles, equal to that of the rail under a cone
 are-several-but-track-model-does = are several, but track.model = "{ $model }" does not tell how the track answers from one to the next
-choose-a-model-of-rail-and-2 = choose a model of rail and supports, or one wheel
+choose-a-model-or-one-wheel = choose a model of rail and supports, or one wheel
 give-rail-lateral-second-moment-and = give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out
 the-waves-that-run-along-this = the waves that run along this rail over the { $furthest } m from the first wheel to the last are not told by so few oscillations as are fitted in time, { $per_cent } % rms off; give fewer or nearer wheels, or a track that damps more
 the-case-has-contacts-but-a = the case has { $count } contacts, but a passage in time takes at most { $most_contacts }: the work of a step and of the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = "absent"
 is-a-file-and-this-case = is a file, and this case may not name any
 use-it-in-a-case-file = use it in a case file with the program, `riffel map CASE`
-lower-map-wavelength-points-or-map = lower map.wavelength.points or map.speed.points
+lower-points = lower map.wavelength.points or map.speed.points
 and-exclude-each-other = and `{ $other }` exclude each other
 the-nearest-key-is = the nearest key is `{ $key }`
 is-no-key-of-a-case = is no key of a case
@@ -1314,7 +1303,7 @@ the-speeds-of-the-traffic-go = the speeds of the traffic go from { $from } to { 
 there-are-vehicles-but-the-page = there are { $count } vehicles, but the page takes { $most_vehicles } at most
 the-case-is-larger-than-kib = the case is larger than { $size } KiB
 map-points-are-more-than-the = `map`: { $points } points are more than the { $most_map_points } that the page computes
-lower-map-wavelength-points-or-map-2 = lower map.wavelength.points or map.speed.points; the program itself computes larger maps
+lower-points-on-the-page = lower map.wavelength.points or map.speed.points; the program itself computes larger maps
 contact-grid-is-but-the-page = `contact.grid` is { $grid }, but the page goes up to { $finest_grid } with a non-steady response
 the-program-itself-goes-further = the program itself goes further
 the-of-the-point-is-but = the { $what } of the point is { $value }, but the map reaches from { $low } to { $high }
@@ -1361,13 +1350,21 @@ write-set-key-value-as-in = write --set key=value, as in --set contact.friction=
 is-empty-window = is { $max }, but the window is empty unless it is above the min of { $min }
 track-model-needs-it = track.model = "{ $model }" needs it: give it{ $preset }
 or-name-a-preset = , or name a preset by track.preset
-a-passage-in-time-needs-all = a passage in time needs all frequencies: a model of track and wheel in the place of receptances
-a-passage-in-time-takes-the = a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it
-a-passage-in-time-needs-all-2 = a passage in time needs all frequencies: a model of the wheelset, or its modes, in the place of measured receptances
-a-passage-in-time-takes-contacts = a passage in time takes contacts that stay where they are on the profiles; leave it out
+track-of-all-frequencies-in-time = a passage in time needs all frequencies: a model of track and wheel in the place of receptances
+rigid-wheel-in-time = a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it
+wheelset-of-all-frequencies-in-time = a passage in time needs all frequencies: a model of the wheelset, or its modes, in the place of measured receptances
+contacts-at-rest-in-time = a passage in time takes contacts that stay where they are on the profiles; leave it out
 no-spring-dashpot-in-time = `contact.response` is "spring-dashpot", which is known for small oscillations only; for a passage in time choose "quasi-static" or "non-steady"
 quasi-static-in-time = on all axes a passage in time takes a contact that answers at once, `contact.response` = "quasi-static"
 no-constant-force-in-time = `wheel.rotation` is "constant-tangential-force", but where the wheel leaves the rail no creepage keeps the force; choose "inertia" or "constant-creepage"
+
+## Faults of the page
+
+newer-request = a newer request has taken the place of this one
+page-asks-again = the page asks again by itself
+defect-of-riffel = this is a defect of Riffel; the case in the address bar reproduces it
+page-misunderstood = the page and the program do not understand each other
+reload-page = reload the page: it may be older than the program
 
 ## Modes of a wheelset
 

@@ -71,7 +71,7 @@ impl CaseText {
                     points = points,
                     most_map_points = MOST_MAP_POINTS
                 ),
-                say!(lower_map_wavelength_points_or_map_2),
+                say!(lower_points_on_the_page),
             ));
         }
         Ok(case)

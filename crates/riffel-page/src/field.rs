@@ -100,8 +100,8 @@ impl crate::Question for Question {
     }
 
     fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
-        let kept: Prediction =
-            serde_json::from_str(KEPT).map_err(|_| Fault::defect("the computation broke off"))?;
+        let kept: Prediction = serde_json::from_str(KEPT)
+            .map_err(|_| Fault::defect(say!(the_computation_broke_off)))?;
         let samples = kept.cases.iter().map(|site| site.samples).min();
         let rows = kept.cases.into_iter().flat_map(|site| {
             let outcomes = site.outcomes.into_iter();

@@ -142,7 +142,7 @@ impl CheckedKeys {
                             names_bending_but_track_model_does,
                             name = self.file.track.model.name()
                         ),
-                        say!(choose_a_model_of_rail_and),
+                        say!(choose_a_model_or_no_bending),
                     ));
                 };
                 let second_moment =

@@ -281,7 +281,7 @@ impl CheckedKeys {
                 return Err(self.text.keys.invalid(
                     "train.wheels",
                     say!(are_several_but_track_model_does, model = model.name()),
-                    say!(choose_a_model_of_rail_and_2),
+                    say!(choose_a_model_or_one_wheel),
                 ));
             }
             if keys.wheelset.is_some() {

@@ -83,15 +83,15 @@ impl Case {
             return refuse("train.wheels", message);
         }
         if on_all_axes && self.keys.given.track.is_some() {
-            let message = say!(a_passage_in_time_needs_all);
+            let message = say!(track_of_all_frequencies_in_time);
             return refuse("track", message);
         }
         if self.keys.given.wheel.is_some() {
-            let message = say!(a_passage_in_time_takes_the);
+            let message = say!(rigid_wheel_in_time);
             return refuse("wheel", message);
         }
         if matches!(self.wheelset.as_deref(), Some(CaseWheelset::Measured(_))) {
-            let message = say!(a_passage_in_time_needs_all_2);
+            let message = say!(wheelset_of_all_frequencies_in_time);
             return refuse("wheelset.model", message);
         }
         match self.file.contact.response {
@@ -106,7 +106,7 @@ impl Case {
             _ => {}
         }
         if contacts.iter().any(|contact| contact.moving.is_some()) {
-            let message = say!(a_passage_in_time_takes_contacts);
+            let message = say!(contacts_at_rest_in_time);
             return refuse("contact.conformity", message);
         }
         if self.wheelset.is_none()
