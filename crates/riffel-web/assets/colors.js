@@ -50,8 +50,17 @@ export const css = ([r, g, b]) => `rgb(${r},${g},${b})`;
 /** Size of the letters of the page [px]. */
 export const letterSize = () => Number.parseFloat(getComputedStyle(document.documentElement).fontSize);
 
+/** Colours by the name of the theme: the style of the page is asked once for each, for asking costs a layout. */
+const themes = new Map();
+
 /** The colours of the page at present, by the names of page.css. */
 export function theme() {
+  const { theme: name } = document.documentElement.dataset;
+  if (!themes.has(name)) themes.set(name, asked());
+  return themes.get(name);
+}
+
+function asked() {
   const style = getComputedStyle(document.documentElement);
   const color = (name) => style.getPropertyValue(`--${name}`).trim();
   return {

@@ -34,3 +34,8 @@ export function worded(tag, word, properties = {}, ...children) {
   made.dataset.t = word;
   return made;
 }
+
+/** Give an element properties where they are others: what is set anew is laid out anew, even where it is the same. */
+export function put(place, properties) {
+  for (const [name, value] of Object.entries(properties)) if (place[name] !== value) place[name] = value;
+}

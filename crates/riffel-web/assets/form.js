@@ -1,6 +1,6 @@
 // The form of a case, made from its JSON schema: a section for each table, a row for each key.
 
-import { element } from './elements.js';
+import { element, put } from './elements.js';
 import { wording } from './faults.js';
 import { get, set, short, shownUnit, si, split } from './keys.js';
 import * as lists from './lists.js';
@@ -295,7 +295,7 @@ export class Form {
     const whole = this.complete && bare(get(this.complete, key));
     if (input.tagName === 'TEXTAREA') {
       input.value = Array.isArray(written) ? lists.written(written) : (written ?? '');
-      input.placeholder = whole ? lists.written(whole) : '';
+      put(input, { placeholder: whole ? lists.written(whole) : '' });
       return;
     }
     if (input.tagName === 'SELECT') {
@@ -304,7 +304,7 @@ export class Form {
       if (name && ![...input.options].some((option) => option.value === name)) input.append(element('option', { value: name, textContent: name }));
       input.value = name || (input.options[0].value === '' ? '' : (whole ?? node.default ?? ''));
       if (input.options[0].value === '' && !this.presets.some((preset) => preset.key === key)) {
-        input.options[0].textContent = whole && !written ? `(${whole})` : '—';
+        put(input.options[0], { textContent: whole && !written ? `(${whole})` : '—' });
       }
       return;
     }
@@ -313,7 +313,7 @@ export class Form {
     echo.hidden = true;
     if (node.unit === undefined) {
       if (document.activeElement !== input || written !== undefined) input.value = field.typed?.text ?? written ?? '';
-      input.placeholder = whole ?? '';
+      put(input, { placeholder: String(whole ?? '') });
       return;
     }
     const parts = written === undefined ? null : split(written, node.unit);
@@ -322,8 +322,8 @@ export class Form {
     input.value = field.typed?.text ?? worded(written === undefined ? '' : plain ? parts.text : parts && typeof written === 'number' ? `${parts.text} ${parts.unit}` : written);
     // What is missing has no default that could stand in.
     const inherited = whole === undefined || whole === null || !field.fault.hidden ? null : Number.parseFloat(whole) / shown[1];
-    input.placeholder = written === undefined && inherited !== null ? worded(short(inherited)) : '';
-    if (input.placeholder) input.title = t('from_preset');
+    put(input, { placeholder: written === undefined && inherited !== null ? String(worded(short(inherited))) : '' });
+    if (input.placeholder) put(input, { title: t('from_preset') });
     else input.removeAttribute('title');
     this.#echo(field, parts && !plain);
   }
@@ -353,7 +353,7 @@ export class Form {
       (key === 'track.pad.stiffness' && (model === 'free-beam' || !(this.complete && si(this.complete, key))) && t('no_pads')) ||
       (key === 'wheel.inertia' && this.complete && this.complete.wheel.rotation !== 'inertia' && t('no_turning')) || '';
     input.disabled = Boolean(off);
-    note.textContent = off;
+    put(note, { textContent: off });
     if (value === undefined || value === null) {
       output.textContent = '–';
       return;

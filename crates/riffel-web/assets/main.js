@@ -103,21 +103,22 @@ function showMap({ head, values }, keys) {
   const otherTraffic = traffic.setUsual(head.usual_traffic);
   state.map.highest = highestOfTraffic();
   state.accepted = keys;
-  form.clear();
-  banner.clear('case');
-  showTroubles();
-  fresh('map');
   state.current = !maps.pending;
-  if (maps.pending) stale('map');
-  form.show(state.keys, head.complete, state.current);
-  form.fold(head.idle);
-  sidebar.show();
   const { wavelength, speed, highest } = state.map;
   const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
   if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
   view.point = state.point;
   view.band = band();
+  // The map first: drawing it asks for its size, which is dear once something else has changed.
   view.show(state.map);
+  fresh('map');
+  if (maps.pending) stale('map');
+  form.clear();
+  banner.clear('case');
+  showTroubles();
+  form.show(state.keys, head.complete, state.current);
+  form.fold(head.idle);
+  sidebar.show();
   speedHandle();
   mapWords();
   outlook.ask();
@@ -188,19 +189,27 @@ const painted = () => new Promise((done) => {
   else requestAnimationFrame(() => setTimeout(done));
 });
 
-/** The curves are slower to draw than the map: the newest are drawn when it is on the screen. */
+/** How long a curve may wait for maps that are under way [ms]. */
+const CURVE_WAIT = 100;
+
+/** The curves are slower to draw than the map: each in turn is drawn when that is on the screen, and under a slider between two maps. */
+const figures = [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']].map(([draw, place]) => ({ draw, place, drawn: null }));
 let drawing = false;
 async function curves() {
   if (drawing) return;
   drawing = true;
-  let drawn;
-  while (drawn !== state.at && state.view === 'explore') {
+  let last = performance.now();
+  const late = () => figures.find(({ drawn }) => drawn !== state.at);
+  while (late() && state.view === 'explore') {
     await painted();
-    drawn = state.at;
-    for (const [draw, place] of [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']]) {
+    const shown = state.map;
+    while (late() && state.map === shown && (maps.idle || performance.now() - last > CURVE_WAIT)) {
+      const figure = late();
+      figure.drawn = state.at;
+      await figure.draw($(figure.place), state.at, ghost);
+      figures.push(...figures.splice(figures.indexOf(figure), 1));
+      last = performance.now();
       await new Promise((done) => setTimeout(done));
-      await draw($(place), drawn, ghost);
-      if (drawn !== state.at && !maps.idle) break;
     }
   }
   drawing = false;
@@ -610,5 +619,5 @@ if (!link && location.hash.length > 1) trouble(() => t('damaged_first'), { until
 else if (!link && last && !inside && JSON.stringify(last.case) !== JSON.stringify(vocabulary.nominal)) banner.notice(t('went_on'));
 
 // For whoever watches from outside: what has been asked and answered.
-window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.calm.isWaiting && !sidebar.calm.isWaiting && !drawings.open && !work.running.size && !saving };
+window.riffel = { traffic: requests, state, gaps, idle: () => !drawing && !outlook.isWaiting && !sidebar.calm.isWaiting && !drawings.open && !work.running.size && !saving };
 export { Fault };

@@ -605,11 +605,8 @@ export function drawBar(place, view, title) {
   const list = view.kind === 'growth'
     ? growthSteps(colors.dark)
     : [...differenceSteps(colors.dark).less.toReversed(), ...differenceSteps(colors.dark).more];
-  for (const step of list) {
-    const cell = document.createElement('i');
-    cell.style.background = css(step);
-    steps.append(cell);
-  }
+  const at = (k) => `${((100 * k) / list.length).toFixed(2)}%`;
+  steps.style.background = `linear-gradient(to right, ${list.map((step, k) => `${css(step)} ${at(k)} ${at(k + 1)}`).join(', ')})`;
   const word = (text, className) => {
     const span = document.createElement('span');
     span.textContent = text;

@@ -11,13 +11,16 @@ import { Remedies } from './remedies.js';
 import { Line, json } from './server.js';
 import { sentence, speedsIn, t, told, translate } from './words.js';
 
-/** Remedies are asked for when nothing has changed for so long [ms]: they take as long as eight headlines. */
+/** The headline is asked for when the map has stood still for so long [ms]: it takes as long as five maps, and would hold up the next ones under a slider. */
+const REST = 150;
+/** Remedies are asked for when nothing has changed for so long after it [ms]: they take as long as eight headlines. */
 const CALM = 400;
 
 export class Outlook {
   /** `question` is the case with its traffic; `onPlace` takes a place of the map, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
   constructor(view, { state, question, onPlace, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
     Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
+    this.rest = new Calm(REST, () => this.#ask());
     this.calm = new Calm(CALM, () => this.#rank());
     this.line.onCancel = this.ranking.onCancel = onCancel;
     this.remedies = new Remedies({ state, save, onFault, onCosts: () => this.#rank(), ...ways });
@@ -40,14 +43,23 @@ export class Outlook {
     view.querySelector('.loop-panel').after(this.panel, this.remedies.panel);
   }
 
-  /** Ask anew; both answers of before pale. */
+  /** Ask anew, once the map stands still; both answers of before pale. */
   ask() {
     this.stale('line');
     this.stale('remedies');
     this.calm.stop();
+    this.rest.begin();
+  }
+
+  /** Whether a question waits until nothing changes. */
+  get isWaiting() {
+    return this.rest.isWaiting || this.calm.isWaiting;
+  }
+
+  #ask() {
     const show = (answer) => {
       this.#show(answer);
-      if (!this.line.pending && this.state.current) this.fresh('line');
+      if (!this.rest.isWaiting && !this.line.pending && this.state.current) this.fresh('line');
     };
     this.line.ask(this.question(), (answer) => {
       show(answer);
@@ -58,7 +70,7 @@ export class Outlook {
   #rank() {
     if (!this.state.current) return;
     this.ranking.ask({ ...this.question(), costs: this.remedies.costs }, (answer) => {
-      if (this.calm.isWaiting || this.ranking.pending) return;
+      if (this.isWaiting || this.ranking.pending) return;
       this.remedies.show(answer);
       this.remedies.askLikelihood();
       this.fresh('remedies');

@@ -24,6 +24,11 @@ impl GrowthCourse {
     /// The course of a growth rate per passage over a window of wavelengths \[m\], whose number of points has no part; asked from
     /// several threads.
     pub fn of(window: Axis, rate: impl Fn(f64) -> f64 + Sync) -> Self {
+        Self::found(window, &rate)
+    }
+
+    // Compiled here, and once, whoever asks.
+    fn found(window: Axis, rate: &(dyn Fn(f64) -> f64 + Sync)) -> Self {
         let row = FineRow::of(window, |wavelength| -rate(wavelength));
         let tolerance = 1e-7 * (window.max() - window.min());
         let maxima = minima(&row.wavelengths, &row.values);

@@ -44,26 +44,12 @@ impl GrowthMap {
     ) -> Self {
         let feedback = feedback.into();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
-        let grid = Grid {
-            tiles_a_row: wavelengths.len().div_ceil(TILE),
-            speeds: &speeds,
-            wanted,
-            progress,
-        };
-        let mut tiles = Vec::new();
-        (0..grid.tiles())
-            .into_par_iter()
-            .with_min_len(grid.tiles_a_row)
-            .map_with(
-                RowEvaluator::for_map(&feedback, &wavelengths, &speeds),
-                |evaluator, index| grid.evaluate(evaluator, index),
-            )
-            .collect_into_vec(&mut tiles);
+        let growth_rate_per_dissipation = feedback.growth_rate_per_dissipation();
         Self {
             wavelength,
             speed,
-            tiles,
-            growth_rate_per_dissipation: feedback.growth_rate_per_dissipation(),
+            tiles: Grid::new(&wavelengths, &speeds, &wanted, &progress).evaluated(feedback),
+            growth_rate_per_dissipation,
         }
     }
 
@@ -84,21 +70,7 @@ impl GrowthMap {
         wanted: impl Fn() -> bool + Sync,
         progress: impl Fn(usize) + Sync,
     ) {
-        let grid = Grid {
-            tiles_a_row: wavelengths.len().div_ceil(TILE),
-            speeds,
-            wanted,
-            progress,
-        };
-        assert_eq!(tiles.len(), grid.tiles(), "tiles of a map");
-        tiles
-            .par_iter_mut()
-            .enumerate()
-            .with_min_len(grid.tiles_a_row)
-            .for_each_with(
-                RowEvaluator::for_map(feedback, wavelengths, speeds),
-                |evaluator, (index, tile)| *tile = grid.evaluate(evaluator, index),
-            );
+        Grid::new(wavelengths, speeds, &wanted, &progress).evaluate_into(feedback.into(), tiles);
     }
 
     /// The map with every value multiplied by a factor.
@@ -147,16 +119,61 @@ impl GrowthMap {
 }
 
 /// The tiles of a map, row by row.
-struct Grid<'a, W, P> {
-    tiles_a_row: usize,
+// Without a parameter of type: the loop over the tiles is compiled here, with the optimisation of this crate,
+// and not in whichever crate asks for a map.
+struct Grid<'a> {
+    wavelengths: &'a [f64],
     speeds: &'a [f64],
-    wanted: W,
-    progress: P,
+    tiles_a_row: usize,
+    wanted: &'a (dyn Fn() -> bool + Sync),
+    progress: &'a (dyn Fn(usize) + Sync),
 }
 
-impl<W: Fn() -> bool, P: Fn(usize)> Grid<'_, W, P> {
+impl<'a> Grid<'a> {
+    fn new(
+        wavelengths: &'a [f64],
+        speeds: &'a [f64],
+        wanted: &'a (dyn Fn() -> bool + Sync),
+        progress: &'a (dyn Fn(usize) + Sync),
+    ) -> Self {
+        Self {
+            wavelengths,
+            speeds,
+            tiles_a_row: wavelengths.len().div_ceil(TILE),
+            wanted,
+            progress,
+        }
+    }
+
     fn tiles(&self) -> usize {
         self.speeds.len() * self.tiles_a_row
+    }
+
+    /// All tiles, in parallel.
+    fn evaluated(&self, feedback: Loop) -> Vec<[Complex64; TILE]> {
+        let mut tiles = Vec::new();
+        (0..self.tiles())
+            .into_par_iter()
+            .with_min_len(self.tiles_a_row)
+            .map_with(
+                RowEvaluator::for_map(feedback, self.wavelengths, self.speeds),
+                |evaluator, index| self.evaluate(evaluator, index),
+            )
+            .collect_into_vec(&mut tiles);
+        tiles
+    }
+
+    /// The same into tiles that are there.
+    fn evaluate_into(&self, feedback: Loop, tiles: &mut [[Complex64; TILE]]) {
+        assert_eq!(tiles.len(), self.tiles(), "tiles of a map");
+        tiles
+            .par_iter_mut()
+            .enumerate()
+            .with_min_len(self.tiles_a_row)
+            .for_each_with(
+                RowEvaluator::for_map(feedback, self.wavelengths, self.speeds),
+                |evaluator, (index, tile)| *tile = self.evaluate(evaluator, index),
+            );
     }
 
     /// One tile; zeros once the map is no longer wanted.
