@@ -5,6 +5,7 @@
 //! are those of the program; they may not name files. Work stands in a bounded queue; whatever nobody waits
 //! for any more is dropped.
 
+mod answered;
 mod api;
 mod assets;
 mod calibrations;
@@ -29,6 +30,7 @@ use axum::http::StatusCode;
 use axum::response::{IntoResponse, Response};
 use axum::routing::{get, post};
 
+use answered::Answered;
 use calibrations::Calibrations;
 use fault::{Fault, Refusal};
 use program::Program;
@@ -44,6 +46,8 @@ pub use server::{Options, ServeError, serve};
 pub(crate) struct Page {
     /// Work of milliseconds to seconds.
     queue: Queue,
+    /// What it has answered.
+    answered: Answered,
     /// Marches in time, one at a time: they take up to a minute, beside which maps and cases are still answered.
     marches: Queue,
     /// Work on files, one at a time, which must not hold up the sliders.
@@ -60,7 +64,8 @@ pub(crate) fn router(page: Page) -> Router {
     let questions = QUESTIONS
         .into_iter()
         .fold(Router::new(), |router, (path, reader)| {
-            let answer = move |page, asker, asked| api::questions::post(reader, page, asker, asked);
+            let answer =
+                move |page, asker, asked| api::questions::post(path, reader, page, asker, asked);
             router.route(path, post(answer))
         });
     questions

@@ -15,6 +15,7 @@ use thiserror::Error;
 use tokio::net::TcpListener;
 use tokio::sync::Semaphore;
 
+use crate::answered::Answered;
 use crate::calibrations::Calibrations;
 use crate::impatient::Impatient;
 use crate::program::Program;
@@ -95,6 +96,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, S
     let workers = std::thread::available_parallelism().map_or(2, usize::from);
     let page = Page {
         queue: Queue::new(workers),
+        answered: Answered::default(),
         marches: Queue::new(1),
         long: Queue::for_files(),
         chains: Queue::for_files(),

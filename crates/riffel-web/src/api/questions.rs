@@ -10,11 +10,15 @@ use crate::fault::Refusal;
 use crate::request::{AskedJson, Asker};
 
 pub(crate) async fn post(
+    path: &'static str,
     reader: Reader,
     State(page): State<Page>,
     asker: Asker,
     AskedJson(json): AskedJson,
 ) -> Result<Response, Refusal> {
+    if let Some(reply) = page.answered.to(path, &json) {
+        return Ok(sent(&reply));
+    }
     let question = reader(&json)?;
     let kind = question.subject();
     let queue = match kind.as_deref() {
@@ -22,15 +26,18 @@ pub(crate) async fn post(
         _ => &page.queue,
     };
     let subject = kind.and_then(|kind| asker.subject(&kind));
+    let answered = page.answered.clone();
     let reply = queue
-        .run(subject, move |wanted| question.answer(&|| wanted.still()))
+        .run(subject, move |wanted| {
+            answered.keep(path, json, wanted, || question.answer(&|| wanted.still()))
+        })
         .await?;
-    Ok(sent(reply))
+    Ok(sent(&reply))
 }
 
-fn sent(reply: Reply) -> Response {
+fn sent(reply: &Reply) -> Response {
     let kind = HeaderValue::from_static(reply.content_type);
-    let mut response = ([(header::CONTENT_TYPE, kind)], reply.bytes).into_response();
+    let mut response = ([(header::CONTENT_TYPE, kind)], reply.bytes.clone()).into_response();
     if reply.attached {
         let attachment = HeaderValue::from_static("attachment");
         let headers = response.headers_mut();

@@ -8,6 +8,7 @@ use axum::http::{HeaderMap, Request, StatusCode, header};
 use serde_json::{Value, json};
 use tower::ServiceExt;
 
+use crate::answered::Answered;
 use crate::calibrations::Calibrations;
 use crate::program::Program;
 use crate::queue::Queue;
@@ -20,6 +21,7 @@ const ORIGIN: &str = "http://127.0.0.1:8311";
 fn page_with(queue: Queue) -> Page {
     Page {
         queue,
+        answered: Answered::default(),
         marches: Queue::new(1),
         long: Queue::for_files(),
         chains: Queue::for_files(),
