@@ -122,15 +122,13 @@ fn keeps_force(case: &Case) -> bool {
 }
 
 impl RemediesAnswer {
-    /// The remedies of a case under a traffic, or else under the usual one of its line. `progress` is called at each. Once the
-    /// answer is no longer `wanted` the rest is left out.
+    /// The remedies of a case under a traffic, or else under the usual one of its line. `progress` is called at each.
     ///
     /// # Errors
     /// [`CaseError`] as of [`LineGrowth::new`].
     pub fn new(
         case: &Case,
         traffic: Option<&Traffic>,
-        wanted: &(dyn Fn() -> bool + Sync),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CaseError> {
         let under_traffic = LineGrowth::new(case, traffic)?;
@@ -150,9 +148,6 @@ impl RemediesAnswer {
             None => UsualTraffic::of(case).traffic()?,
         };
         for step in steps(case, &usual) {
-            if !wanted() {
-                break;
-            }
             progress(1);
             let taken = step.taken(case, &usual);
             let Step { title, key, .. } = step;
@@ -438,7 +433,7 @@ mod tests {
     #[test]
     fn months_per_cost_go_before_effect() {
         let case = Case::parse("nominal", NOMINAL_CASE, &[]).unwrap();
-        let mut answer = RemediesAnswer::new(&case, None, &|| true, &|_| ()).unwrap();
+        let mut answer = RemediesAnswer::new(&case, None, &|_| ()).unwrap();
         let made_up = [
             ("a", -0.5, Some(12.0)),
             ("b", -0.4, Some(9.0)),

@@ -67,14 +67,13 @@ pub struct StabilityBranch {
 
 impl StabilityMap {
     /// The loop of a case at the speeds of its map and at some frictions, each with the mean state of its own;
-    /// `progress` is told of each friction. When it is no longer `wanted` the rest of the points is not known.
+    /// `progress` is told of each friction.
     ///
     /// # Errors
     /// [`AnswerError::Argument`] for fewer than two frictions; [`AnswerError::Case`] for one that the case refuses.
     pub fn new(
         case: &Case,
         friction: &[f64],
-        wanted: &(dyn Fn() -> bool + Sync),
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, AnswerError> {
         let mut friction = friction.to_vec();
@@ -93,14 +92,13 @@ impl StabilityMap {
             .collect();
         let rows = friction.par_iter().map(|&friction| {
             let edit = || case.edit(|keys| keys.contact.friction = Quantity::new(friction));
-            let own = match wanted().then(edit).transpose() {
+            let own = match edit() {
                 Err(wrong @ CaseError::Changed { .. }) => return Err(wrong.into()),
                 // A mean state that is not found, as in a curve that is too tight for so little friction.
-                none => none.ok().flatten(),
+                own => own.ok(),
             };
             let of = |&speed: &f64| {
-                let own = own.as_ref().filter(|_| wanted());
-                let found = own.and_then(|own| own.stability(speed));
+                let found = own.as_ref().and_then(|own| own.stability(speed));
                 StabilityPoint::new(speed, friction, found)
             };
             let row: Vec<StabilityPoint> = speeds.par_iter().map(of).collect();
@@ -386,24 +384,7 @@ impl Answer for StabilityMap {
 
 #[cfg(test)]
 mod tests {
-    use std::sync::atomic::{AtomicUsize, Ordering};
-
     use super::*;
-
-    #[test]
-    fn when_it_is_no_longer_wanted_no_further_point_is_computed() {
-        let text = include_str!("../../../cases/curve.toml");
-        let case = Case::parse("curve", text, &[]).unwrap();
-        let asked = AtomicUsize::new(0);
-        let wanted = || asked.fetch_add(1, Ordering::Relaxed) < 40;
-        let friction = StabilityMap::frictions();
-        let map = StabilityMap::new(&case, &friction, &wanted, &|_| ()).unwrap();
-        let known = map.points.iter().filter(|it| it.unstable_roots.is_some());
-        // One that was wanted is asked about once for its friction, too.
-        let known = known.count();
-        assert!((1..40).contains(&known), "{known}");
-        assert_eq!(map.points.len(), friction.len() * SPEEDS);
-    }
 
     /// Two oscillations, 400 and 412 Hz, are one branch; 900 Hz is another and grows faster.
     #[test]

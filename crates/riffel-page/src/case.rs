@@ -3,7 +3,7 @@
 use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -26,7 +26,7 @@ impl crate::Question for Question {
         None
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let toml = self.case.toml()?;
         let keys = toml.parse().map_err(|error: toml::de::Error| {

@@ -8,7 +8,7 @@ use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::map::{Computed, Head};
-use crate::{CaseText, Fault, Note, Reply, Traffic, Wanted};
+use crate::{CaseText, Fault, Note, Reply, Traffic};
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;
@@ -105,7 +105,7 @@ impl crate::Question for Question {
         Some("comparison".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         at_most("maps", &self.variants, MOST_MAPS)?;
         let case = self.case.read()?;
         let traffic = self.traffic.as_ref().map(Traffic::read).transpose()?;
@@ -114,7 +114,7 @@ impl crate::Question for Question {
         let mut values = Vec::new();
         for variant in &self.variants {
             let own = variant.covering(&case)?;
-            let map = Computed::new(&own, &own.feedback, wavelength, speed, wanted)?;
+            let map = Computed::new(&own, &own.feedback, wavelength, speed)?;
             variants.push(Compared {
                 head: map.head,
                 under_traffic: UnderTraffic::of(&own, traffic.as_ref()),
@@ -191,7 +191,7 @@ impl crate::Question for CurvesQuestion {
         Some(subject.to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         at_most("curves", &self.curves, MOST_CURVES)?;
         let case = self.case.read()?;
         let mut curves = Vec::new();
@@ -206,9 +206,6 @@ impl crate::Question for CurvesQuestion {
                     name = &variant.name,
                     speed = *speed
                 )));
-            }
-            if !wanted() {
-                return Err(Fault::superseded());
             }
             let own = variant.covering(&case)?;
             curves.push(Growth::new(&own, case.wavelength, *speed)?);

@@ -5,7 +5,7 @@ use riffel_answers::rail_damage::RailDamage;
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply, Wanted};
+use crate::{Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -28,7 +28,7 @@ impl crate::Question for Question {
         Some("damage".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let (case, traffic) = self.line.read()?;
         let wave = [self.wavelength_m, self.speed_m_per_s];
         let damage = RailDamage::new(&case, traffic.as_ref(), wave)?;

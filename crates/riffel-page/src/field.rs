@@ -5,7 +5,7 @@ use riffel_keys::{Message, fixed, say};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::{Fault, Note, Reply, Wanted};
+use crate::{Fault, Note, Reply};
 
 /// What `riffel validate --field --json` printed when the outcomes had been written down.
 const KEPT: &str = include_str!("../field-prediction.json");
@@ -99,7 +99,7 @@ impl crate::Question for Question {
         None
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let kept: Prediction = serde_json::from_str(KEPT)
             .map_err(|_| Fault::defect(say!(the_computation_broke_off)))?;
         let samples = kept.cases.iter().map(|site| site.samples).min();

@@ -6,7 +6,7 @@ use riffel_plot::{LinePanel, LineStyle, MapPanel, Scale};
 use serde::Deserialize;
 use serde_json::{Value, json};
 
-use crate::{Fault, Reply, Wanted};
+use crate::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -30,7 +30,7 @@ impl crate::Question for Question {
         Some(format!("figure {}", self.number))
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let number = self.number;
         let (_, make) = FIGURES
             .into_iter()

@@ -7,7 +7,7 @@
 //! use riffel_page::read;
 //!
 //! let question = read("/api/figure", br#"{ "number": 2, "contact": "quasi-static" }"#).unwrap()?;
-//! let answer = question.answer(&|| true)?;
+//! let answer = question.answer()?;
 //! assert!(answer.bytes.starts_with(b"{\"title\""));
 //! # Ok::<(), riffel_page::Fault>(())
 //! ```
@@ -49,19 +49,16 @@ pub const RELEASE: &str = concat!("answers of riffel ", env!("CARGO_PKG_VERSION"
 /// How [`RELEASE`] begins.
 pub const RELEASE_BEGINS: &str = "answers of riffel ";
 
-/// Whether somebody still waits for the answer; work asks now and then, from any thread, and stops if not.
-pub type Wanted<'a> = &'a (dyn Fn() -> bool + Sync);
-
 /// A question that was understood.
 pub trait Question {
     /// What the answer is for: of the questions of one page for the same, only the newest is wanted.
     fn subject(&self) -> Option<String>;
 
-    /// The answer. One that is no longer wanted is worth nothing.
+    /// The answer; [`riffel::wanted::run_while`] breaks it off.
     ///
     /// # Errors
     /// A [`Fault`] of the case or of the question.
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault>;
+    fn answer(&self) -> Result<Reply, Fault>;
 }
 
 /// Reads a question.

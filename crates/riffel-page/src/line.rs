@@ -4,7 +4,7 @@ use riffel_answers::{Cause, LineGrowth};
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply, Wanted};
+use crate::{Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question(OnLine);
@@ -44,7 +44,7 @@ impl crate::Question for Question {
         Some("line".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let (case, traffic) = self.0.read()?;
         let growth = LineGrowth::new(&case, traffic.as_ref())?;
         Reply::json(&Answer {

@@ -9,7 +9,7 @@ use riffel_case::traffic::UsualTraffic;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -155,13 +155,8 @@ impl Computed {
         feedback: &Loop,
         wavelength: Axis,
         speed: Axis,
-        wanted: Wanted,
     ) -> Result<Self, Fault> {
-        let map = GrowthMap::compute_while(feedback, wavelength, speed, wanted, |_| ());
-        // The ridge takes as long again.
-        if !wanted() {
-            return Err(Fault::superseded());
-        }
+        let map = GrowthMap::compute(feedback, wavelength, speed, |_| ());
         let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
         let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
@@ -260,10 +255,10 @@ impl crate::Question for Question {
         Some("map".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let (wavelength, speed) = (case.wavelength, case.speed);
-        let map = Computed::new(&case, &case.feedback, wavelength, speed, wanted)?;
+        let map = Computed::new(&case, &case.feedback, wavelength, speed)?;
         Reply::framed(&map.head, &map.values)
     }
 }

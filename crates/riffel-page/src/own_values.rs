@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use riffel_case::OwnValue;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply, Wanted};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -17,7 +17,7 @@ impl crate::Question for Question {
         Some("own-values".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let own = self.case.read()?.own_values().into_iter();
         let own = own.map(|OwnValue { key, without }| (key, without));
         Reply::json(&own.collect::<BTreeMap<String, toml::Value>>())

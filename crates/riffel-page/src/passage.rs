@@ -5,7 +5,7 @@ use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
 use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply};
 
 /// Amplitudes of the wave \[m\].
 const AMPLITUDES: [f64; 2] = [1e-8, 2e-3];
@@ -40,7 +40,7 @@ impl crate::Question for Question {
         Some("passage".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let [least, most] = AMPLITUDES;
         let (wavelength, speed, amplitude) =
             (self.wavelength_m, self.speed_m_per_s, self.amplitude_m);
@@ -54,18 +54,12 @@ impl crate::Question for Question {
         }
         let case = self.case.read()?;
         let state = case.point(wavelength, speed)?;
-        if !wanted() {
-            return Err(Fault::superseded());
-        }
         let profile = Sinusoid {
             wavelength,
             amplitude,
         };
         let request = SinusoidRequest::new(speed, profile, None)?;
-        let answer = SinusoidAnswer::new_while(&case, request, wanted);
-        if !wanted() {
-            return Err(Fault::superseded());
-        }
+        let answer = SinusoidAnswer::new(&case, request);
         let answer = answer?;
         let course = answer.course();
         // Oscillations are those of the amplitude of the case, with the profile real at x = 0.

@@ -8,7 +8,7 @@ use riffel_keys::say;
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Growth;
-use crate::{CaseText, Fault, Note, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply};
 
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
@@ -108,7 +108,7 @@ impl crate::Question for Question {
         Some("point".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let (shortest, longest) = (case.wavelength.min(), case.wavelength.max());
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
@@ -122,9 +122,6 @@ impl crate::Question for Question {
         let speed = within("map.speed", "speed", self.speed_m_per_s, slowest, fastest)?;
         let state = case.point(wavelength, speed)?;
         let spectrum = Spectrum::new(&case, speed);
-        if !wanted() {
-            return Err(Fault::superseded());
-        }
         let usual = || UsualTraffic::of(&case).passages_per_day;
         let daily = self.passages_per_day.unwrap_or_else(usual);
         let reported = reported_growth(wavelength, state.growth_rate, daily);

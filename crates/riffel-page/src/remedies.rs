@@ -6,7 +6,7 @@ use riffel_answers::remedies::{RemediesAnswer, Remedy};
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply, Wanted};
+use crate::{Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -46,12 +46,9 @@ impl crate::Question for Question {
         Some("remedies".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let (case, traffic) = self.line.read()?;
-        let answer = RemediesAnswer::new(&case, traffic.as_ref(), wanted, &|_| ())?;
-        if !wanted() {
-            return Err(Fault::superseded());
-        }
+        let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
         let answer = answer.with_costs(&self.costs)?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: Note::from(&remedy.title),

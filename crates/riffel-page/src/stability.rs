@@ -4,7 +4,7 @@ use riffel_answers::Answer as _;
 use riffel_answers::stability_map::StabilityMap;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply, Wanted};
+use crate::{CaseText, Fault, Note, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -24,9 +24,9 @@ impl crate::Question for Question {
         Some("stability".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
-        let map = StabilityMap::new(&case, &StabilityMap::frictions(), wanted, &|_| ())?;
+        let map = StabilityMap::new(&case, &StabilityMap::frictions(), &|_| ())?;
         Reply::json(&Answer {
             sentences: Note::all(&map.sentences()),
             notes: Note::all(&map.remarks),

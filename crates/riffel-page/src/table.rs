@@ -4,7 +4,7 @@ use riffel::GrowthMap;
 use riffel_answers::map::map_csv;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply, Wanted};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -16,10 +16,10 @@ impl crate::Question for Question {
         Some("table".to_owned())
     }
 
-    fn answer(&self, wanted: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         let case = self.case.read()?;
         let (wavelength, speed) = (case.wavelength, case.speed);
-        let map = GrowthMap::compute_while(&case.feedback, wavelength, speed, wanted, |_| ());
+        let map = GrowthMap::compute(&case.feedback, wavelength, speed, |_| ());
         let mut bytes = Vec::new();
         map_csv(&map, &mut bytes, |_| ())
             .map_err(|error| Fault::bad(format!("the table cannot be written: {error}")))?;

@@ -3,7 +3,7 @@
 use riffel_answers::wheelset_motions::WheelsetMotions;
 use serde::Deserialize;
 
-use crate::{CaseText, Fault, Reply, Wanted};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -15,7 +15,7 @@ impl crate::Question for Question {
         Some("wheelset".to_owned())
     }
 
-    fn answer(&self, _: Wanted) -> Result<Reply, Fault> {
+    fn answer(&self) -> Result<Reply, Fault> {
         Reply::json(&WheelsetMotions::new(&self.case.read()?)?)
     }
 }

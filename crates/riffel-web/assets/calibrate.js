@@ -204,12 +204,13 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
     likelihood: (remedies) => (isOfCase() && decision.isOffered ? decision.likelihood(remedies) : null),
     /** The plan that is open: its data, what is changed of its priors, and its draws; null without data. */
     get plan() {
-      return data.kept.length ? { data: data.kept, priors: priors.changes, draws: Number(draws.value) } : null;
+      return data.kept.length ? { data: data.kept, priors: priors.changes, draws: Number(draws.value), costs: decision.costsGiven } : null;
     },
     /** The plan of a project, in the place of that which is open. */
-    bringBack({ data: files, priors: changes, draws: count }) {
+    bringBack({ data: files, priors: changes, draws: count, costs }) {
       priors.take(changes);
       takeDraws(count);
+      decision.take(costs);
       examples = null;
       source.hidden = true;
       return data.replace(files);

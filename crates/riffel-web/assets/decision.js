@@ -30,7 +30,7 @@ function inTables(changes) {
 export class Decision {
   /** `spoken` puts a sentence of the program into words of the page. */
   constructor({ state, traffic, complain, save, spoken }) {
-    Object.assign(this, { state, traffic, complain, spoken, answer: null, remedies: [], measurements: [] });
+    Object.assign(this, { state, traffic, complain, spoken, answer: null, remedies: [], measurements: [], taken: {} });
     this.currency = element('input', { type: 'text', value: 'EUR', size: 4, maxLength: 8, id: 'currency' });
     this.currency.addEventListener('change', () => this.#rows());
     this.costs = new Map(COSTS.map(([name, , value]) => [name, this.#field(name, value, `cost_${name}`)]));
@@ -70,7 +70,7 @@ export class Decision {
     this.rank.disabled = true;
     try {
       const { remedies } = await json(await askOnce('/api/remedies', { case: { keys: this.state.accepted }, traffic: this.traffic.given && this.traffic.question }));
-      this.remedies = remedies.map(({ name, changes }) => ({ name, changes }));
+      this.remedies = remedies.map(({ id, name, changes }) => ({ id, name, changes }));
     } catch (fault) {
       if (!(fault instanceof Fault)) throw fault;
       this.complain(fault, { what: `${t('what_to_do')}: ` });
@@ -84,16 +84,27 @@ export class Decision {
     this.rank.disabled = false;
   }
 
+  /** What was written into the fields, by their ids. */
+  get costsGiven() {
+    return { ...this.taken, ...Object.fromEntries([...this.asked.querySelectorAll('input')].map(({ id, value }) => [id, value])) };
+  }
+
+  /** Costs of a project, for the fields that there are and those that come with remedies. */
+  take(costs) {
+    this.taken = costs;
+    for (const input of this.asked.querySelectorAll('input')) input.value = costs[input.id] ?? input.value;
+  }
+
   /** A row for each remedy and for each kind of data that may be measured once more. */
   #rows() {
     const { value: currency } = this.currency;
-    const keep = new Map([...this.actions.querySelectorAll('input')].map(({ id, value }) => [id, value]));
+    const keep = new Map(Object.entries(this.costsGiven));
     const cell = (id, word, unit, label, value = '') => {
       const input = element('input', { type: 'text', inputMode: 'decimal', id, className: 'figure', size: 7, autocomplete: 'off', value: keep.get(id) ?? value, ariaLabel: `${label}: ${t(word)}` });
       return element('td', {}, element('label', { className: 'choice' }, input, element('span', { className: 'unit', textContent: unit || currency })));
     };
     const head = (first, ...words) => element('tr', {}, ...[first, ...words].map((word) => worded('th', word, { scope: 'col' })));
-    const rows = this.remedies.map(({ name, changes }, k) => row(told(name), OF_ACTION.map(([key, unit]) => cell(`action-${k}-${key}`, `action_${key}`, unit, told(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
+    const rows = this.remedies.map(({ id, name, changes }) => row(told(name), OF_ACTION.map(([key, unit]) => cell(`action-${id}-${key}`, `action_${key}`, unit, told(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
     const more = this.measurements.map(({ name, kind }, k) => row(`${t(kind)} (${name})`, [cell(`price-${k}`, 'price', '', name, kind === 'dated-levels' ? this.price : '')]));
     this.actions.replaceChildren(element('tbody', {}, head('remedy', ...OF_ACTION.map(([key]) => `action_${key}`)), ...rows, head('measure_once_more', 'price'), ...more));
     translate(this.asked);
@@ -104,8 +115,8 @@ export class Decision {
     const currency = this.currency.value.trim();
     const of = (id, unit) => amount(document.getElementById(id), unit || currency);
     const cost = Object.fromEntries(COSTS.map(([name, unit]) => [name, amount(this.costs.get(name), unit || currency)]).filter(([, value]) => value));
-    const action = this.remedies.map(({ name, changes }, k) => {
-      const written = Object.fromEntries(OF_ACTION.map(([key, unit]) => [key, of(`action-${k}-${key}`, unit)]).filter(([, value]) => value));
+    const action = this.remedies.map(({ id, name, changes }) => {
+      const written = Object.fromEntries(OF_ACTION.map(([key, unit]) => [key, of(`action-${id}-${key}`, unit)]).filter(([, value]) => value));
       return Object.keys(written).length ? { name, title: told(name), changes: inTables(changes), ...written } : null;
     }).filter(Boolean);
     const every = amount(this.every, 'months');

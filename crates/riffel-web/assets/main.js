@@ -597,7 +597,7 @@ startStability(shared);
 startDamage(shared);
 startPaper(shared);
 startField(shared);
-startTakeAway({ ...shared, measure, calibrate });
+startTakeAway({ ...shared, measure, calibrate, remedies: outlook.remedies });
 startPrinting({ applyTheme, redraw });
 for (const [id, figure] of [
   ['map', () => ({ name: 'map', map: view })], ['phasors', () => ({ name: 'loop', drawing: $('phasors'), table: $('amplitudes').parentElement })],

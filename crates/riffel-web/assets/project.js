@@ -1,7 +1,8 @@
 // A project in one file: the case with its variants and traffic, the measured rail with its earlier records, columns and what lies along the line, and the plan of
-// a calibration.
+// a calibration, with what grinding and remedies cost.
 
 import { Fault, askOnce } from './server.js';
+import { readCosts } from './remedies.js';
 import { readTraffic } from './traffic.js';
 import { readVariants } from './variants.js';
 import { caseTitle, t } from './words.js';
@@ -30,8 +31,8 @@ async function unpacked({ name, gzip_base64: letters }) {
 }
 
 /** What a project, or a link, holds in words. */
-export function inWords({ case: keys, variants, traffic, record, plan }) {
-  return t('project_holds', { title: caseTitle(keys), variants: variants.length, traffic: Boolean(traffic), record: record?.name ?? record?.file.name, earlier: record?.earlier?.files.length ?? 0, tables: plan?.data.length ?? 0 });
+export function inWords({ case: keys, variants, traffic, costs, record, plan }) {
+  return t('project_holds', { costs: Object.keys(costs ?? {}).length > 0, title: caseTitle(keys), variants: variants.length, traffic: Boolean(traffic), record: record?.name ?? record?.file.name, earlier: record?.earlier?.files.length ?? 0, tables: plan?.data.length ?? 0 });
 }
 
 const all = (files) => Promise.all(files.map(async (one) => ({ ...(await packed(one)), ...(one.date !== undefined && { date: one.date }) })));
@@ -72,9 +73,9 @@ export async function read(file) {
   if (!(project.version <= VERSION)) throw t('project_later', { name: file.name, version: project.version, own: VERSION });
   const { case: keys, record, plan } = project;
   if (!isTable(keys)) throw t('project_broken', file.name);
-  const given = { case: keys, variants: readVariants(project), traffic: readTraffic(project.traffic) };
+  const given = { case: keys, variants: readVariants(project), traffic: readTraffic(project.traffic), costs: readCosts(project.costs) };
   try {
-    if (plan) given.plan = { data: await Promise.all(plan.data.map(unpacked)), priors: isTable(plan.priors) ? plan.priors : {}, draws: plan.draws };
+    if (plan) given.plan = { data: await Promise.all(plan.data.map(unpacked)), priors: isTable(plan.priors) ? plan.priors : {}, draws: plan.draws, costs: isTable(plan.costs) ? plan.costs : {} };
     if (!record) return given;
     const files = await Promise.all((record.earlier ?? []).map(async (one) => ({ file: await unpacked(one), date: String(one.date ?? '') })));
     const earlier = files.length ? { date: String(record.date ?? ''), files } : null;

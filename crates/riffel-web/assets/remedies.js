@@ -12,6 +12,9 @@ const KEPT = 'riffel-costs';
 /** Least and most that a remedy may cost. */
 const [LEAST, MOST] = [0.01, 1e9];
 
+/** The costs of a project, by the ids of remedies; what is no cost is left out. */
+export const readCosts = (costs) => Object.fromEntries(Object.entries(costs ?? {}).filter(([, cost]) => cost >= LEAST && cost <= MOST));
+
 export class Remedies {
   /**
    * `onKeep` takes the name and the keys of a variant, `onTraffic` leads to the speeds of the traffic, `onCosts` is told that costs are others; `likelihood`
@@ -43,6 +46,13 @@ export class Remedies {
     this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(told(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
     for (const [id, field] of this.fields) field.show(this.costs[id] ?? null);
+  }
+
+  /** The costs of a project in the place of those that are written. */
+  take(costs) {
+    this.costs = costs;
+    remember(KEPT, costs);
+    this.onCosts();
   }
 
   /** Ask how likely each helps, where a calibration of the case can tell. */

@@ -12,18 +12,19 @@ export function save(blob, name) {
 
 const fileName = (state) => (state.keys.title ?? 'case').toLowerCase().replace(/[^a-z0-9]+/g, '-').replace(/^-|-$/g, '') || 'case';
 
-export function startTakeAway({ state, traffic, banner, complain, replace, measure, calibrate }) {
+export function startTakeAway({ state, traffic, banner, complain, replace, measure, calibrate, remedies }) {
   const menu = document.getElementById('take-away');
   const open = () => ({ case: state.keys, variants: state.variants, traffic: traffic.given });
   const actions = {
     link: async (button) => {
       await navigator.clipboard.writeText(location.href);
-      banner.notice([t('link_holds', inWords(open())), measure.record && t('link_without_record', measure.record.file.name)].filter(Boolean).join(' '));
+      const left = t('link_leaves', { record: measure.record?.file.name, plan: Boolean(calibrate.plan), costs: Object.keys(remedies.costs).length > 0 });
+      banner.notice([t('link_holds', inWords(open())), left && t('link_without', left)].filter(Boolean).join(' '));
       button.textContent = t('copied');
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },
     project: async () => {
-      const { text, holds, left } = await written({ ...open(), record: measure.record, plan: calibrate.plan });
+      const { text, holds, left } = await written({ ...open(), costs: remedies.costs, record: measure.record, plan: calibrate.plan });
       save(new Blob([text], { type: 'application/json' }), `${fileName(state)}${PROJECT}`);
       banner.notice([t('project_saved', holds), left && t('project_without_record', left)].filter(Boolean).join(' '));
     },
@@ -76,6 +77,7 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
     // What the program refuses is not opened.
     await askOnce('/api/case', { case: { keys: project.case } });
     replace({ ...project, point: null, tab: state.view }, t('project_opened', { name: file.name, holds: inWords(project) }));
+    remedies.take(project.costs);
     if (project.record) measure.bringBack(project.record);
     if (project.plan) await calibrate.bringBack(project.plan);
   }

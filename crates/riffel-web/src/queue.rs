@@ -7,6 +7,7 @@ use std::sync::atomic::{AtomicBool, AtomicU64, AtomicUsize, Ordering};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
+use riffel::wanted::run_while;
 use tokio::sync::Semaphore;
 
 use crate::fault::{Fault, Refusal};
@@ -148,9 +149,9 @@ impl Queue {
         let task = tokio::task::spawn_blocking(move || {
             // Given back when the work has really ended, not when its request is given up.
             let _worker = worker;
-            wanted.or_dropped(Ok(()))?;
-            let result = work(&wanted);
-            wanted.or_dropped(result)
+            let waits = wanted.clone();
+            let result = run_while(move || waits.still(), || work(&wanted));
+            wanted.or_dropped(result.unwrap_or_else(|| Err(Fault::superseded())))
         });
         task.await
             .unwrap_or_else(|_| Err(Fault::defect(say!(the_computation_broke_off))))

@@ -116,6 +116,7 @@ mod simultaneous_roots;
 mod square_root;
 pub mod tile;
 mod vector;
+pub mod wanted;
 mod wear;
 mod wear_regime;
 pub mod wheelset;

@@ -102,18 +102,6 @@ impl SinusoidAnswer {
     /// [`CaseError`] as of [`Case::in_time`] and for a point outside its physical range; [`riffel::Error`] where the motion
     /// does not settle.
     pub fn new(case: &Case, request: SinusoidRequest) -> Result<Self, AnswerError> {
-        Self::new_while(case, request, &|| true)
-    }
-
-    /// The same as long as it is `wanted`; what comes after that is worth nothing.
-    ///
-    /// # Errors
-    /// Those of [`new`](Self::new).
-    pub fn new_while(
-        case: &Case,
-        request: SinusoidRequest,
-        wanted: &dyn Fn() -> bool,
-    ) -> Result<Self, AnswerError> {
         let SinusoidRequest {
             speed,
             profile,
@@ -132,9 +120,7 @@ impl SinusoidAnswer {
         let one_wheel = even && case.feedback.is_along_one_axis();
         let (settled, others, energy_at_rail) = match (transient, one_wheel) {
             (false, _) => {
-                let mut all = model
-                    .settle_while(profile, steps, wanted)
-                    .map_err(of_sinusoid)?;
+                let mut all = model.settle(profile, steps).map_err(of_sinusoid)?;
                 (all.remove(0), all, None)
             }
             (true, true) => {

@@ -3,6 +3,7 @@
 mod all_axes;
 mod axlebox;
 mod branches;
+mod broken_off;
 mod cause;
 mod comparison;
 mod forecast;

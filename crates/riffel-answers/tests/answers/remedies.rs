@@ -1,7 +1,5 @@
 //! Remedies: each is what the same change of the case does, and the ranking follows.
 
-use std::sync::atomic::{AtomicUsize, Ordering};
-
 use riffel_answers::LineGrowth;
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
 use riffel_case::traffic::Traffic;
@@ -13,7 +11,7 @@ use crate::coarse;
 const TRAFFIC: &str = "line.passages_per_day = 4000\n[[vehicle]]\nname = \"v\"\nshare = 1\nspeed = { mean = 15, standard_deviation = 2 }\n";
 
 fn remedies(case: &Case, traffic: &Traffic) -> RemediesAnswer {
-    RemediesAnswer::new(case, Some(traffic), &|| true, &|_| ()).unwrap()
+    RemediesAnswer::new(case, Some(traffic), &|_| ()).unwrap()
 }
 
 fn rate(case: &Case, traffic: &Traffic) -> f64 {
@@ -131,7 +129,7 @@ fn what_a_case_has_no_key_for_is_left_out() {
     let answer = remedies(&calm, &traffic);
     assert!(answer.remedies.is_empty() && answer.helps_most().is_none());
     let curve = coarse(METRO_CURVE_CASE, &["contact.creep_law=polach"]);
-    let curve = RemediesAnswer::new(&curve, None, &|| true, &|_| ()).unwrap();
+    let curve = RemediesAnswer::new(&curve, None, &|_| ()).unwrap();
     assert_eq!(of(&curve, "contact.friction", 0.25).changes.len(), 1);
 }
 
@@ -151,17 +149,4 @@ fn times_stand_in_one_unit() {
             "{before}: {others:?}"
         );
     }
-}
-
-/// Nobody waits any more after the second: the others are not computed.
-#[test]
-fn what_is_no_longer_wanted_is_not_computed() {
-    let case = Case::parse("nominal", NOMINAL_CASE, &[]).unwrap();
-    let (asked, computed) = (AtomicUsize::new(0), AtomicUsize::new(0));
-    let wanted = || asked.fetch_add(1, Ordering::Relaxed) < 2;
-    let count = |by| {
-        computed.fetch_add(by, Ordering::Relaxed);
-    };
-    RemediesAnswer::new(&case, None, &wanted, &count).unwrap();
-    assert_eq!(computed.into_inner(), 2);
 }

@@ -12,9 +12,7 @@ pub(super) fn run(arguments: &Compare) -> miette::Result<()> {
     let traffic = arguments.traffic.as_deref().map(Traffic::read);
     let traffic = traffic.transpose()?;
     let progress = Progress::new("growth with remedies", RemediesAnswer::steps(&case));
-    let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|| true, &|by| {
-        progress.advance(by)
-    })?;
+    let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|by| progress.advance(by))?;
     drop(progress);
     let results = Results::of("remedies", &arguments.case, &arguments.results);
     Ok(results.answer(&answer)?)

@@ -13,7 +13,7 @@ pub(crate) fn run(arguments: &Stability) -> miette::Result<()> {
         false => arguments.friction.iter().map(|value| value.si()).collect(),
     };
     let answer = with_progress("stability", friction.len(), |advance| {
-        StabilityMap::new(&case, &friction, &|| true, advance)
+        StabilityMap::new(&case, &friction, advance)
     })?;
     Results::of("stability", &arguments.case, &arguments.results).answer(&answer)?;
     Ok(())

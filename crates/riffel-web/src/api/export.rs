@@ -47,15 +47,9 @@ pub(crate) async fn post(
 ) -> Result<impl IntoResponse, Refusal> {
     let bytes = page
         .queue
-        .run(asker.subject(kind.content_type()), move |wanted| {
+        .run(asker.subject(kind.content_type()), move |_| {
             let case = question.case.read()?;
-            let map = GrowthMap::compute_while(
-                &case.feedback,
-                case.wavelength,
-                case.speed,
-                || wanted.still(),
-                |_| (),
-            );
+            let map = GrowthMap::compute(&case.feedback, case.wavelength, case.speed, |_| ());
             let ridge = ridge_of(&case, &case.feedback);
             let figure = map_figure(&case, &map, &ridge, Vec::new());
             let unable = |error| Fault::bad(format!("the figure cannot be drawn: {error}"));

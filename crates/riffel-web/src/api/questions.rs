@@ -29,7 +29,7 @@ pub(crate) async fn post(
     let answered = page.answered.clone();
     let reply = queue
         .run(subject, move |wanted| {
-            answered.keep(path, json, wanted, || question.answer(&|| wanted.still()))
+            answered.keep(path, json, wanted, || question.answer())
         })
         .await?;
     Ok(sent(&reply))

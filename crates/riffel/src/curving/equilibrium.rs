@@ -8,6 +8,7 @@ use super::state::ContinuationStep;
 use super::way;
 use super::{VehicleInCurve, VehicleState, WheelState};
 use crate::Error;
+use crate::wanted::check;
 
 /// Largest residual over the static load of a wheel that counts as equilibrium. Rounding leaves 1e-14 to 1e-12.
 const TOLERANCE: f64 = 1e-10;
@@ -171,6 +172,7 @@ impl VehicleInCurve {
         let (mut reached, mut unknowns, mut stride) = (0.0, found.unknowns, 0.25);
         let mut failure = None;
         for _ in 0..MOST_STEPS {
+            check();
             let target = f64::min(reached + stride, 1.0);
             match self.solve(target, unknowns.clone()) {
                 Ok(found) => {

@@ -1,5 +1,7 @@
 //! Newton's method on a small dense system, with halved steps.
 
+use crate::wanted::check;
+
 /// A system of equations of which evaluating a part is what costs.
 pub(super) trait Equations {
     /// What is evaluated at values of the unknowns.
@@ -52,6 +54,7 @@ pub(super) fn root<E: Equations>(
     let mut values = equations.residuals(&unknowns, &evaluated);
     let mut iterations = 0;
     while iterations < MOST_STEPS && square(&values) > 0.0 {
+        check();
         let Some(step) = newton_step(equations, &unknowns, &evaluated, &values, scales) else {
             break;
         };

@@ -1,5 +1,7 @@
 //! Pressures to which a rail may be loaded again and again.
 
+use crate::wanted::check;
+
 /// Which limit S, as p₀/k over the utilised friction f = |Q|/P, the demand is measured against.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ShakedownLimit {
@@ -25,6 +27,7 @@ pub enum ShakedownLimit {
 impl ShakedownLimit {
     /// S and its relative slope d ln S/df at a utilised friction.
     pub fn at(&self, friction: f64) -> [f64; 2] {
+        check();
         match *self {
             Self::Elastic {
                 ratio,

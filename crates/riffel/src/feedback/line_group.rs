@@ -9,6 +9,7 @@ use super::{Answers, Loop, System};
 use crate::Place;
 use crate::receptance::Structure;
 use crate::vector::lanes_of;
+use crate::wanted::check;
 
 /// As many wavelengths as a vector register holds, under one wheel at several places of the track: what depends on the wavelength
 /// or the frequency alone is done once for all places.
@@ -52,6 +53,7 @@ impl LineGroup {
 
     /// Growth rate per passage \[-\] and |P₁/Δ|² \[N²/m²\] of each wavelength at a speed \[m/s\], in the mean over the places.
     pub(crate) fn at(&mut self, speed: f64) -> impl Iterator<Item = [f64; 2]> + use<> {
+        check();
         let mut means = vec![[0.0; 2]; self.wavelengths.len()];
         for (feedback, system, weight) in &mut self.places {
             system.turn(feedback, &self.answers, speed);

@@ -22,6 +22,7 @@ use num_complex::Complex64;
 use crate::contact::MeanRolling;
 use crate::damage::Damage;
 use crate::receptance::Structure;
+use crate::wanted::check;
 use crate::wheelset::Motion;
 use crate::{Error, Rail};
 
@@ -243,6 +244,7 @@ impl Loop {
         if let Some(closed) = self.closed_form() {
             return closed.at(wavelength, speed);
         }
+        check();
         let mut system = System::new(self);
         let answers = system.answers(self, &[wavelength]);
         system.turn(self, &answers, speed);
@@ -402,6 +404,7 @@ impl Loop {
         move |wavelength, speed| match &closed {
             Some(closed) => closed.normalized_dissipation(wavelength, speed),
             None => {
+                check();
                 let mut system = System::new(self);
                 system.turn(self, &system.answers(self, &[wavelength]), speed);
                 system.equivalent(self, wavelength, speed, 0)

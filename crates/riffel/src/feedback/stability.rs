@@ -7,6 +7,7 @@ use num_complex::Complex64;
 use super::Loop;
 use super::system::System;
 use crate::Error;
+use crate::wanted::check;
 
 /// Largest turn of the phase \[rad\] in one step, small beside the half turn at which its sense would be lost.
 const LARGEST_TURN: f64 = 0.5;
@@ -69,6 +70,7 @@ impl Loop {
         // The phase of F from the lower frequency on.
         let mut course = vec![(from, 0.0)];
         for step in 1..=steps as usize {
+            check();
             let frequency = from * (to / from).powf(step as f64 / steps);
             let mut ahead = vec![(frequency, quotient(frequency))];
             while let Some(&next) = ahead.last() {

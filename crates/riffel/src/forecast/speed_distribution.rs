@@ -1,6 +1,7 @@
 //! How fast the vehicles of a kind run.
 
 use crate::Error;
+use crate::wanted::check;
 
 /// Standard deviations beyond which the tails of a normal distribution are cut off: 6e-5 of the whole.
 const TAIL: f64 = 4.0;
@@ -187,6 +188,10 @@ impl SpeedDistribution {
         &self,
         mut at: impl FnMut(f64) -> Vec<[f64; N]>,
     ) -> Means<N> {
+        let mut at = |speed| {
+            check();
+            at(speed)
+        };
         let (mean, deviation) = match &self.kind {
             Kind::Normal { mean, deviation } => (*mean, *deviation),
             Kind::Shares(speeds) => {

@@ -4,6 +4,7 @@ use num_complex::Complex64;
 use rayon::prelude::*;
 
 use super::{Axis, RowEvaluator};
+use crate::wanted::check;
 
 /// Largest step over the wavelength before any is halved: a resonance of 0.1 % of the critical damping, as of an axle, is then
 /// at most two and a half of its half-widths from a value, where it still shows with a third of its height.
@@ -62,7 +63,10 @@ impl FineRow {
     /// The row of a function over a window, which is asked from several threads.
     pub(super) fn of(window: Axis, value: impl Fn(f64) -> f64 + Sync) -> Self {
         let wavelengths = first_wavelengths(window);
-        let values = wavelengths.par_iter().map(|&wavelength| value(wavelength));
+        let values = wavelengths.par_iter().map(|&wavelength| {
+            check();
+            value(wavelength)
+        });
         Self {
             values: values.collect(),
             wavelengths,

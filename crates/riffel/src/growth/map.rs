@@ -6,6 +6,7 @@ use rayon::prelude::*;
 use super::{Axis, RowEvaluator};
 use crate::feedback::Loop;
 use crate::tile::TILE;
+use crate::wanted::check;
 
 /// Normalised dissipation Ŵ₁ over wavelength and speed, as in Figs. 4 and 5 of the paper.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,25 +31,13 @@ impl GrowthMap {
         speed: Axis,
         progress: impl Fn(usize) + Sync,
     ) -> Self {
-        Self::compute_while(feedback, wavelength, speed, || true, progress)
-    }
-
-    /// [`compute`](Self::compute) for as long as the result is `wanted`, which is asked before every tile,
-    /// from any thread. A map that is no longer wanted is filled up with zeros at once.
-    pub fn compute_while(
-        feedback: impl Into<Loop>,
-        wavelength: Axis,
-        speed: Axis,
-        wanted: impl Fn() -> bool + Sync,
-        progress: impl Fn(usize) + Sync,
-    ) -> Self {
         let feedback = feedback.into();
         let (wavelengths, speeds) = (wavelength.values(), speed.values());
         let growth_rate_per_dissipation = feedback.growth_rate_per_dissipation();
         Self {
             wavelength,
             speed,
-            tiles: Grid::new(&wavelengths, &speeds, &wanted, &progress).evaluated(feedback),
+            tiles: Grid::new(&wavelengths, &speeds, &|| true, &progress).evaluated(feedback),
             growth_rate_per_dissipation,
         }
     }
@@ -57,7 +46,8 @@ impl GrowthMap {
     /// speed as many whole tiles as hold the wavelengths, of which the last is filled up with values that mean
     /// nothing.
     ///
-    /// Method, `wanted`, `progress` and accuracy are those of [`compute_while`](Self::compute_while).
+    /// Method, `progress` and accuracy are those of [`compute`](Self::compute). `wanted` is asked before every tile, from any thread: a
+    /// map that is no longer wanted is filled up with zeros at once.
     ///
     /// # Panics
     ///
@@ -178,6 +168,7 @@ impl<'a> Grid<'a> {
 
     /// One tile; zeros once the map is no longer wanted.
     fn evaluate(&self, evaluator: &mut RowEvaluator, index: usize) -> [Complex64; TILE] {
+        check();
         let (row, tile) = (index / self.tiles_a_row, index % self.tiles_a_row);
         if !(self.wanted)() {
             return [Complex64::ZERO; TILE];

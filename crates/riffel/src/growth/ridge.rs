@@ -10,6 +10,7 @@ use super::fine_row::{FineRow, first_wavelengths};
 use super::{Axis, GrowthMap, RowEvaluator};
 use crate::feedback::Loop;
 use crate::golden_section::golden_section;
+use crate::wanted::check;
 
 /// Share of the growth of the strongest branch below which another is left out: it would take a hundred times as long.
 const WEAKEST: f64 = 0.01;
@@ -72,6 +73,7 @@ impl RidgeSearch {
 
     /// The row at a speed \[m/s\].
     pub fn row(&mut self, speed: f64) -> RidgeRow {
+        check();
         let surface = Surface::of(&self.feedback);
         let value = |wavelength| (surface.normalized)(wavelength, speed);
         let row = FineRow::evaluated(&mut self.evaluator, &self.first, speed, value);

@@ -8,6 +8,7 @@ use super::along_profile::faded;
 use super::felt::FeltWave;
 use super::{ContactInTime, ContactInstant, ImpulseResponse, PassageModel};
 use crate::Error;
+use crate::wanted::check;
 
 /// A profile Δ cos(2πx/λ), upward.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -124,19 +125,6 @@ impl PassageModel {
     /// [`Error::NotSettled`] where the motion does not take the period of the profile within 20 s of rolling, as of a loop that is unstable
     /// without a profile too, and [`Error::Airborne`] where a wheel is in the air for more than nine tenths of a wave.
     pub fn settle(&self, profile: Sinusoid, steps: usize) -> Result<Vec<Settled>, Error> {
-        self.settle_while(profile, steps, &|| true)
-    }
-
-    /// The same as long as it is `wanted`, which is asked before each wave; [`Error::NotSettled`] where it no longer is.
-    ///
-    /// # Errors
-    /// Those of [`settle`](Self::settle).
-    pub fn settle_while(
-        &self,
-        profile: Sinusoid,
-        steps: usize,
-        wanted: &dyn Fn() -> bool,
-    ) -> Result<Vec<Settled>, Error> {
         profile.check(steps)?;
         let felt = |contact: &ContactInTime| {
             let FeltWave(by_height) = self.felt_by(contact, profile.wavelength);
@@ -144,7 +132,7 @@ impl PassageModel {
         };
         let felt: Vec<FeltWave> = self.contacts.iter().map(felt).collect();
         if let Some(spacing) = self.structures.support_spacing() {
-            return self.settle_over_supports(profile, &felt, steps, spacing, wanted);
+            return self.settle_over_supports(profile, &felt, steps, spacing);
         }
         let wavelength = profile.wavelength;
         let mut march = self.march(wavelength / steps as f64)?;
@@ -154,7 +142,8 @@ impl PassageModel {
         let mut waves = vec![Vec::with_capacity(steps); self.contacts.len()];
         let mut before: Option<Vec<[Harmonic; 6]>> = None;
         let mut change = f64::INFINITY;
-        for number in (1..=patience).take_while(|_| wanted()) {
+        for number in 1..=patience {
+            check();
             waves.iter_mut().for_each(Vec::clear);
             for step in 1..=steps {
                 let share = step as f64 / steps as f64;
@@ -201,7 +190,6 @@ impl PassageModel {
         felt: &[FeltWave],
         steps: usize,
         spacing: f64,
-        wanted: &dyn Fn() -> bool,
     ) -> Result<Vec<Settled>, Error> {
         const WAVES: f64 = 8.0;
         let wavelength = profile.wavelength;
@@ -214,11 +202,8 @@ impl PassageModel {
         let mut contacts = vec![Vec::with_capacity(counted * steps); self.contacts.len()];
         let onset = 0.25 * (before * steps) as f64;
         for index in 1..=(before + counted) * steps {
-            if index % steps == 0 && !wanted() {
-                return Err(Error::NotSettled {
-                    seconds: 0.0,
-                    change: f64::INFINITY,
-                });
+            if index % steps == 0 {
+                check();
             }
             let grown = faded(index as f64 / onset);
             let angle = TAU * (index % steps) as f64 / steps as f64;

@@ -12,6 +12,7 @@ use riffel::passage::{ContactInTime, ImpulseResponse, PassageModel, Sinusoid, St
 use riffel::receptance::{
     Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, ShearSection, Support, Tabulated,
 };
+use riffel::wanted::run_while;
 use riffel::wheelset::{Motion, RigidInertia, RigidMass};
 use riffel::{
     Axis, Carter3d, Complex64, DissipationPhase, ElasticMaterial, EnergyWear, GrowthMap,
@@ -213,6 +214,6 @@ fn fit_and_march_of_a_wheel() {
 
     // What nobody waits for any more ends after a wave.
     law.asked.store(0, Ordering::Relaxed);
-    assert!(model.settle_while(wave, STEPS, &|| false).is_err());
+    assert!(run_while(|| false, || model.settle(wave, STEPS)).is_none());
     assert!(law.asked.load(Ordering::Relaxed) <= STEPS);
 }

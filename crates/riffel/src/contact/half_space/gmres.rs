@@ -1,6 +1,7 @@
 //! Linear equations of which only the product with a vector is known.
 
 use super::scalar::{Scalar, add_multiple, dot, norm};
+use crate::wanted::check;
 
 /// Solve A x = b by the generalised minimal residual method (Saad & Schultz 1986) without restart, from
 /// x = 0, until ‖b − Ax‖ ≤ `tolerance`·‖b‖; the share left if `most` products do not do.
@@ -22,6 +23,7 @@ pub(super) fn gmres<T: Scalar>(
     let mut rotations: Vec<(T, T)> = Vec::new();
     let mut rotated = vec![T::of(size)];
     for step in 0..most {
+        check();
         let mut direction = basis[step].clone();
         inverse(&mut direction);
         let mut next = product(&direction);

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::f64::consts::TAU;
 
 use super::StressTensor;
+use crate::wanted::check;
 
 /// Stress under the elements of a patch, lengths in the semi-axis a.
 ///
@@ -95,6 +96,7 @@ impl ElementStress {
                 (0..axes[1].2).flat_map(|row| (0..axes[0].2).map(move |column| [column, row]));
             points
                 .map(|point| {
+                    check();
                     let at = [0, 1].map(|axis| begin[axis] + point[axis] as isize - nearest[axis]);
                     let mut sum = [0.0; 6];
                     for (number, [along, across]) in &cells {

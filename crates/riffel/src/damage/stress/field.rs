@@ -3,6 +3,7 @@
 use rayon::prelude::*;
 
 use super::{EllipseStress, UnitStress};
+use crate::wanted::check;
 
 /// Stresses under the points of a grid, of which mirror images are evaluated once.
 pub(super) struct Field {
@@ -25,6 +26,7 @@ impl Field {
         let mut quarter = vec![UnitStress::default(); along.len() * across.len() * z.len()];
         let rows = quarter.par_chunks_mut(along.len()).enumerate();
         rows.for_each(|(index, row)| {
+            check();
             let (y, z) = (across[index % across.len()], z[index / across.len()]);
             for (unit, &x) in row.iter_mut().zip(along) {
                 *unit = ellipse.nearly_at([x, y, z]);

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::field::Field;
 use super::{ElementStress, EllipseStress, StressTensor, UnitStress};
 use crate::contact::{HalfSpace, HalfSpaceRolling};
+use crate::wanted::check;
 
 /// Shear of a contact on the rail: μp in full slip, or less of it where the surfaces stick.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,6 +109,7 @@ impl Traction {
         let mut stresses = vec![StressTensor::default(); x.len() * y.len() * z.len()];
         let rows = stresses.par_chunks_mut(x.len()).enumerate();
         rows.for_each(|(row, stresses)| {
+            check();
             let (plane, row) = (row / y.len(), row % y.len());
             for (stress, &x) in stresses.iter_mut().zip(x) {
                 let place = [x, y[row], z[plane]];

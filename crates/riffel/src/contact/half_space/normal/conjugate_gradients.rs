@@ -1,6 +1,7 @@
 //! Pressures and gaps that complement one another, by conjugate gradients.
 
 use super::boussinesq::Boussinesq;
+use crate::wanted::check;
 
 /// Largest overlap, and largest gap under pressure, relative to the largest displacement.
 pub(super) const TOLERANCE: f64 = 1e-9;
@@ -57,6 +58,7 @@ pub(super) fn solve(
     let mut last_square = f64::INFINITY;
     let mut residual = f64::NAN;
     for steps in 0..=most_steps {
+        check();
         let largest = displacements.iter().copied().fold(0.0, f64::max);
         let mut gaps: Vec<f64> = undeformed
             .iter()
