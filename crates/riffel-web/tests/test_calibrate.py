@@ -178,6 +178,27 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     page.complaints.clear()
 
 
+@pytest.mark.without_curves
+def test_a_file_that_is_removed_while_it_is_read_leaves_the_others(page):
+    opened(page)
+    page.page.set_input_files("#calibration-file", SETS / "c-all-together/axlebox.csv")
+    page.settle()
+    asked = []
+    page.page.on("request", lambda request: request.url.endswith("/api/calibration/plan") and asked.append(request))
+    release = hold(page, "**/api/calibration/plan")
+    # Another case may take what this one refused: the file is read anew.
+    page.set("contact.friction", "0.3")
+    page.until(lambda: asked)
+    with page.page.expect_response("**/api/calibration/remove"):
+        page.page.locator("#calibration-files button").click()
+    page.page.set_input_files("#calibration-file", SETS / "c-all-together/hammer.csv")
+    page.page.locator("#calibration-files li").wait_for()
+    release()
+    page.settle()
+    assert "receptance of the rail" in page.text("#calibration-files")
+    page.complaints.clear()
+
+
 def children(process):
     """Processes that a program has started and that still run."""
     listed = pathlib.Path(f"/proc/{process.pid}/task").glob("*/children")
