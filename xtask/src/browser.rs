@@ -16,6 +16,10 @@ const REQUIREMENTS: &str = "crates/riffel-web/tests/requirements.txt";
 /// Chromium without windows, its program and package.
 const WINDOWLESS: &str = "chromium-headless-shell";
 
+/// Two browsers, each with a server: a test waits half of its time. All of the tests run one by one, for some of them
+/// tell times.
+const SIDE_BY_SIDE: [&str; 2] = ["--numprocesses=2", "--dist=worksteal"];
+
 /// Names under which a Chromium with windows is found.
 const NAMES: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
@@ -59,7 +63,7 @@ pub(crate) fn test(browser: &Browser, thoroughness: Thoroughness) -> Outcome {
         .env("PYTHONDONTWRITEBYTECODE", "1");
     match thoroughness {
         Thoroughness::Once => {
-            tests.args(["-m", "not thorough"]);
+            tests.args(["-m", "not thorough"]).args(SIDE_BY_SIDE);
         }
         Thoroughness::All { module } => {
             tests.envs(module.map(|module| ("RIFFEL_WASM", module)));

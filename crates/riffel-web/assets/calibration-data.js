@@ -81,7 +81,8 @@ export class CalibrationData {
       if (plan) Object.assign(record, { kind: plan.data[0].kind, refused: null });
     } catch (fault) {
       if (!(fault instanceof Fault)) throw fault;
-      if (fault.status === 410) return this.#gone();
+      // One that was removed meanwhile is missed by nobody.
+      if (fault.status === 410) return this.files.includes(record) ? this.#gone() : undefined;
       Object.assign(record, { kind: null, refused: fault });
     }
     return this.show();

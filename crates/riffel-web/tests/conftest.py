@@ -80,10 +80,11 @@ def browser():
 class Page:
     """A page with what every test asks of it. Complaints of the browser fail the test.
 
-    Without curves nothing is drawn in place of them, which takes most of the time of a page.
+    Without curves nothing is drawn in place of them, which takes most of the time of a page. Without remedies the program
+    ranks none, which of a case with a wheelset takes most of its time.
     """
 
-    def __init__(self, browser, url, curves=True, visited=None, **context):
+    def __init__(self, browser, url, curves=True, remedies=True, visited=None, **context):
         self.context = browser.new_context(
             **{"viewport": {"width": 1440, "height": 900}, "locale": "en-GB", "accept_downloads": True, "reduced_motion": "reduce", **context}
         )
@@ -91,6 +92,9 @@ class Page:
         if not curves:
             script = {"content_type": "text/javascript", "body": "window.Plotly = { react: async () => {} };"}
             self.context.route("**/plotly.min.js", lambda route: route.fulfill(**script))
+        if not remedies:
+            nothing = {"remedies": [], "left_out": [], "notes": []}
+            self.context.route("**/api/remedies", lambda route: route.fulfill(json=nothing))
         if visited:
             kept = {"riffel-last": visited, "riffel-all-keys": "true"}
             self.context.add_init_script(f"for (const [name, value] of Object.entries({json.dumps(kept)})) localStorage.getItem(name) ?? localStorage.setItem(name, value)")
@@ -174,7 +178,7 @@ class Page:
 
 @pytest.fixture
 def page(browser, served, request):
-    page = Page(browser, served.url, curves=draws_curves(request), visited=served.visited)
+    page = Page(browser, served.url, visited=served.visited, **parts(request))
     yield page
     page.close()
 
@@ -182,9 +186,10 @@ def page(browser, served, request):
 @pytest.fixture
 def open_page(browser, served, request):
     """Pages with other settings, which the test closes itself; of somebody who was here before, if not told otherwise."""
-    settings = {"curves": draws_curves(request), "visited": served.visited}
+    settings = {"visited": served.visited, **parts(request)}
     return lambda path="", **context: Page(browser, served.url + path, **{**settings, **context})
 
 
-def draws_curves(request):
-    return request.node.get_closest_marker("without_curves") is None
+def parts(request):
+    """What a page has, but for what the markers of its test leave out."""
+    return {part: request.node.get_closest_marker(f"without_{part}") is None for part in ("curves", "remedies")}

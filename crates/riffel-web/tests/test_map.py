@@ -194,6 +194,7 @@ def test_the_headline_is_growth_under_the_traffic(page):
         assert "faster than any growth known" not in page.text(place)
 
 
+@pytest.mark.without_remedies
 def test_a_line_has_its_own_usual_traffic(open_page):
     page = open_page(visited=None)
     for line, speeds in [("metro", "40–70 km/h, 6000"), ("freight", "60–100 km/h, 3000"), ("tram", "20–50 km/h, 2400")]:
@@ -203,6 +204,7 @@ def test_a_line_has_its_own_usual_traffic(open_page):
     page.close()
 
 
+@pytest.mark.without_remedies
 def test_all_wheels_of_a_bogie_run_through_the_curve(open_page, tmp_path):
     page = open_page()
     tick = page.page.locator("#traffic-all-wheels")

@@ -7,6 +7,8 @@ import pytest
 from conftest import PROGRAM, ROOT
 from test_figures import given
 
+pytestmark = pytest.mark.without_remedies
+
 CURVES = """() => document.getElementById('wave').data.map(({ x, y, yaxis, name, line }) => ({ x, y, yaxis, dashed: line.dash === 'dash' }))"""
 
 

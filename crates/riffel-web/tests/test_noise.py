@@ -8,6 +8,8 @@ import pytest
 from conftest import PROGRAM, ROOT
 from test_page import profile
 
+pytestmark = pytest.mark.without_remedies
+
 CASE = ROOT / "cases/main-line.toml"
 # On this one the corrugation of the record grows.
 GROWING = ROOT / "cases/class-soft-slab.toml"

@@ -77,6 +77,7 @@ LINES = """() => {
 }"""
 
 
+@pytest.mark.without_remedies
 @pytest.mark.without_curves
 @pytest.mark.parametrize("locale", ["en-GB", pytest.param("de-DE", marks=pytest.mark.thorough)])
 def test_branches_have_lines_names_and_words(open_page, locale):
@@ -222,6 +223,7 @@ def test_a_case_file_fills_the_form(page):
     assert page.page.locator("#key-title").input_value() != "BR main line, tangent track"
 
 
+@pytest.mark.without_remedies
 @pytest.mark.without_curves
 def test_a_wheelset_is_shown_and_edited(open_page):
     page = open_page()
@@ -265,6 +267,7 @@ def test_a_wheelset_is_shown_and_edited(open_page):
     assert all("422" in complaint for complaint in page.complaints)
 
 
+@pytest.mark.without_remedies
 @pytest.mark.without_curves
 def test_a_preset_of_a_wheelset_takes_the_place_of_the_wheel(page):
     page.set("wheelset.preset", "metro-trailer")

@@ -8,7 +8,7 @@ import pytest
 from conftest import ROOT
 from test_along import two_rails
 
-pytestmark = pytest.mark.without_curves
+pytestmark = [pytest.mark.without_curves, pytest.mark.without_remedies]
 
 
 def test_a_project_holds_all_that_is_open_and_opens_again(open_page, tmp_path):

@@ -6,6 +6,8 @@ import tomllib
 import pytest
 from conftest import PROGRAM, ROOT
 
+pytestmark = pytest.mark.without_remedies
+
 
 def keys(page):
     return page.page.evaluate("() => window.riffel.state.keys")
