@@ -140,12 +140,16 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     is_for_a_program
 }
 
-/// An error as one line of JSON, with the German of its sentences, by their English, if that is wanted.
+/// An error as one line of JSON, with the German of its sentences and their pieces, by their English, if that is wanted.
 fn write_document(message: &Message, help: Option<&Message>) {
     let english = |message: &Message| in_a_message(&message.to_string()).into_owned();
     let mut error = json!({ "message": english(message), "help": help.map(english) });
     if has_translations() {
-        error["german"] = json!(translations(iter::once(message).chain(help)));
+        let known = translations(iter::once(message).chain(help));
+        error["german"] = json!(known.german);
+        if !known.message_pieces.is_empty() {
+            error["message_pieces"] = json!(known.message_pieces);
+        }
     }
     write_line(&json!({ "error": error }));
 }
