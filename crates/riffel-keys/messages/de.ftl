@@ -258,7 +258,7 @@ right = rechts
 ## Values of presets: how well they are known
 
 badge-measured = gemessen
-badge-typical = üblich
+badge-typical = typisch
 badge-assumed = angenommen
 
 ## Traffic
@@ -839,7 +839,7 @@ levels-after-grinding = Terzpegel unter { $traffic }; jetzt ist nach dem Schleif
 levels-under-traffic = Terzpegel unter { $traffic }; dann ist nach { $amount }
 growth-is-uncertain = Prognose und Was-wäre-wenn: Wachstumsraten sind proportional zu einem Verschleißbeiwert, der auf einen Faktor zwei und mehr unsicher ist, bis er an zwei datierte Messungen angepasst ist ({ KEY("--earlier") }, { KEY("--dates") })
 variant-head = Variante
-case-and-variants = der Fall und seine Varianten bei { $speeds }
+case-and-variants = der Fall und seine Varianten, { $speeds }
 limit-is = Grenze: { $edition }
 from-ground = ab { $ground }
 held-is = gehalten ist, was eine Änderung von Reibung oder Last lässt, wie es ist: die Zugkraft, die Kraftschlussausnutzung Q₀/μP₀ oder der Schlupf
@@ -1168,6 +1168,7 @@ ranks-are-uneven = { $value }: in { $runs } Simulationen liegt die Wahrheit nich
 file-cannot-be-read = { $what } { $path } ist nicht zu lesen: { $reason }
 not-valid-toml = kein gültiges TOML: { $message }
 place-and-fault = { $place }: { $fault }
+track-is-the-same-everywhere = das Gleis ist mit { KEY("track.model") } = "{ $model }" entlang der Schiene überall gleich; one-layer-periodic oder two-layer-periodic wählen
 line-and-fault = { $path }, Zeile { $line }: { $fault }
 no-such-preset = keine Vorgabe heißt "{ $name }"; am nächsten kommt "{ $nearest }"
 presets-are-listed = riffel presets zählt sie alle auf

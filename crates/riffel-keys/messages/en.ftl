@@ -847,7 +847,7 @@ levels-after-grinding = one-third-octave levels under { $traffic }; now is after
 levels-under-traffic = one-third-octave levels under { $traffic }; then is after { $amount }
 growth-is-uncertain = forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two and more until it is fitted to two dated records ({ KEY("--earlier") }, { KEY("--dates") })
 variant-head = variant
-case-and-variants = the case and its variants at { $speeds }
+case-and-variants = the case and its variants, { $speeds }
 limit-is = limit: { $edition }
 from-ground = from { $ground }
 held-is = held is what a change of friction or load leaves as it is: the traction force, the tractive ratio Q₀/μP₀ or the creepage
@@ -1176,6 +1176,7 @@ ranks-are-uneven = { $value }: in { $runs } simulations the truth does not lie a
 file-cannot-be-read = cannot read the { $what } { $path }: { $reason }
 not-valid-toml = not valid TOML: { $message }
 place-and-fault = { $place }: { $fault }
+track-is-the-same-everywhere = the track is the same everywhere along the rail with { KEY("track.model") } = "{ $model }"; choose one-layer-periodic or two-layer-periodic
 line-and-fault = { $path }, line { $line }: { $fault }
 no-such-preset = no preset is called "{ $name }"; the nearest is "{ $nearest }"
 presets-are-listed = riffel presets lists them all
