@@ -110,13 +110,18 @@ pub(super) fn pieces(message: &Message, language: Language, attribute: Option<&s
             }
         };
         // The quotation marks of code belong to the key.
-        let text = match pieces.last_mut() {
+        let text = match pieces.pop() {
             Some(Piece::Words(words)) if words.ends_with('`') && letters.peek() == Some(&'`') => {
-                words.pop();
                 letters.next();
+                if words.len() > 1 {
+                    push_words(&words[..words.len() - 1], &mut pieces);
+                }
                 format!("`{key}`")
             }
-            _ => key.clone(),
+            before => {
+                pieces.extend(before);
+                key.clone()
+            }
         };
         pieces.push(Piece::Key { text, key });
     }
