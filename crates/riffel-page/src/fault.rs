@@ -17,7 +17,7 @@ pub struct Fault {
     /// The sentence.
     message: Message,
     /// What would be right, or nothing.
-    help: Message,
+    help: Box<Message>,
     /// Line of the text that was sent, from 1.
     line: Option<u32>,
     /// The German of both and their pieces, where another process said them.
@@ -47,7 +47,7 @@ impl Serialize for Fault {
             #[serde(skip_serializing_if = "Option::is_none")]
             detail: Option<&'a str>,
         }
-        let own = || translations([&self.message, &self.help]);
+        let own = || translations([&self.message, &*self.help]);
         Document {
             key: self.key.as_deref(),
             message: self.message(),
@@ -99,7 +99,7 @@ impl Fault {
             retry_after_s: None,
             key: None,
             message: message.into(),
-            help: help.into(),
+            help: Box::new(help.into()),
             line: None,
             known: None,
             detail: None,
