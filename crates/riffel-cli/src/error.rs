@@ -4,6 +4,7 @@ use std::io;
 use std::path::PathBuf;
 
 use miette::Diagnostic;
+use riffel_keys::Message;
 use thiserror::Error;
 
 /// Bad input on the command line or a file that cannot be read or written.
@@ -74,11 +75,12 @@ pub(crate) enum CliError {
         message: String,
     },
 
-    #[error("--wavelength: {message}")]
-    Wavelength { message: String },
-
-    #[error("--position: {message}")]
-    Position { message: String },
+    #[error("{option}: {message}")]
+    Case {
+        /// The option that sets a key of the case.
+        option: &'static str,
+        message: Message,
+    },
 
     #[error("{input}: {error}")]
     Physics { input: String, error: riffel::Error },

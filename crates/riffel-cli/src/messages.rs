@@ -11,8 +11,10 @@ use miette::{Diagnostic, LabeledSpan, MietteHandlerOpts, Report, SourceCode};
 use riffel_answers::AnswerError;
 use riffel_keys::message::translations;
 use riffel_keys::text_file::in_a_message;
-use riffel_keys::{CaseError, Language, Message};
+use riffel_keys::{CaseError, Language, Message, say};
 use serde_json::{Value, json};
+
+use crate::error::CliError;
 
 /// How much is said.
 #[derive(Clone, Copy, PartialEq, Eq)]
@@ -140,12 +142,16 @@ pub(crate) fn tell_progress(done: u64, of: u64) -> bool {
     is_for_a_program
 }
 
-/// An error as one line of JSON, with the German of its sentences, by their English, if that is wanted.
+/// An error as one line of JSON, with the German of its sentences and their pieces, by their English, if that is wanted.
 fn write_document(message: &Message, help: Option<&Message>) {
     let english = |message: &Message| in_a_message(&message.to_string()).into_owned();
     let mut error = json!({ "message": english(message), "help": help.map(english) });
     if has_translations() {
-        error["german"] = json!(translations(iter::once(message).chain(help)));
+        let known = translations(iter::once(message).chain(help));
+        error["german"] = json!(known.german);
+        if !known.message_pieces.is_empty() {
+            error["message_pieces"] = json!(known.message_pieces);
+        }
     }
     write_line(&json!({ "error": error }));
 }
@@ -159,6 +165,10 @@ fn words_of(report: &Report) -> (Message, Option<Message>) {
     });
     if let Some(error) = case {
         return (error.message(), error.advice());
+    }
+    if let Some(CliError::Case { option, message }) = report.downcast_ref() {
+        let message = say!(place_and_fault, place = *option, fault = message);
+        return (message, None);
     }
     let message = answer.map_or_else(|| report.to_string().into(), AnswerError::message);
     (message, report.help().map(|help| help.to_string().into()))

@@ -1,7 +1,6 @@
 //! What is printed as the result, and how far the work is.
 
 use std::borrow::Cow;
-use std::collections::BTreeMap;
 use std::io::{self, Write};
 use std::time::Duration;
 
@@ -9,10 +8,11 @@ pub(crate) use comfy_table::Table;
 use comfy_table::{CellAlignment, ContentArrangement, TableStyle, presets};
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
+use serde_json::Value;
 
 use crate::error::CliError;
 use crate::messages::{has_translations, is_quiet, language};
-use riffel_keys::message::with_translations;
+use riffel_keys::message::{Translations, with_translations};
 use riffel_keys::text_file::printable;
 
 /// Print to standard output.
@@ -80,20 +80,22 @@ pub(crate) fn print_json(document: &impl Serialize) -> Result<(), CliError> {
     write(&json(document))
 }
 
-/// A JSON document, indented, with a final line feed; where that is wanted, with the German of its messages in a table
-/// `german`, by their English.
+/// A JSON document, indented, with a final line feed; where that is wanted, with the German of its messages and their pieces in
+/// tables beside it.
 pub(crate) fn json(document: &impl Serialize) -> String {
     // Only a map with keys that are not strings, or a failing `Serialize`, could be refused.
     let write = || serde_json::to_string_pretty(document).unwrap_or_default();
-    let (mut text, german) = match has_translations() {
+    let (mut text, known) = match has_translations() {
         true => with_translations(write),
-        false => (write(), BTreeMap::new()),
+        false => (write(), Translations::default()),
     };
-    if !german.is_empty()
-        && let Some(body) = text.strip_suffix("\n}")
+    if let Some(body) = text.strip_suffix("\n}")
+        && let Ok(Value::Object(tables)) = serde_json::to_value(known)
     {
-        let german = serde_json::to_string(&german).unwrap_or_default();
-        text = format!("{body},\n  \"german\": {german}\n}}");
+        let tables = tables
+            .iter()
+            .map(|(key, table)| format!(",\n  \"{key}\": {table}"));
+        text = format!("{body}{}\n}}", tables.collect::<String>());
     }
     // JSON writes out those below a blank alone; no other place than in a string has one.
     if let Cow::Owned(_) = printable(&text) {

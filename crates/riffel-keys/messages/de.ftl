@@ -18,11 +18,11 @@ preset-changes-nothing = { $key } = "{ $name }" ändert nichts: der Fall gibt al
 ## Measured receptances
 
 value-at-zero-left-out = der gemessene Wert bei 0 Hz bleibt weg
-set-conjugate = track.measurement.conjugate setzen
+set-conjugate = { KEY("track.measurement.conjugate") } setzen
 conjugate-it = konjugieren
 receptance-gives-energy = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst { $remedy })
-column-without-unit = Spalte `{ $column }` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst track.measurement.quantity und unit setzen)
-receptance-unlike-rail = die gemessene Rezeptanz liegt bei { $least } bis { $most } m/N, Schienen haben 1e-11 bis 1e-7 m/N: track.measurement.quantity und unit prüfen
+column-without-unit = Spalte `{ $column }` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst { KEY("track.measurement.quantity") } und unit setzen)
+receptance-unlike-rail = die gemessene Rezeptanz liegt bei { $least } bis { $most } m/N, Schienen haben 1e-11 bis 1e-7 m/N: { KEY("track.measurement.quantity") } und unit prüfen
 poor-coherence = die Kohärenz liegt bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz unter { $good }: dort gilt das Mittel der Linien im Umkreis von 1/24 Oktave, gewichtet mit γ²/(1 − γ²)
 response-at-other-node = gemessen ist die Antwort am Knoten { $response } auf eine Kraft am Knoten { $reference }: sie gilt als Rezeptanz am Kontakt
 
@@ -30,14 +30,14 @@ response-at-other-node = gemessen ist die Antwort am Knoten { $response } auf ei
 
 rail-without-support = die Schiene liegt nirgends auf: unter etwa { $free_beam_from_hz } Hz ({ $window }: ab { $lowest } Hz) ändern Zwischenlagen, Schwellen und Schotter ihre Rezeptanz
 rail-without-shear = die Schiene biegt sich ohne Schub: ihre Rezeptanz weicht bei { $euler_beam_up_to_hz } Hz um etwa 9° ab, bei 1500 Hz um 24° und 14 % ({ $window }: bis { $highest } Hz)
-pinned-pinned-without-shear = die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch und wird nicht genannt (rail.beam = "timoshenko" wählen)
+pinned-pinned-without-shear = die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch und wird nicht genannt ({ KEY("rail.beam") } = "timoshenko" wählen)
 supports-spread-evenly = die Stützpunkte sind gleichmäßig über die Schiene verteilt: die Pinned-pinned-Resonanz nahe { $pinned } Hz fehlt, und darunter weicht die Rezeptanz um 10 bis 50 % ab, auf sehr steifen Zwischenlagen um mehr ({ $window }: bis { $highest } Hz; ein Modell wählen, das auf -periodic endet)
 no-average-over-patch = der Kontakt ist quasistatisch und mittelt nicht über seine Fläche: unter { $shortest } mm ist das Wachstum zu hoch
-closed-form-of-ellipse = die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der Kontaktellipse weicht quer zur Schiene um { $percent } % ab (contact.hertz = "exact" wählen)
-falling-friction-at-one-speed = die fallende Reibung ist die beim Schlupf bei { $rolling }, contact.polach.speed, bei jeder Geschwindigkeit ({ $window })
+closed-form-of-ellipse = die Radien von Rad und Schiene sind sehr verschieden: die geschlossene Formel der Kontaktellipse weicht quer zur Schiene um { $percent } % ab ({ KEY("contact.hertz") } = "exact" wählen)
+falling-friction-at-one-speed = die fallende Reibung ist die beim Schlupf bei { $rolling }, { KEY("contact.polach.speed") }, bei jeder Geschwindigkeit ({ $window })
 wheel-and-rail-part = bei einer Amplitude von { $amplitude } µm erreicht |P₁/P₀| { $worst }: Rad und Schiene trennen sich; Kräfte sind bis { $limit } µm linear (Wachstumsraten gelten für kleine Amplituden und ändern sich nicht)
-wave-geometry-left-out = die Geometrie der Welle selbst ist nicht dabei (contact.wave_geometry): sie nähme etwa { $takes } je m von einem Wachstum von { $growth } je m, bei { $wavelength } mm und { $speed } km/h
-    .short = ohne die Geometrie der Welle selbst, die etwa { $takes } je m von { $growth } nähme (contact.wave_geometry)
+wave-geometry-left-out = die Geometrie der Welle selbst ist nicht dabei ({ KEY("contact.wave_geometry") }): sie nähme etwa { $takes } je m von einem Wachstum von { $growth } je m, bei { $wavelength } mm und { $speed } km/h
+    .short = ohne die Geometrie der Welle selbst, die etwa { $takes } je m von { $growth } nähme ({ KEY("contact.wave_geometry") })
 wave-shorter-than-patch = unter { $shortest } mm, drei halben Längen der Kontaktfläche, ist die Geometrie der Welle selbst nur grob geschätzt
 troughs-bridged = unter { $bridged } mm überbrückt das Rad die Täler von Wellen von { $amplitude } µm (Wachstumsraten gelten für kleine Amplituden)
     .short = unter { $bridged } mm überbrückt das Rad Täler von { $amplitude } µm
@@ -141,14 +141,14 @@ unstable-but-still = linear ist der Kreis instabil, doch nichts ist sichtbar gew
 stable-but-limit-cycle = linear ist der Kreis stabil, doch der Anstoß reicht für einen Grenzzyklus neben der Ruhelage
 support-passing-close-to-wave = auch die Überfahrt der Stützpunkte regt das Rad alle { $length } mm an, zu nahe an dieser Welle, um beide zu trennen: die Harmonischen enthalten beides
 airborne-run-ends = nach { $passages } Überrollungen ist das Rad mehr als die halbe Zeit in der Luft, und dort endet die Rechnung: wo es aufschlägt, fließt der Stahl
-wheels-slide-as-they-roll = die Räder gleiten so schnell, wie sie rollen: bei so viel Schlupf bleiben die Kraftschlusskräfte unter denen des mittleren Zustands, und sonst hält die Räder nichts; wheelset.suspension oder weniger Schlupf hilft
+wheels-slide-as-they-roll = die Räder gleiten so schnell, wie sie rollen: bei so viel Schlupf bleiben die Kraftschlusskräfte unter denen des mittleren Zustands, und sonst hält die Räder nichts; { KEY("wheelset.suspension") } oder weniger Schlupf hilft
 wheel-bridges-trough = ein Rad von diesem Halbmesser erreicht über { $largest } µm die Täler solcher Wellen nicht: es berührte an zwei Stellen, hier an einer
-edge-of-patch-not-resolved = die Last bewegt den Rand der Kontaktfläche um { $moves } Elemente: Harmonische der Schlupfkraft liegen bis zu einigen zehn Prozent daneben; eine größere Amplitude oder mehr als { $across } Elemente (contact.grid) nehmen, bis es { $resolved } sind
+edge-of-patch-not-resolved = die Last bewegt den Rand der Kontaktfläche um { $moves } Elemente: Harmonische der Schlupfkraft liegen bis zu einigen zehn Prozent daneben; eine größere Amplitude oder mehr als { $across } Elemente ({ KEY("contact.grid") }) nehmen, bis es { $resolved } sind
 
 ## Profiles
 
 flat-patch-beyond-range = die Schiene dreht sich über eine Kontaktfläche um { $degrees }°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; darüber gilt die konforme daneben
-rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet ist, bleiben { $millimetres } mm: sie ist dort verschlissen, oder geneigt (--inclination), oder eine andere Schiene
+rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet ist, bleiben { $millimetres } mm: sie ist dort verschlissen, oder geneigt ({ KEY("--inclination") }), oder eine andere Schiene
 
 ## Files of profiles
 
@@ -160,7 +160,7 @@ points-missing = der Kopf kündigt { $announced } Punkte an (XYPoints), es folge
 masked-points-left-out = { $masked } am Gerät ausgeblendete Punkte sind weggelassen
 outlying-points-left-out = { $name }: { $count } Punkte weit neben ihren Nachbarn sind weggelassen, der erste in Zeile { $line }
 scatter-of-curvature = { $name }: Streuung lässt ±{ $error } 1/m der Krümmung bei x = 0
-points-scatter = { $name }: die Punkte streuen um { $micrometres } µm, so dass die Krümmung einer Kurve durch sie um etwa { $curvature } 1/m daneben liegt; diese Streuung angeben (profiles.scatter, --scatter), um zu glätten
+points-scatter = { $name }: die Punkte streuen um { $micrometres } µm, so dass die Krümmung einer Kurve durch sie um etwa { $curvature } 1/m daneben liegt; diese Streuung angeben (profiles.scatter, { KEY("--scatter") }), um zu glätten
 
 ## Curves
 
@@ -170,7 +170,7 @@ yaw-takes-play = mit seinem Gierwinkel von { $yaw } mrad hat Radsatz { $number }
 
 ## The mean state from a curve
 
-creep-law-without-spin = contact.creep_law = "{ $name }" kennt keinen Bohrschlupf: die { $spin } 1/m des Bogens bleiben weg ({ $key })
+creep-law-without-spin = { KEY("contact.creep_law") } = "{ $name }" kennt keinen Bohrschlupf: die { $spin } 1/m des Bogens bleiben weg ({ $key })
 case-has-own-values = statt dessen, was der Bogen sagt, hat der Fall eigene Werte: { $instead }
 no-rigid-contact-at-angle = kein starrer Kontakt hat den Winkel des Gleichgewichts, { $degrees }°
 patches-join = die Kontaktfläche geht in die des nächsten Berührpunkts über
@@ -184,7 +184,7 @@ loop-unstable = der Kreis ist bei { $speed } km/h instabil: um { $frequency } Hz
 loop-unstable-growth = , wächst e-fach in { $time }
 stability-title = Schwingung ohne jedes Profil
 stability-caption = Durchgezogen: die Grenze; auf der Seite des Zeichens wächst eine Schwingung der genannten Frequenz von selbst (auf einen halben Schritt des Rasters genau). Gepunktet und gestrichelt: wie schnell, so viele Male in der Sekunde e-fach. Zeichen: wo sie am schnellsten wächst. Wo mehrere wachsen, steht die höchste Frequenz da.
-stability-of-one-axis = ein Rad, das sich nur senkt und dreht, schwingt nicht von selbst; ihm Schlupf oder Bewegung quer zur Schiene geben, wie contact.from oder [wheelset]
+stability-of-one-axis = ein Rad, das sich nur senkt und dreht, schwingt nicht von selbst; ihm Schlupf oder Bewegung quer zur Schiene geben, wie { KEY("contact.from") } oder [wheelset]
 stability-unknown = { $points } Punkte sind nicht zu erkennen: die Phase des Kreises springt dort, wie an einer Resonanz ohne Dämpfung; Radsatz, Schiene und Zwischenlagen einen Verlustfaktor geben
 no-mean-state = bei einer Reibung von { $friction } finden die Räder keinen mittleren Zustand; diese Punkte bleiben weg
 stable-everywhere = der Kreis ist von { $slowest } bis { $fastest } km/h bis zu einer Reibung von { $highest } stabil
@@ -196,7 +196,7 @@ least-friction = kleinste Reibung
 fastest-growth-in-time = schnellstes Wachstum 1/s
 at-speed-column = bei km/h
 at-friction-column = bei Reibung
-wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: contact.longitudinal_radius angeben
+wheel-flatter-than-radius = bei { $angle }° ist das Rad längs der Schiene { $flatter } mal so flach wie sein Rollradius, den die Ellipse nimmt: { KEY("contact.longitudinal_radius") } angeben
 track-moves-downward-only = dieses Gleis bewegt sich nur nach unten; längs und quer zur Schiene gilt es als starr
 
 ## Measured wheelsets
@@ -208,8 +208,8 @@ wheelset-not-measured-along = der Radsatz ist nicht gemessen in Richtung { $axes
 
 ## Cases
 
-creep-law-unlike-equilibrium = contact.creep_law = "{ $law }" macht |Q| = { $here } μP aus Schlüpfen, bei denen das Gleichgewicht im Bogen { $in_curve } hat
-creep-law-of-growth-only = contact.creep_law = "{ $law }" ist das des Wachstums: im Bogen rollt das Rad nach Shen, Hedrick und Elkins
+creep-law-unlike-equilibrium = { KEY("contact.creep_law") } = "{ $law }" macht |Q| = { $here } μP aus Schlüpfen, bei denen das Gleichgewicht im Bogen { $in_curve } hat
+creep-law-of-growth-only = { KEY("contact.creep_law") } = "{ $law }" ist das des Wachstums: im Bogen rollt das Rad nach Shen, Hedrick und Elkins
 modes-of-wheelset-end = die Eigenformen beschreiben den Radsatz bis etwa { $up_to } Hz, und das Fenster reicht bis { $highest } Hz: Eigenformen oder Zeilen `residual` ergänzen
 
 ## Curves, patches and files, with their parts
@@ -225,7 +225,7 @@ on-high-left = auf der äußeren, linken Schiene
 on-high-right = auf der äußeren, rechten Schiene
 mean-state-from-curve = mittlerer Zustand aus dem Bogen von { $radius } m bei { $speed } km/h: Radsatz { $wheelset } { $rail } schlüpft { $along } % längs, { $across } % quer, Bohrschlupf { $spin } 1/m, unter { $load } kN bei { $angle }°
 ellipse-in-place-of-patch = { $rail } nimmt der Kreis die Ellipse von Hertz und keine Kontaktfläche der Profile unter Last: { $reason }
-patch-under-load-against-hertz = ; die Profile unter Last auf der gekrümmten Schiene sind um { $stiffer } % steifer, { $longer } % so lang und { $wider } % so breit (contact.from.patch = "conformal" nimmt sie)
+patch-under-load-against-hertz = ; die Profile unter Last auf der gekrümmten Schiene sind um { $stiffer } % steifer, { $longer } % so lang und { $wider } % so breit ({ KEY("contact.from.patch") } = "conformal" nimmt sie)
 contact-is-conformal = die Halbachse quer ist { $semi_axis } mm, { $share } des Radius { $rail } dort, und die Theorie von Hertz gilt bis 0,2 bis 0,3: darüber ist der Kontakt konform{ $under_load }
 patch-of-profiles = { $rail } gilt die Kontaktfläche der Profile unter Last: { $stiffness } MN/m ({ $stiffer } % gegen Hertz), wie eine Ellipse mit den Halbachsen { $along } mm längs ({ $longer } %) und { $across } mm quer ({ $wider } %), bei { $angle }° ({ $turned }°)
 patch-of-profiles-alone = { $rail } gilt die Kontaktfläche der Profile unter Last: { $stiffness } MN/m, wie eine Ellipse mit den Halbachsen { $along } mm längs und { $across } mm quer, bei { $angle }° ({ $turned }°); Hertz hat dort keine
@@ -258,12 +258,12 @@ right = rechts
 ## Values of presets: how well they are known
 
 badge-measured = gemessen
-badge-typical = üblich
+badge-typical = typisch
 badge-assumed = angenommen
 
 ## Traffic
 
-growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und wear.coefficient prüfen
+growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") } prüfen
 
 ## Wem die schnellste Wellenlänge folgt
 
@@ -304,7 +304,7 @@ grinding-leaves-growth = Schleifen senkt den Pegel und lässt das Wachstum, wie 
 ground-as-it-is = so wie es ist, steigt das erste Band in { $time } um 6 dB über das, was Schleifen hinterlässt: so lang ist der Abstand des Schleifens bei einem Grenzwert in dieser Höhe
 steps-are-chosen = wie weit jede Maßnahme geht, ist gewählt; was ein Produkt bewirkt, steht in seinem Datenblatt
 speeds-are-wide = die Geschwindigkeiten streuen schon etwa so weit, wie es eine Normalverteilung kann
-treatment-keeps-force = auf behandelter Reibung ziehen und bremsen Züge mit derselben Kraft und mehr Schlupf; wo ein Bogen den Schlupf bestimmt, contact.creepage anstelle von contact.tractive_ratio angeben
+treatment-keeps-force = auf behandelter Reibung ziehen und bremsen Züge mit derselben Kraft und mehr Schlupf; wo ein Bogen den Schlupf bestimmt, { KEY("contact.creepage") } anstelle von { KEY("contact.tractive_ratio") } angeben
 
 ## Das Feld
 
@@ -357,7 +357,7 @@ modes-of-other-wheel = die Moden sind die eines Rades von { $of_modes } mm, das 
 far-away = in { $distance } m nehmen Boden und Luft, die hier fehlen, etwas davon weg: Pegel jenseits von { $far } m sind zu hoch
 smooth-wheels = die Räder gelten als glatt: sind sie rauer als die Schiene, steigen alle Pegel, und Schleifen spart weniger
 noise-before-and-after = vorher { $before } dB(A), jetzt { $after } dB(A): { $change } dB
-noise-on-mean-of-rails = auf dem energetischen Mittel der Schienen { $rails }, da Räder auf beiden laufen; eine davon allein gewählt gibt den Lärm eines Zugs auf Schienen wie dieser
+noise-on-mean-of-rails = auf dem energetischen Mittel der Schienen { $rails }, da Räder auf beiden laufen; eine davon allein gewählt ({ KEY("--rail") }) gibt den Lärm eines Zugs auf Schienen wie dieser
 noise-beyond-linear-range = außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀, Rad und Schiene trennen sich also, was die Kraft begrenzt; die Pegel sind die eines Kontakts, der hält
 rail-cut-short = die Schiene trägt mehr als ein Zehntel ihrer Schwingung weiter als 66 Schwellenfächer, wo ihre Länge endet: ihr Pegel ist zu niedrig bei { $frequencies } Hz
 bands-left-out = fehlt in jedem Pegel, mangels Rauheit, Abklingrate oder Rezeptanz dort: { $frequencies } Hz
@@ -418,8 +418,8 @@ defect-at = { $place } m ({ $height } µm)
 one-defect = Schiene { $rail } hat eine Schweißung, einen Stoß oder Squat: { $places }
 some-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places }
 many-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squats: { $places } und { $more } weitere
-defects-left-out = { $sentence }; aus den Spektren weggelassen (--keep-defects behält sie)
-defects-out-of-levels = { $sentence }; aus den Pegeln weggelassen (--keep-defects behält sie), nicht aber aus gleitendem Effektivwert und Schleifplan
+defects-left-out = { $sentence }; aus den Spektren weggelassen ({ KEY("--keep-defects") } behält sie)
+defects-out-of-levels = { $sentence }; aus den Pegeln weggelassen ({ KEY("--keep-defects") } behält sie), nicht aber aus gleitendem Effektivwert und Schleifplan
 defects-judged = { $sentence }; sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln
 
 grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
@@ -428,7 +428,7 @@ months-within = mit der Unsicherheit des Verschleißbeiwerts sind das { $early }
 rate-of-wheels-on-one-line = die Rate ist die von Rädern dieser Art allein, alle auf einer { $width } mm breiten Spur; die eines Verkehrs sagt `riffel forecast`
 rate-of-wheels-over-a-band = die Rate ist die von Rädern dieser Art allein, verteilt über ein Band von { $width } mm; die eines Verkehrs sagt `riffel forecast`
 rates-hold-to = die Unsicherheit des Verschleißbeiwerts legt Raten und Zeiten auf einen Faktor { $factor } nach oben und unten fest (80 %); sie hat keinen Teil an dem, was Varianten ändern
-band-narrower-than-contact = wear.band_width ist { $band } mm, aber der Kontakt ist { $contact } mm breit: der Verschleiß kommt von der Breite des Kontakts
+band-narrower-than-contact = { KEY("wear.band_width") } ist { $band } mm, aber der Kontakt ist { $contact } mm breit: der Verschleiß kommt von der Breite des Kontakts
 wheels-across-rail = die Räder von „{ $vehicle }“ laufen { $innermost } bis { $outermost } mm von der Achse der Schiene, nach außen positiv; { $percent } % ihrer Überrollungen treffen die Linie bei { $line } mm
 no-equilibrium-at-speeds = „{ $vehicle }“ findet in seinem Bogen bei { $speeds } km/h kein Gleichgewicht: dort stehen seine Räder wie bei den nächsten Geschwindigkeiten, die eines haben
 band-bends-over = die Rate bei { $wavelength } mm hält { $passages } Achsüberfahrten lang: dann bräuchte sie mehr als den mittleren Verschleiß der Schiene, { $wear } mm je 100 Mio. t, und der Pegel biegt ab
@@ -439,13 +439,13 @@ spread-of-load = die Streuung der Lasten
 spread-of-friction = die Streuung der Reibung
 spread-of-position = die Streuung der Kontakte quer zur Schiene
 spread-of-key = die Streuung von { $key }
-creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } auf einem Gitter von { $grid } nicht und bleibt dort aus; ein anderes contact.grid kann helfen
+creepages-left-out = die exakte Theorie konvergiert beim Schlupf { $creepages } auf einem Gitter von { $grid } nicht und bleibt dort aus; ein anderes { KEY("contact.grid") } kann helfen
 
 ## Schäden neben dem Verschleiß
 
 damage-beyond-friction = der ausgenutzte Kraftschluss des mittleren Zustands ist { $friction }: über 0,6 sind Spannungen und Shakedown-Grenzen der Schadensgesetze mit nichts verglichen
-damage-beyond-elastic = der Kontaktdruck von { $pressure } MPa ist das { $ratio }-Fache der Schubfließgrenze: über 7,3 ist der ganze Kontakt plastisch, und weder die Ellipse von Hertz noch Grenzen des Shakedowns gelten; damage.shear_yield prüfen
-moment-beside-its-limit = die mittlere Last biegt die Schiene mit { $moment } kN m, dem { $share }-fachen von damage.bending.limit
+damage-beyond-elastic = der Kontaktdruck von { $pressure } MPa ist das { $ratio }-Fache der Schubfließgrenze: über 7,3 ist der ganze Kontakt plastisch, und weder die Ellipse von Hertz noch Grenzen des Shakedowns gelten; { KEY("damage.shear_yield") } prüfen
+moment-beside-its-limit = die mittlere Last biegt die Schiene mit { $moment } kN m, dem { $share }-fachen von { KEY("damage.bending.limit") }
 flow-hardens = das Fließen verfestigt: sein Wachstum ist das der ersten Überfahrten; unter einer Durchgehzahl von eins kommt es zur Ruhe, und was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
 hardening-runs-away = Fließen mit Verfestigung hält die Welle bei { $wavelength } mm nicht auf: ihre Durchgehzahl ist { $runaway }, über eins, sodass sie durchgeht
 hardening-ends-wave = Fließen mit Verfestigung vervielfacht die Welle bei { $wavelength } mm auf das { $ratio }-Fache und kommt zur Ruhe: ihre Durchgehzahl ist { $runaway }, unter eins. Ein Gesetz, das sich bis zur Ruhe verfestigt, macht allein keine Riffeln; was weitergeht, ist Ratchetting bei der verfestigten Fließgrenze
@@ -457,8 +457,8 @@ in-troughs = in den Tälern
 on-rising-flanks = auf den Flanken, die das Rad hinaufläuft
 on-falling-flanks = auf den Flanken, die das Rad hinabläuft
 below-the-limit-of-flow = die mittlere Beanspruchung ist { $demand }, unter eins: nach dem Gesetz { $law } wächst eine Welle erst, wenn ihre eigenen Kräfte die Grenze überschreiten
-fatigue-loses-nothing = damage.fatigue.loss ist null: Ermüdung wird genannt, hat aber keinen Anteil am Wachstum
-shear-yield-assumed = die Schubfließgrenze der Schiene ist mit { $shear } MPa angenommen; damage.shear_yield oder damage.grade sagen sie
+fatigue-loses-nothing = { KEY("damage.fatigue.loss") } ist null: Ermüdung wird genannt, hat aber keinen Anteil am Wachstum
+shear-yield-assumed = die Schubfließgrenze der Schiene ist mit { $shear } MPa angenommen; { KEY("damage.shear_yield") } oder { KEY("damage.grade") } sagen sie
 parts-along-the-wave = Rad und Schiene trennen sich entlang der Welle: Kräfte im Verhältnis zum Profil gelten nur unterhalb der Amplitude dafür
 shakedown-beyond-friction = über einem ausgenutzten Kraftschluss von 0,6 sind diese Grenzen mit nichts verglichen
 shakedown-of-mean = mittlerer Zustand: p₀/k = { $pressure } bei k = { $shear } MPa, ausgenutzter Kraftschluss { $friction }, Beanspruchung { $demand }, Oberflächenermüdungsindex { $index }
@@ -482,7 +482,7 @@ traction-of-contact = Tangentialspannung
 measure-of-stress = Maß
 depth-of-stress = Ort
 stress-over-pressure = Spannung/p₀
-rates-follow-amplitude = Wachstumsraten hängen nach Schadensgesetzen von der Amplitude ab: die genannten gelten bei corrugation.amplitude, { $amplitude } µm, Pegel werden schrittweise gerechnet
+rates-follow-amplitude = Wachstumsraten hängen nach Schadensgesetzen von der Amplitude ab: die genannten gelten bei { KEY("corrugation.amplitude") }, { $amplitude } µm, Pegel werden schrittweise gerechnet
 fit-scales-all-damage = Wachstum geschieht nach Schadensgesetzen neben dem Verschleiß: ein an Messungen angepasster Verschleißbeiwert verändert sie alle
 models-leave-damage-out = Modelle der Literatur stehen ohne die Gesetze von [damage], die keiner ihrer Autoren hat
 action-none = bleibt, wie es ist
@@ -515,7 +515,7 @@ without-possession-percent = über den Stunden der Sperrpausen, %
 rank-of-action = Rang
 actions-break = { $count } der Maßnahmen verletzen den Etat, die Lärmgrenze oder die Stunden der Sperrpausen in mehr als 5 % der Ziehungen; sie stehen hinter denen, die sie einhalten
 all-actions-break = jede Maßnahme verletzt den Etat, die Lärmgrenze oder die Stunden der Sperrpausen in mehr als 5 % der Ziehungen; die Reihenfolge folgt allein den Kosten
-posterior-forecast-is-linear = die Pegel sind die des linearen Wachstums; wo das Rad die Schiene verlässt, wird über eine Posteriorverteilung nicht gesagt, wohl aber von riffel forecast ohne --posterior
+posterior-forecast-is-linear = die Pegel sind die des linearen Wachstums; wo das Rad die Schiene verlässt, wird über eine Posteriorverteilung nicht gesagt, wohl aber von riffel forecast ohne { KEY("--posterior") }
 forecast-on-doubtful-chains = die Ketten lassen { $doubts } Zweifel, die riffel calibrate nennt: mit mehr Ziehungen können sich die Bänder ändern
 posterior-forecast-is-over = { $draws } Ziehungen der Posteriorverteilung, vom letzten Datum { $months } Monate weit; Mediane mit Bereichen von 90 %
 wavelength-of-band = Wellenlänge mm
@@ -610,7 +610,7 @@ levels-after = Pegel nach { $passages } Achsüberrollungen, { $tonnes } Mio. t, 
 levels-of-rail-as-it-is = die Pegel sind die von { $rail }, die vorn liegt, wie er ist
 forecast-ends-before = davor, wo das Rad von der Schiene abhebt und die Prognose endet: { $titles }
 comparison = Vergleich
-keeps-tractive-ratio = "{ $title }" behält die Kraftschlussausnutzung: die Zugkraft ändert sich mit Reibung und Last; --hold force behält die Kraft
+keeps-tractive-ratio = "{ $title }" behält die Kraftschlussausnutzung: die Zugkraft ändert sich mit Reibung und Last; { KEY("--hold") } force behält die Kraft
 fastest-in-millimetres = am schnellsten mm
 decibels-per-million-passages = dB je 10⁶ Überrollungen
 change-head = Änderung
@@ -711,7 +711,7 @@ cracks-at = Risse bei { $wavelength } mm
 crack-axis = Länge eines Risses [mm]
 growth-axis = Wachstum [dB je 10⁶ Überrollungen]
 rail-leads = { $rail } liegt vorn: { $sentence }
-bands-not-forecast = nicht vorhergesagt: { $count } Bänder von { $first } bis { $last } mm, die außerhalb von map.wavelength des Falls liegen
+bands-not-forecast = nicht vorhergesagt: { $count } Bänder von { $first } bis { $last } mm, die außerhalb von { KEY("map.wavelength") } des Falls liegen
 grinding-interval-from = Schleifintervall ab { $ground }
 grinding-interval = Schleifintervall
 over-the-limit-now = jetzt über der Grenze: { $edition } bei { $wavelength } mm um { $decibels } dB
@@ -724,7 +724,7 @@ linear-range-never-ends = linearer Bereich: |P₁| ist jetzt { $ratio } P₀ unt
 amount-with-date = { $passages } Achsüberrollungen = { $tonnes } Mio. t = { $months } Monate ({ $date })
 amount-with-months = { $passages } Achsüberrollungen = { $tonnes } Mio. t = { $months } Monate
 amount-of-traffic = { $passages } Achsüberrollungen = { $tonnes } Mio. t
-rail-not-forecast = { $rail } hat kein Band zwischen { $from } und { $to } mm, map.wavelength des Falls, und bleibt weg
+rail-not-forecast = { $rail } hat kein Band zwischen { $from } und { $to } mm, { KEY("map.wavelength") } des Falls, und bleibt weg
 wavelength-in-millimetres = Wellenlänge [mm]
 median = Median
 forecast = Prognose
@@ -733,7 +733,7 @@ at-the-last-date = am letzten Datum
 months-later = { $months } Monate später
 growth-goes-by-this-rail = das Wachstum rechnet mit dem Verschleißbeiwert dieser Schiene, { $coefficient } kg/J, { $interval }: Er ist an das angepasst, was sich über { $passages } Überrollungen geändert hat; der Fall hat { $given } kg/J
 interval-of-coefficient = 95-%-Intervall { $low } bis { $high } kg/J
-coefficient-is-fitted = Verschleißbeiwert { $coefficient } kg/J, { $interval }: Prognose damit durch --set wear.coefficient={ $value }
+coefficient-is-fitted = Verschleißbeiwert { $coefficient } kg/J, { $interval }: Prognose damit durch { KEY("--set") } { KEY("wear.coefficient") }={ $value }
 no-coefficient-nothing-grows = kein Verschleißbeiwert: von keinem gemessenen Band sagt das Modell, dass es wächst
 no-coefficient-nothing-moved = kein Verschleißbeiwert: die Bänder, die nach dem Modell wachsen sollten, haben sich nicht bewegt
 no-coefficient-bands-fell = kein Verschleißbeiwert: die Bänder, die nach dem Modell wachsen sollten, sind gefallen; auf dieser Schiene ist also nicht die Riffel dieses Modells
@@ -837,9 +837,9 @@ wheel-leaves-the-rail-after = Rad hebt ab nach
 the-traffic = dem Verkehr
 levels-after-grinding = Terzpegel unter { $traffic }; jetzt ist nach dem Schleifen auf { $ground }; dann ist nach { $amount }
 levels-under-traffic = Terzpegel unter { $traffic }; dann ist nach { $amount }
-growth-is-uncertain = Prognose und Was-wäre-wenn: Wachstumsraten sind proportional zu einem Verschleißbeiwert, der auf einen Faktor zwei und mehr unsicher ist, bis er an zwei datierte Messungen angepasst ist (--earlier, --dates)
+growth-is-uncertain = Prognose und Was-wäre-wenn: Wachstumsraten sind proportional zu einem Verschleißbeiwert, der auf einen Faktor zwei und mehr unsicher ist, bis er an zwei datierte Messungen angepasst ist ({ KEY("--earlier") }, { KEY("--dates") })
 variant-head = Variante
-case-and-variants = der Fall und seine Varianten bei { $speeds }
+case-and-variants = der Fall und seine Varianten, { $speeds }
 limit-is = Grenze: { $edition }
 from-ground = ab { $ground }
 held-is = gehalten ist, was eine Änderung von Reibung oder Last lässt, wie es ist: die Zugkraft, die Kraftschlussausnutzung Q₀/μP₀ oder der Schlupf
@@ -848,8 +848,8 @@ variant-lowers-most = von den Varianten senkt „{ $title }“ das schnellste Wa
 no-variant-lowers = keine der Varianten senkt das schnellste Wachstum
 with-held = { $sentence } (gehalten: { $held })
 without-any-effect = ohne jede Wirkung: { $titles }
-limit-is-passed-on = die Grenze ({ $edition }) ist auf { $rail } schon überschritten; --ground oder --from-limit sagt, wie lange jede Variante nach dem Schleifen hält
-limit-is-passed = die Grenze ({ $edition }) ist schon überschritten; --ground oder --from-limit sagt, wie lange jede Variante nach dem Schleifen hält
+limit-is-passed-on = die Grenze ({ $edition }) ist auf { $rail } schon überschritten; { KEY("--ground") } oder { KEY("--from-limit") } sagt, wie lange jede Variante nach dem Schleifen hält
+limit-is-passed = die Grenze ({ $edition }) ist schon überschritten; { KEY("--ground") } oder { KEY("--from-limit") } sagt, wie lange jede Variante nach dem Schleifen hält
 with-variant = mit „{ $title }“
 gross-tonnes = { $tonnes } Mio. t
 reached-after = nach { $time } { $variant }
@@ -879,7 +879,7 @@ limit-of-rms = Grenze des Effektivwerts [µm]
 length-over-the-limit = Länge über der Grenze
 limit-of-bands = Grenze: { $edition } ({ $source })
 how-bands-are-filtered = Profil ohne Spitzen, Bandpass ohne Phasendrehung, jede Schiene für sich, die schlechteste zuerst
-needs-a-limit-of-rms = nötig ist eine Tabelle von Grenzen des Effektivwerts (--limit)
+needs-a-limit-of-rms = nötig ist eine Tabelle von Grenzen des Effektivwerts ({ KEY("--limit") })
 no-band-over-its-limit = nichts: kein Band liegt irgendwo über seiner Grenze
 section-head = Abschnitt
 from-in-metres = von [m]
@@ -955,25 +955,25 @@ idle-belongs-to-curve = er gehört zu `riffel curve` und `riffel profile`
 idle-amplitude = Wachstumsraten hängen nicht von der Amplitude ab
 idle-one-wheel = es gibt nur ein Rad, das mit keinem anderen interferiert
 idle-map = die Bänder sind die des Falls und die Geschwindigkeiten die des Verkehrs
-idle-inertia = wheel.rotation ist der Grenzfall ohne Trägheit oder unendlicher Trägheit
-idle-rotation = wheel.rotation hält den Schlupf oder die Kraft längs der Schiene fest
+idle-inertia = { KEY("wheel.rotation") } ist der Grenzfall ohne Trägheit oder unendlicher Trägheit
+idle-rotation = { KEY("wheel.rotation") } hält den Schlupf oder die Kraft längs der Schiene fest
 idle-contact-angle = bei einem Kontaktwinkel von null hat das Rad überall denselben Radius
 idle-free-wheel = ein frei drehendes Rad nimmt jeden Radius an
 idle-belongs-to = er gehört zu { $keys }
 idle-patch = ein instationärer Kontakt löst seine Berührfläche auf
 idle-place-of-wear = ein instationärer Kontakt findet den Ort des Verschleißes selbst
 one-or-other = { $one } oder { $other }
-idle-belongs-to-wheelset = er gehört zu wheelset.model = { $models }
+idle-belongs-to-wheelset = er gehört zu { KEY("wheelset.model") } = { $models }
 idle-receptance-given = das Gleis ist eine Rezeptanz an Stelle des Modells
 idle-receptance-measured = das Gleis ist eine gemessene Rezeptanz, mit der Schiene und den Stützpunkten, die gemessen wurden
-idle-twist = ohne rail.torsion_constant verdreht sich die Schiene nicht
-idle-without-supports = track.model = "{ $model }" ist eine Schiene ohne Stützpunkte
-idle-sleepers = track.model = "{ $model }" hat ohne Schotter keine Schwellen
-idle-one-layer = track.model = "{ $model }" hat eine Schicht, die Zwischenlagen
+idle-twist = ohne { KEY("rail.torsion_constant") } verdreht sich die Schiene nicht
+idle-without-supports = { KEY("track.model") } = "{ $model }" ist eine Schiene ohne Stützpunkte
+idle-sleepers = { KEY("track.model") } = "{ $model }" hat ohne Schotter keine Schwellen
+idle-one-layer = { KEY("track.model") } = "{ $model }" hat eine Schicht, die Zwischenlagen
 idle-mean-over-bay = das Wachstum ist das Mittel über das Schwellenfach
-idle-same-everywhere = track.model = "{ $model }" ist überall entlang der Schiene gleich
-lateral-pinned-pinned-is-no-candidate = die laterale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil (rail.section), dessen laterale Biegung und Schub bekannt sind
-vertical-pinned-pinned-is-no-candidate = die vertikale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil (rail.section), dessen vertikale Biegung und Schub bekannt sind
+idle-same-everywhere = { KEY("track.model") } = "{ $model }" ist überall entlang der Schiene gleich
+lateral-pinned-pinned-is-no-candidate = die laterale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil ({ KEY("rail.section") }), dessen laterale Biegung und Schub bekannt sind
+vertical-pinned-pinned-is-no-candidate = die vertikale Pinned-Pinned-Mode ist nicht unter den Kandidaten: sie braucht Stützpunkte in einem Abstand und ein Schienenprofil ({ KEY("rail.section") }), dessen vertikale Biegung und Schub bekannt sind
 no-least-sum-of-receptances = unter der ersten Spitze der Rezeptanz ({ $origin }) hat die Summe aus Schiene, Rad und Kontakt in ihren Frequenzen kein Minimum
 p2-is-no-candidate = P2 ist nicht unter den Kandidaten: { $reason }
 no-modes-of-receptance = Moden des Gleises sind nicht unter den Kandidaten: in der Rezeptanz ({ $origin }) ragt weder Spitze noch Senke aus Nachbarn und Rauschen
@@ -985,14 +985,14 @@ wheel-on-low-rail = Radsatz { $number }, innere Schiene
 wheel-on-high-rail = Radsatz { $number }, äußere Schiene
 wheel-on-left-rail = Radsatz { $number }, linke Schiene
 wheel-on-right-rail = Radsatz { $number }, rechte Schiene
-all-rails-grow-alike = alle Schienen haben das Wachstum { $of_rail } (contact.from); im Bogen wächst die andere mit eigener Rate, die contact.from.rail erfragt
+all-rails-grow-alike = alle Schienen haben das Wachstum { $of_rail } ({ KEY("contact.from") }); im Bogen wächst die andere mit eigener Rate, die { KEY("contact.from.rail") } erfragt
 of-low = der inneren Schiene
 of-high = der äußeren Schiene
 flange-of-wheel = { $wheel }, Spurkranz
 traffic-word = Verkehr
 at-spread-speed = { $speed } km/h mit einer Standardabweichung von { $deviation } km/h
-neither-speed-nor-traffic = weder --speed noch --traffic angegeben
-not-fitted-without-passages = der Verschleißbeiwert ist nicht an die frühere Messung angepasst, weil die Überrollungen seither nicht bekannt sind: Sie folgen aus den Daten beider Messungen und aus einer Verkehrsdatei, die sagt, wie viel gefahren wird, oder werden angegeben (--passages-between)
+neither-speed-nor-traffic = weder { KEY("--speed") } noch { KEY("--traffic") } angegeben
+not-fitted-without-passages = der Verschleißbeiwert ist nicht an die frühere Messung angepasst, weil die Überrollungen seither nicht bekannt sind: Sie folgen aus den Daten beider Messungen und aus einer Verkehrsdatei, die sagt, wie viel gefahren wird, oder werden angegeben ({ KEY("--passages-between") })
 coefficient-not-fitted = der Verschleißbeiwert ist nicht angepasst: { $reason }
 input-roughness = Rauheit
 input-of-the-same-rail = von derselben Schiene
@@ -1016,9 +1016,9 @@ one-third-octave-spectra = { $count ->
        *[other] { $count } Terzspektren
     }
 chosen-spectra = { $count } Terzspektren, die mit { $choices }
-needs-a-limit-of-levels = nötig ist eine Grenze von Pegeln (--limit)
-no-traffic-given = es wurde kein Verkehr angegeben (--traffic)
-no-variant-given = es wurde keine Variante angegeben (--with)
+needs-a-limit-of-levels = nötig ist eine Grenze von Pegeln ({ KEY("--limit") })
+no-traffic-given = es wurde kein Verkehr angegeben ({ KEY("--traffic") })
+no-variant-given = es wurde keine Variante angegeben ({ KEY("--with") })
 spikes = { $count ->
         [one] 1 Spitze
        *[other] { $count } Spitzen
@@ -1147,7 +1147,7 @@ measurement-of-wheelset-bending = laterale und vertikale Achslagerbeschleunigung
 measurement-of-grinding-mark = das Protokoll des Schleifzugs (Datum, Überfahrten, Geschwindigkeit, Drehzahl der Steine), ein Foto der Facetten und ein ungeschliffener Abschnitt
 measurement-of-support-spacing = die Orte der Schwellen auf der Stationierung der Messung: die Phase bleibt bei ihnen
 measurement-of-wheel-circumference = eine Messung derselben Schiene von Hand, und Rauheit oder Unrundheit der Räder: sieht die Schienenmessung die Wellenlänge nicht, ist sie auf dem Rad
-measurement-of-unlisted = eine Messung der Rezeptanz dieses Gleises anstelle des Modells (track.model = "measured")
+measurement-of-unlisted = eine Messung der Rezeptanz dieses Gleises anstelle des Modells ({ KEY("track.model") } = "measured")
 
 ## Ketten zu simulierten Daten
 
@@ -1168,6 +1168,7 @@ ranks-are-uneven = { $value }: in { $runs } Simulationen liegt die Wahrheit nich
 file-cannot-be-read = { $what } { $path } ist nicht zu lesen: { $reason }
 not-valid-toml = kein gültiges TOML: { $message }
 place-and-fault = { $place }: { $fault }
+track-is-the-same-everywhere = das Gleis ist mit { KEY("track.model") } = "{ $model }" entlang der Schiene überall gleich; one-layer-periodic oder two-layer-periodic wählen
 line-and-fault = { $path }, Zeile { $line }: { $fault }
 no-such-preset = keine Vorgabe heißt "{ $name }"; am nächsten kommt "{ $nearest }"
 presets-are-listed = riffel presets zählt sie alle auf
@@ -1206,10 +1207,10 @@ ratio-such-as = { $kind } wie 0.4 oder "{ $example }"
 name-as-subject = { $name } { $rule }
 is-flange-but-the-wheel-stands = ist "flange", das Rad steht aber auf einem Punkt, bei einem Kontaktwinkel von { $angle }°
 the-profiles-do-not-part-across = die Profile gehen quer zum Gleis nicht auseinander, wo sie sich berühren (Krümmung { $curvature } 1/m), es gibt also keine Ellipse; { $key } angeben
-the-rail-is-not-convex-where = die Schiene ist nicht konvex, wo das Rad steht (Krümmung { $curvature } 1/m), dort wandert also kein Kontakt über einen Kopf; contact.conformity weglassen, oder { $key } angeben
-is-but-the-ellipse-like-it = ist "{ $name }", die gleichwertige Ellipse ist aber eine von contact.hertz = "exact"
+the-rail-is-not-convex-where = die Schiene ist nicht konvex, wo das Rad steht (Krümmung { $curvature } 1/m), dort wandert also kein Kontakt über einen Kopf; { KEY("contact.conformity") } weglassen, oder { $key } angeben
+is-but-the-ellipse-like-it = ist "{ $name }", die gleichwertige Ellipse ist aber eine von { KEY("contact.hertz") } = "exact"
 needs = braucht { $what }
-supports-of-the-rail-or-a = Stützpunkte der Schiene: { $keys } oder ein track.preset
+supports-of-the-rail-or-a = Stützpunkte der Schiene: { $keys } oder ein { KEY("track.preset") }
 a-rail-that-moves-across-the = eine Schiene, die sich quer zum Gleis bewegt: { $keys }
 narrow-the-window-or-measure-further = das Fenster enger machen oder weiter messen
 the-traction-force-of-kn-on = die Zugkraft von { $force } kN an einem Rad ist das { $ratio }-fache dessen, was die Reibung trägt, μP₀ = { $most } kN
@@ -1228,48 +1229,48 @@ is-but-the-wheelset-is-mm = ist { $gauge }, der Radsatz ist aber über seine Spu
 is-but-the-wheels-mm-wide = ist { $gauge }, die Räder, über ihre Außenseiten { $width } mm breit, stehen aber nicht auf beiden Schienen
 is-but-cannot-be-read = ist "{ $name }", { $path } ist aber nicht zu lesen: { $reason }
 nominal-profiles = Sollprofile: { $known }
-track-model-says-what-the-rail = track.model = "{ $model }" sagt nur, was die Schiene unter dem Rad tut, nicht, wie weit ihre Schwingung läuft
-the-rail-of-track-model-carries = die Schiene von track.model = "{ $model }" trägt ihre Schwingung bei jeder Frequenz ohne Ende weiter
+track-model-says-what-the-rail = { KEY("track.model") } = "{ $model }" sagt nur, was die Schiene unter dem Rad tut, nicht, wie weit ihre Schwingung läuft
+the-rail-of-track-model-carries = die Schiene von { KEY("track.model") } = "{ $model }" trägt ihre Schwingung bei jeder Frequenz ohne Ende weiter
 takes-one-wheel-of-wheel-with = { $what } braucht ein Rad aus [wheel] mit Längsschlupf, und dies ist ein Kreis in allen Richtungen oder mit mehreren Rädern
-track-model-is-but-is-of = `track.model` ist "{ $model }", { $what } gibt es aber nur auf diskreten Stützpunkten; ein periodisches Modell wählen
-traffic-file-for-case = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Falldatei; sie mit --traffic angeben und an ihrer Stelle eine Falldatei, wie `riffel init` sie schreibt
+track-model-is-but-is-of = `{ KEY("track.model") }` ist "{ $model }", { $what } gibt es aber nur auf diskreten Stützpunkten; ein periodisches Modell wählen
+traffic-file-for-case = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Falldatei; sie mit { KEY("--traffic") } angeben und an ihrer Stelle eine Falldatei, wie `riffel init` sie schreibt
 below-r-at-the-wavelength-of = kleiner als λ²/4π²R bei der Wellenlänge { $wavelength } m: darüber ist das Profil so gekrümmt wie das Rad, das die Täler überbrückt
 at-m-and-m-s-is = { $quantity } ist bei { $wavelength } m und { $speed } m/s keine endliche Zahl: mit so großen oder kleinen Werten des Falls lässt sich nicht rechnen
-wheelset-model-needs-it = wheelset.model = "{ $model }" braucht es
+wheelset-model-needs-it = { KEY("wheelset.model") } = "{ $model }" braucht es
 give-length-and-diameter-of-an = length und diameter einer Welle von einem Durchmesser angeben, oder segments
 is-an-empty-list-an-axle = ist eine leere Liste, eine Welle von 0 m, die Summe der Längen muss aber über 0 liegen
 at-most-the-length-of-the = höchstens die Länge der Welle, { $length } m
 between-m-and-m-the-ends = zwischen -{ $end } m und { $end } m, den Enden der Welle
-traffic-file-for-changes = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Datei der Änderungen; sie mit --traffic angeben
+traffic-file-for-changes = das ist eine Verkehrsdatei mit ihren [[vehicle]] und keine Datei der Änderungen; sie mit { KEY("--traffic") } angeben
 give-one-of-the-two = eines von beiden angeben
 the-file-of-changes-changes-nothing = die Datei der Änderungen ändert nichts
 write-keys-of-the-case-as = Schlüssel des Falls schreiben, wie in [contact] friction = 0.3, oder [speed] mean, factor oder standard_deviation
 give-damping-loss-factor-or-both = { $key }.damping, { $key }.loss_factor oder beide angeben
 at-most-the-support-spacing = höchstens der Stützpunktabstand, { $spacing }
-choose-contact-creep-law-half-space = contact.creep_law = "half-space" wählen oder weglassen
-give-contact-tractive-ratio-or-contact = contact.tractive_ratio oder contact.creepage angeben
-at-most-contact-polach-adhesion-reduction = höchstens contact.polach.adhesion_reduction, { $value }
+choose-contact-creep-law-half-space = { KEY("contact.creep_law") } = "half-space" wählen oder weglassen
+give-contact-tractive-ratio-or-contact = { KEY("contact.tractive_ratio") } oder { KEY("contact.creepage") } angeben
+at-most-contact-polach-adhesion-reduction = höchstens { KEY("contact.polach.adhesion_reduction") }, { $value }
 falling-friction-needs-limit-friction-ratio = fallende Reibung braucht limit_friction_ratio, friction_decay und speed aus [contact.polach]: alle drei angeben oder keines
 is-one-of-t-a-of = ist eine von Tγ/A, nach dem das Verschleißgesetz nicht fragt
-it-belongs-to-wear-law-usfd = es gehört zu wear.law = "usfd" und "usfd-smooth"
+it-belongs-to-wear-law-usfd = es gehört zu { KEY("wear.law") } = "usfd" und "usfd-smooth"
 rates-of-the-laws-add-name = Raten der Gesetze addieren sich: jedes einmal nennen
-damage-laws-names-give-its-table = damage.laws nennt „{ $law }“: seine Tabelle angeben
-names-bending-but-track-model-does = nennt bending, aber track.model = "{ $name }" sagt nicht, was die Schiene trägt
+damage-laws-names-give-its-table = { KEY("damage.laws") } nennt „{ $law }“: seine Tabelle angeben
+names-bending-but-track-model-does = nennt bending, aber { KEY("track.model") } = "{ $name }" sagt nicht, was die Schiene trägt
 choose-a-model-or-no-bending = ein Modell von Schiene und Stützpunkten wählen, oder bending weglassen
 names-fatigue-by-t-but-the = nennt Ermüdung nach Tγ, aber der Kontakt hat keinen Schlupf
-give-contact-creepage-or-contact-tractive = contact.creepage oder contact.tractive_ratio über null angeben
-is-true-but-wheelset-model-tells = ist true, wheelset.model = "{ $model }" sagt aber, wie sich die Kontakte bewegen, und nicht, wie die Naben
-choose-wheelset-model-rigid-or-flexible = wheelset.model = "rigid" oder "flexible" wählen, oder es weglassen
+give-contact-creepage-or-contact-tractive = { KEY("contact.creepage") } oder { KEY("contact.tractive_ratio") } über null angeben
+is-true-but-wheelset-model-tells = ist true, { KEY("wheelset.model") } = "{ $model }" sagt aber, wie sich die Kontakte bewegen, und nicht, wie die Naben
+choose-wheelset-model-rigid-or-flexible = { KEY("wheelset.model") } = "rigid" oder "flexible" wählen, oder es weglassen
 give-longitudinal-or-lateral-creepage-with = Längs- oder Querschlupf dazu angeben
 transverse-radius-is-the-relative-one = transverse_radius ist der relative beider Profile, unter einem Kegel der der Schiene
-are-several-but-track-model-does = nennt mehrere, track.model = "{ $model }" sagt aber nicht, wie das Gleis von einem zum nächsten antwortet
+are-several-but-track-model-does = nennt mehrere, { KEY("track.model") } = "{ $model }" sagt aber nicht, wie das Gleis von einem zum nächsten antwortet
 choose-a-model-or-one-wheel = ein Modell aus Schiene und Stützpunkten wählen, oder ein einziges Rad
-give-rail-lateral-second-moment-and = rail.lateral_second_moment und track.pad.lateral_stiffness angeben, oder weglassen
+give-rail-lateral-second-moment-and = { KEY("rail.lateral_second_moment") } und { KEY("track.pad.lateral_stiffness") } angeben, oder weglassen
 the-waves-that-run-along-this = die Wellen, die auf dieser Schiene über die { $furthest } m vom ersten Rad zum letzten laufen, geben die wenigen in der Zeit angepassten Schwingungen nicht wieder, im Effektivwert { $per_cent } % daneben; weniger oder nähere Räder angeben, oder ein Gleis, das mehr dämpft
-the-case-has-contacts-but-a = der Fall hat { $count } Kontakte, eine Überrollung in der Zeit nimmt aber höchstens { $most_contacts }: der Aufwand eines Schrittes und der Anpassung geht mit ihrem Quadrat; weniger Räder wählen, oder wheelset.opposite_rail = "absent"
+the-case-has-contacts-but-a = der Fall hat { $count } Kontakte, eine Überrollung in der Zeit nimmt aber höchstens { $most_contacts }: der Aufwand eines Schrittes und der Anpassung geht mit ihrem Quadrat; weniger Räder wählen, oder { KEY("wheelset.opposite_rail") } = "absent"
 is-a-file-and-this-case = ist eine Datei, und dieser Fall darf keine nennen
 use-it-in-a-case-file = in einer Falldatei mit dem Programm verwenden, `riffel map CASE`
-lower-points = map.wavelength.points oder map.speed.points senken
+lower-points = { KEY("map.wavelength.points") } oder { KEY("map.speed.points") } senken
 and-exclude-each-other = und `{ $other }` schließen einander aus
 the-nearest-key-is = der ähnlichste Schlüssel ist `{ $key }`
 is-no-key-of-a-case = ist kein Schlüssel eines Falls
@@ -1278,13 +1279,13 @@ is-an-empty-list = ist eine leere Liste
 give-both-keys-of-one-of = gib beide Schlüssel von einem der beiden an
 goes-down-to-but-every-value = geht hinunter bis { $value }, jeder Wert muss aber größer als null sein
 is-no-spread-give-mean-and = ist keine Streuung: mean und standard_deviation, min und max oder eine Liste aus value und share angeben, mit { $name } wie in "{ $example }"
-is-below-one-but-axles-that = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von damage.laws: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
+is-below-one-but-axles-that = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von { KEY("damage.laws") }: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
 the-shares-of-sum-to-but = die Anteile von `{ $key }` ergeben zusammen { $sum }, müssen aber 1 ergeben
 vehicle = Fahrzeug "{ $vehicle }": { $error }
 variant-changes-friction-or-load-under = Variante "{ $title }" ändert Reibung oder Last unter "{ $vehicle }"; { $why }
 speeds-and-bands-of-vehicle = Geschwindigkeiten und Bänder von Fahrzeug "{ $name }": { $message }
 line-measured-line-needs-profiles-of = `line.measured_line` braucht Profile von Rad und Schiene, die sich unter dem Kontaktwinkel des Gleichgewichts berühren, und das Fahrzeug "{ $name }" hat keine
-and-wear-band-width-of-the = `{ $key }` und wear.band_width des Falls schließen einander aus; gib eines von beiden an
+and-wear-band-width-of-the = `{ $key }` und { KEY("wear.band_width") } des Falls schließen einander aus; gib eines von beiden an
 write-one-vehicle-or-more = ein [[vehicle]] oder mehr schreiben
 is-empty-but-tables-need-a = ist leer, Tabellen brauchen aber einen Namen
 is-a-second-time = ist zum zweiten Mal "{ $text }"
@@ -1294,9 +1295,9 @@ is-a-force-but-must-be = ist "{ $force }", eine Kraft, muss aber eine Masse sein
 the-speeds-of-the-traffic-go = die Geschwindigkeiten des Verkehrs gehen von { $from } bis { $to } km/h, müssen aber über null liegen und steigen
 there-are-vehicles-but-the-page = es gibt { $count } Fahrzeuge, die Seite nimmt aber höchstens { $most_vehicles }
 the-case-is-larger-than-kib = der Fall ist größer als { $size } KiB
-map-points-are-more-than-the = `map`: { $points } Punkte sind mehr als die { $most_map_points }, die die Seite rechnet
-lower-points-on-the-page = map.wavelength.points oder map.speed.points senken; das Programm selbst rechnet größere Karten
-contact-grid-is-but-the-page = `contact.grid` ist { $grid }, die Seite geht aber bei instationärer Antwort nur bis { $finest_grid }
+map-points-are-more-than-the = `{ KEY("map") }`: { $points } Punkte sind mehr als die { $most_map_points }, die die Seite rechnet
+lower-points-on-the-page = { KEY("map.wavelength.points") } oder { KEY("map.speed.points") } senken; das Programm selbst rechnet größere Karten
+contact-grid-is-but-the-page = `{ KEY("contact.grid") }` ist { $grid }, die Seite geht aber bei instationärer Antwort nur bis { $finest_grid }
 the-program-itself-goes-further = das Programm selbst geht weiter
 the-of-the-point-is-but = { $what } des Punkts ist { $value }, die Karte reicht aber von { $low } bis { $high }
 choose-a-point-on-the-map = einen Punkt auf der Karte wählen
@@ -1338,17 +1339,17 @@ the-limit-of-the-level-must = die Grenze des Pegels muss bei 0 bis { $loudest } 
 is-larger-than-mib-the-most = ist größer als { $size } MiB, das Meiste, was Riffel liest ({ $what })
 is-text-in-but-a-must = ist Text in { $encoding }, muss aber UTF-8 sein ({ $what })
 byte-of-the-file-is-which = Byte { $place } der Datei ist { $value }, das ist nicht UTF-8; es sieht nach Windows-1252 aus, dort ist es "{ $letter }"
-write-set-key-value-as-in = --set schlüssel=wert schreiben, wie --set contact.friction=0.3
+write-set-key-value-as-in = { KEY("--set") } schlüssel=wert schreiben, wie { KEY("--set") } { KEY("contact.friction") }=0.3
 is-empty-window = ist { $max }, aber das Fenster ist leer, wenn es nicht über dem Minimum von { $min } liegt
-track-model-needs-it = track.model = "{ $model }" braucht es: angeben{ $preset }
-or-name-a-preset = , oder mit track.preset eine Vorgabe nennen
+track-model-needs-it = { KEY("track.model") } = "{ $model }" braucht es: angeben{ $preset }
+or-name-a-preset = , oder mit { KEY("track.preset") } eine Vorgabe nennen
 track-of-all-frequencies-in-time = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell von Gleis und Rad an Stelle von Rezeptanzen
 rigid-wheel-in-time = eine Überrollung in der Zeit nimmt das starre Rad aus [wheel], keine Rezeptanz an seiner Stelle
 wheelset-of-all-frequencies-in-time = eine Überrollung in der Zeit braucht alle Frequenzen: ein Modell des Radsatzes oder seine Eigenformen an Stelle gemessener Rezeptanzen
 contacts-at-rest-in-time = eine Überrollung in der Zeit nimmt Kontakte, die auf den Profilen bleiben, wo sie sind; weglassen
-no-spring-dashpot-in-time = `contact.response` ist "spring-dashpot", das nur für kleine Schwingungen bekannt ist; für eine Überrollung in der Zeit "quasi-static" oder "non-steady" wählen
-quasi-static-in-time = in allen Richtungen nimmt eine Überrollung in der Zeit einen Kontakt, der sofort antwortet, `contact.response` = "quasi-static"
-no-constant-force-in-time = `wheel.rotation` ist "constant-tangential-force", doch wo das Rad die Schiene verlässt, hält kein Schlupf die Kraft; "inertia" oder "constant-creepage" wählen
+no-spring-dashpot-in-time = `{ KEY("contact.response") }` ist "spring-dashpot", das nur für kleine Schwingungen bekannt ist; für eine Überrollung in der Zeit "quasi-static" oder "non-steady" wählen
+quasi-static-in-time = in allen Richtungen nimmt eine Überrollung in der Zeit einen Kontakt, der sofort antwortet, `{ KEY("contact.response") }` = "quasi-static"
+no-constant-force-in-time = `{ KEY("wheel.rotation") }` ist "constant-tangential-force", doch wo das Rad die Schiene verlässt, hält kein Schlupf die Kraft; "inertia" oder "constant-creepage" wählen
 
 ## Faults of the page
 

@@ -17,12 +17,12 @@ preset-changes-nothing = { $key } = "{ $name }" changes nothing: the case gives 
 ## Measured receptances
 
 value-at-zero-left-out = the measured value at 0 Hz is left out
-set-conjugate = set track.measurement.conjugate
+set-conjugate = set { KEY("track.measurement.conjugate") }
 conjugate-it = conjugate it
 receptance-gives-energy = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, between { $first } and { $last } Hz: check its phase, its noise, and whether it follows exp(+iωt) (else { $remedy })
     .short = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies: check its phase
-column-without-unit = column `{ $column }` names no unit: taken as a receptance in m/N (else set track.measurement.quantity and unit)
-receptance-unlike-rail = the measured receptance is { $least } to { $most } m/N, but rails have 1e-11 to 1e-7 m/N: check track.measurement.quantity and unit
+column-without-unit = column `{ $column }` names no unit: taken as a receptance in m/N (else set { KEY("track.measurement.quantity") } and unit)
+receptance-unlike-rail = the measured receptance is { $least } to { $most } m/N, but rails have 1e-11 to 1e-7 m/N: check { KEY("track.measurement.quantity") } and unit
 poor-coherence = the coherence is below { $good } at { $count } of { $points } frequencies, between { $first } and { $last } Hz: there the receptance is the mean of the lines within 1/24 octave, weighted by γ²/(1 − γ²)
 response-at-other-node = the measured response is at node { $response } and its force at node { $reference }: it is taken as the receptance at the contact
 
@@ -32,20 +32,20 @@ rail-without-support = the rail has no support: below about { $free_beam_from_hz
     .short = the rail has no support: wrong below about { $free_beam_from_hz } Hz ({ $window } from { $lowest } Hz)
 rail-without-shear = the rail bends without shear: its receptance is some 9° off at { $euler_beam_up_to_hz } Hz, 24° and 14 % at 1500 Hz (highest of the { $window }: { $highest } Hz)
     .short = the rail bends without shear: 24° and 14 % off at 1500 Hz ({ $window } to { $highest } Hz)
-pinned-pinned-without-shear = the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % or more and not named (choose rail.beam = "timoshenko")
+pinned-pinned-without-shear = the rail bends without shear: its pinned-pinned frequency is overstated by 20 to 35 % or more and not named (choose { KEY("rail.beam") } = "timoshenko")
     .short = the rail bends without shear: its pinned-pinned frequency is too high and not named
 supports-spread-evenly = supports are spread evenly along the rail: the pinned-pinned resonance near { $pinned } Hz is missing, and below it the receptance is 10 to 50 % off, more on very stiff pads (highest of the { $window }: { $highest } Hz; choose a model that ends in -periodic)
     .short = supports are spread evenly: no pinned-pinned resonance near { $pinned } Hz ({ $window } to { $highest } Hz)
 no-average-over-patch = the contact is quasi-static and does not average over its patch: below { $shortest } mm growth is overstated
     .short = the contact does not average over its patch: growth is overstated below { $shortest } mm
-closed-form-of-ellipse = the radii of wheel and rail differ much: the closed form of the contact ellipse is { $percent } % off across the rail (choose contact.hertz = "exact")
-    .short = the closed form of the contact ellipse is { $percent } % off (contact.hertz = "exact" is not)
-falling-friction-at-one-speed = falling friction is that of the slip at { $rolling }, contact.polach.speed, at every speed of the { $window }
+closed-form-of-ellipse = the radii of wheel and rail differ much: the closed form of the contact ellipse is { $percent } % off across the rail (choose { KEY("contact.hertz") } = "exact")
+    .short = the closed form of the contact ellipse is { $percent } % off ({ KEY("contact.hertz") } = "exact" is not)
+falling-friction-at-one-speed = falling friction is that of the slip at { $rolling }, { KEY("contact.polach.speed") }, at every speed of the { $window }
     .short = falling friction is that at { $rolling } at every speed of the { $window }
 wheel-and-rail-part = an amplitude of { $amplitude } µm makes |P₁/P₀| reach { $worst }: wheel and rail part; forces are linear up to { $limit } µm (growth rates hold for small amplitudes and do not change)
     .short = { $amplitude } µm make wheel and rail part (|P₁/P₀| = { $worst }); forces are linear up to { $limit } µm
-wave-geometry-left-out = the wave's own geometry has no part (contact.wave_geometry): it would take some { $takes } per m off a growth of { $growth } per m, at { $wavelength } mm and { $speed } km/h
-    .short = without the wave's own geometry, which would take some { $takes } per m off { $growth } (contact.wave_geometry)
+wave-geometry-left-out = the wave's own geometry has no part ({ KEY("contact.wave_geometry") }): it would take some { $takes } per m off a growth of { $growth } per m, at { $wavelength } mm and { $speed } km/h
+    .short = without the wave's own geometry, which would take some { $takes } per m off { $growth } ({ KEY("contact.wave_geometry") })
 wave-shorter-than-patch = below { $shortest } mm, three half-lengths of the patch, the wave's own geometry is a rough estimate
 troughs-bridged = below { $bridged } mm the wheel bridges the troughs of waves of { $amplitude } µm (growth rates hold for small amplitudes)
     .short = below { $bridged } mm the wheel bridges troughs of { $amplitude } µm
@@ -149,14 +149,14 @@ unstable-but-still = the linear loop is unstable, but nothing has been seen to g
 stable-but-limit-cycle = the linear loop is stable, but the push is large enough for a limit cycle beside the state of rest
 support-passing-close-to-wave = passing the supports shakes the wheel every { $length } mm as well, too close to this wave to tell them apart: harmonics hold both
 airborne-run-ends = after { $passages } passages the wheel is in the air for more than half of the time, and the run ends there: steel yields where it comes down
-wheels-slide-as-they-roll = the wheels slide as fast as they roll: with so much creepage the creep forces fall short of those of the mean state, and nothing else holds the wheels; give them wheelset.suspension, or less creepage
+wheels-slide-as-they-roll = the wheels slide as fast as they roll: with so much creepage the creep forces fall short of those of the mean state, and nothing else holds the wheels; give them { KEY("wheelset.suspension") }, or less creepage
 wheel-bridges-trough = a wheel of this radius does not reach the troughs of such waves above { $largest } µm: it would touch in two places, and here touches in one
-edge-of-patch-not-resolved = the load moves the edge of the patch by { $moves } elements: harmonics of the creep force may be tens of per cent off; take a larger amplitude, or more than { $across } elements across (contact.grid), until it is { $resolved }
+edge-of-patch-not-resolved = the load moves the edge of the patch by { $moves } elements: harmonics of the creep force may be tens of per cent off; take a larger amplitude, or more than { $across } elements across ({ KEY("contact.grid") }), until it is { $resolved }
 
 ## Profiles
 
 flat-patch-beyond-range = the rail turns by { $degrees }° across a patch: the flat one holds to some 23°, half a width over the radius of 0.2; beyond, take the conformal one beside it
-rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field side by which it is laid: it is worn there, or inclined (--inclination), or another rail
+rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field side by which it is laid: it is worn there, or inclined ({ KEY("--inclination") }), or another rail
 
 ## Files of profiles
 
@@ -168,7 +168,7 @@ points-missing = the head announces { $announced } points (XYPoints), but { $cou
 masked-points-left-out = { $masked } points that were masked at the device are left out
 outlying-points-left-out = { $name }: { $count } points far off those beside them are left out, the first in line { $line }
 scatter-of-curvature = { $name }: scatter leaves ±{ $error } 1/m of the curvature at x = 0
-points-scatter = { $name }: the points scatter by { $micrometres } µm, so that the curvature of a curve through them is off by some { $curvature } 1/m; give that scatter (profiles.scatter, --scatter) for a smooth one
+points-scatter = { $name }: the points scatter by { $micrometres } µm, so that the curvature of a curve through them is off by some { $curvature } 1/m; give that scatter (profiles.scatter, { KEY("--scatter") }) for a smooth one
 
 ## Curves
 
@@ -178,7 +178,7 @@ yaw-takes-play = with its yaw of { $yaw } mrad wheelset { $number } has { $yawed
 
 ## The mean state from a curve
 
-creep-law-without-spin = contact.creep_law = "{ $name }" knows no spin: the { $spin } 1/m of the curve are left out ({ $key })
+creep-law-without-spin = { KEY("contact.creep_law") } = "{ $name }" knows no spin: the { $spin } 1/m of the curve are left out ({ $key })
 case-has-own-values = in place of what that curve says the case has its own { $instead }
 no-rigid-contact-at-angle = no rigid contact has the angle of the equilibrium, { $degrees }°
 patches-join = the patch joins that of the place where the wheel touches next
@@ -192,7 +192,7 @@ loop-unstable = the loop is unstable at { $speed } km/h: near { $frequency } Hz 
 loop-unstable-growth = , growing e-fold in { $time }
 stability-title = Oscillation without any profile
 stability-caption = Solid: the boundary; on the side of the mark an oscillation of the named frequency grows by itself (known to half a step of the grid). Dotted and dashed: how fast, e-fold so many times a second. Mark: where it grows fastest. Where several grow, the highest frequency is shown.
-stability-of-one-axis = a wheel that only moves down and turns does not oscillate by itself; give it creepage or motion across the rail, as contact.from or a [wheelset] does
+stability-of-one-axis = a wheel that only moves down and turns does not oscillate by itself; give it creepage or motion across the rail, as { KEY("contact.from") } or a [wheelset] does
 stability-unknown = { $points } points cannot be told: the phase of the loop jumps there, as at a resonance without damping; give wheelset, rail and pads a loss factor
 no-mean-state = at a friction of { $friction } the wheels find no mean state; those points are left out
 stable-everywhere = the loop is stable from { $slowest } to { $fastest } km/h up to a friction of { $highest }
@@ -204,7 +204,7 @@ least-friction = least friction
 fastest-growth-in-time = fastest growth 1/s
 at-speed-column = at km/h
 at-friction-column = at friction
-wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give contact.longitudinal_radius
+wheel-flatter-than-radius = at { $angle }° the wheel is { $flatter } times as flat along the rail as its rolling radius, which the ellipse takes: give { KEY("contact.longitudinal_radius") }
 track-moves-downward-only = this track moves downward alone; along and across the rail it is taken as rigid
 
 ## Measured wheelsets
@@ -216,8 +216,8 @@ wheelset-not-measured-along = the wheelset was not measured along { $axes }: the
 
 ## Cases
 
-creep-law-unlike-equilibrium = contact.creep_law = "{ $law }" makes |Q| = { $here } μP of creepages at which the equilibrium of the curve has { $in_curve }
-creep-law-of-growth-only = contact.creep_law = "{ $law }" is that of growth: in the curve creep is of Shen, Hedrick and Elkins
+creep-law-unlike-equilibrium = { KEY("contact.creep_law") } = "{ $law }" makes |Q| = { $here } μP of creepages at which the equilibrium of the curve has { $in_curve }
+creep-law-of-growth-only = { KEY("contact.creep_law") } = "{ $law }" is that of growth: in the curve creep is of Shen, Hedrick and Elkins
 modes-of-wheelset-end = the modes of the wheelset describe it up to some { $up_to } Hz, and the window reaches { $highest } Hz: add modes or rows `residual`
 
 ## Curves, patches and files, with their parts
@@ -233,7 +233,7 @@ on-high-left = on the high, left rail
 on-high-right = on the high, right rail
 mean-state-from-curve = mean state from the curve of { $radius } m at { $speed } km/h: wheelset { $wheelset } { $rail } creeps { $along } % along, { $across } % across, spin { $spin } 1/m, under { $load } kN at { $angle }°
 ellipse-in-place-of-patch = { $rail } the loop takes the ellipse of Hertz and no patch of the profiles under load: { $reason }
-patch-under-load-against-hertz = ; the profiles under load, on the curved rail, are stiffer by { $stiffer } %, { $longer } % as long and { $wider } % as wide (contact.from.patch = "conformal" takes them)
+patch-under-load-against-hertz = ; the profiles under load, on the curved rail, are stiffer by { $stiffer } %, { $longer } % as long and { $wider } % as wide ({ KEY("contact.from.patch") } = "conformal" takes them)
 contact-is-conformal = the semi-axis across is { $semi_axis } mm, { $share } of the radius { $rail } there, and Hertz's theory is for patches up to 0.2 to 0.3: beyond, the contact is conformal{ $under_load }
 patch-of-profiles = { $rail } the patch is that of the profiles under load: { $stiffness } MN/m ({ $stiffer } % against Hertz), like an ellipse of semi-axes { $along } mm along ({ $longer } %) and { $across } mm across ({ $wider } %), at { $angle }° ({ $turned }°)
 patch-of-profiles-alone = { $rail } the patch is that of the profiles under load: { $stiffness } MN/m, like an ellipse of semi-axes { $along } mm along and { $across } mm across, at { $angle }° ({ $turned }°); Hertz has none there
@@ -271,7 +271,7 @@ badge-assumed = assumed
 
 ## Traffic
 
-growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and wear.coefficient
+growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
 
 ## What the fastest wavelength follows
 
@@ -312,7 +312,7 @@ grinding-leaves-growth = grinding lowers the level and leaves growth as it is, 6
 ground-as-it-is = as it is, the first band rises by 6 dB from what grinding leaves in { $time }: this is the grinding interval of a limit so far above
 steps-are-chosen = how far each remedy goes is chosen; what a product does stands in its data sheet
 speeds-are-wide = speeds are spread about as widely as a normal distribution can be
-treatment-keeps-force = with the friction treatment trains pull and brake with the same force, at more creepage; where a curve sets the creepage, give contact.creepage in place of contact.tractive_ratio
+treatment-keeps-force = with the friction treatment trains pull and brake with the same force, at more creepage; where a curve sets the creepage, give { KEY("contact.creepage") } in place of { KEY("contact.tractive_ratio") }
 
 ## The field
 
@@ -365,7 +365,7 @@ modes-of-other-wheel = the modes are those of a wheel of { $of_modes } mm, the w
 far-away = { $distance } m away ground and air take some of it, which are left out: levels beyond { $far } m are too high
 smooth-wheels = the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what grinding saves
 noise-before-and-after = { $before } dB(A) before, { $after } dB(A) now: { $change } dB
-noise-on-mean-of-rails = on the energy mean of the rails { $rails }, as wheels run on both; choose one by --rail for the noise of a train on rails like it
+noise-on-mean-of-rails = on the energy mean of the rails { $rails }, as wheels run on both; choose one by { KEY("--rail") } for the noise of a train on rails like it
 noise-beyond-linear-range = beyond the linear range: |P₁| is { $ratio } P₀, so that wheel and rail part, which bounds the force; the levels are those of a contact that holds
 rail-cut-short = the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level is too low at { $frequencies } Hz
 bands-left-out = left out of every level, for want of roughness, decay or receptance there: { $frequencies } Hz
@@ -426,8 +426,8 @@ defect-at = { $place } m ({ $height } µm)
 one-defect = rail { $rail } has a weld, joint or squat: { $places }
 some-defects = rail { $rail } has { $count } welds, joints or squats: { $places }
 many-defects = rail { $rail } has { $count } welds, joints or squats: { $places } and { $more } more
-defects-left-out = { $sentence }; left out of the spectra (--keep-defects keeps them)
-defects-out-of-levels = { $sentence }; left out of the levels (--keep-defects keeps them), but not of the moving RMS and what to grind
+defects-left-out = { $sentence }; left out of the spectra ({ KEY("--keep-defects") } keeps them)
+defects-out-of-levels = { $sentence }; left out of the levels ({ KEY("--keep-defects") } keeps them), but not of the moving RMS and what to grind
 defects-judged = { $sentence }; they count in levels and limits, but are no corrugation
 
 grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
@@ -436,7 +436,7 @@ months-within = with the uncertainty of the wear coefficient that is { $early } 
 rate-of-wheels-on-one-line = the rate is that of wheels of this kind alone, all on one line { $width } mm wide; `riffel forecast` tells that of a traffic
 rate-of-wheels-over-a-band = the rate is that of wheels of this kind alone, spread over a band of { $width } mm; `riffel forecast` tells that of a traffic
 rates-hold-to = the uncertainty of the wear coefficient puts rates and times within a factor of { $factor } either way (80 %); it has no part in what variants change
-band-narrower-than-contact = wear.band_width is { $band } mm, but the contact is { $contact } mm wide: wear comes off the contact's own width
+band-narrower-than-contact = { KEY("wear.band_width") } is { $band } mm, but the contact is { $contact } mm wide: wear comes off the contact's own width
 wheels-across-rail = the wheels of "{ $vehicle }" run { $innermost } to { $outermost } mm from the axis of the rail, the field side positive; { $percent } % of their passages cover the line at { $line } mm
 no-equilibrium-at-speeds = "{ $vehicle }" finds no equilibrium in its curve at { $speeds } km/h: there its wheels stand as at the nearest speeds that have one
 band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and the level bends over
@@ -447,13 +447,13 @@ spread-of-load = the spread of loads
 spread-of-friction = the spread of friction
 spread-of-position = the spread of contacts across the rail
 spread-of-key = the spread of { $key }
-creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another contact.grid may do
+creepages-left-out = the exact theory does not converge at a creepage of { $creepages } on a grid of { $grid } and is left out there; another { KEY("contact.grid") } may do
 
 ## Damage beside wear
 
 damage-beyond-friction = the utilised friction of the mean state is { $friction }: above 0.6 stress and shakedown limits of the laws of damage have not been compared with anything
-damage-beyond-elastic = the contact pressure of { $pressure } MPa is { $ratio } times the shear yield: above 7.3 the whole patch is plastic, and neither the ellipse of Hertz nor limits of shakedown hold; check damage.shear_yield
-moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of damage.bending.limit
+damage-beyond-elastic = the contact pressure of { $pressure } MPa is { $ratio } times the shear yield: above 7.3 the whole patch is plastic, and neither the ellipse of Hertz nor limits of shakedown hold; check { KEY("damage.shear_yield") }
+moment-beside-its-limit = the mean load bends the rail by { $moment } kN m, { $share } of { KEY("damage.bending.limit") }
 flow-hardens = flow hardens: growth by it is that of the first passages; below a runaway number of one it comes to rest, and what goes on is ratchetting at the hardened yield
 hardening-runs-away = flow that hardens does not stop the wave at { $wavelength } mm: its runaway number is { $runaway }, above one, so that it runs away
 hardening-ends-wave = flow that hardens multiplies the wave at { $wavelength } mm by { $ratio } and comes to rest: its runaway number is { $runaway }, below one. A law that hardens to rest makes no corrugation by itself; what goes on is ratchetting at the hardened yield
@@ -465,8 +465,8 @@ in-troughs = in the troughs
 on-rising-flanks = on the flanks that the wheel runs up
 on-falling-flanks = on the flanks that the wheel runs down
 below-the-limit-of-flow = the mean demand is { $demand }, below one: by the law of { $law } a wave does not grow until its own forces exceed the limit
-fatigue-loses-nothing = damage.fatigue.loss is zero: fatigue is told, but takes no part in growth
-shear-yield-assumed = the shear yield of the rail is taken as { $shear } MPa; damage.shear_yield or damage.grade say it
+fatigue-loses-nothing = { KEY("damage.fatigue.loss") } is zero: fatigue is told, but takes no part in growth
+shear-yield-assumed = the shear yield of the rail is taken as { $shear } MPa; { KEY("damage.shear_yield") } or { KEY("damage.grade") } say it
 parts-along-the-wave = wheel and rail part along the wave: forces in proportion to the profile hold only below its amplitude there
 shakedown-beyond-friction = above a utilised friction of 0.6 these limits have not been compared with anything
 shakedown-of-mean = mean state: p₀/k = { $pressure } at k = { $shear } MPa, utilised friction { $friction }, demand { $demand }, surface fatigue index { $index }
@@ -490,7 +490,7 @@ traction-of-contact = traction
 measure-of-stress = measure
 depth-of-stress = where
 stress-over-pressure = stress/p₀
-rates-follow-amplitude = rates of growth depend on the amplitude by laws of damage: those told are at corrugation.amplitude, { $amplitude } µm, levels are marched
+rates-follow-amplitude = rates of growth depend on the amplitude by laws of damage: those told are at { KEY("corrugation.amplitude") }, { $amplitude } µm, levels are marched
 fit-scales-all-damage = growth is by laws of damage beside wear: a wear coefficient fitted to measurements scales all of them
 models-leave-damage-out = models of the field are told without the laws of [damage], which none of their authors has
 action-none = left as it is
@@ -523,7 +523,7 @@ without-possession-percent = over hours of possession, %
 rank-of-action = rank
 actions-break = { $count } of the actions break the budget, the noise limit or the hours of possession in more than 5 % of the draws; they rank behind those that hold
 all-actions-break = every action breaks the budget, the noise limit or the hours of possession in more than 5 % of the draws; they are ranked by cost alone
-posterior-forecast-is-linear = levels are what linear growth says; where the wheel leaves the rail is not told over a posterior, riffel forecast without --posterior does
+posterior-forecast-is-linear = levels are what linear growth says; where the wheel leaves the rail is not told over a posterior, riffel forecast without { KEY("--posterior") } does
 forecast-on-doubtful-chains = the chains leave { $doubts } doubts, which riffel calibrate tells: bands may change with more draws
 posterior-forecast-is-over = { $draws } draws of the posterior, from the last date { $months } months on; medians with bands of 90 %
 wavelength-of-band = wavelength mm
@@ -618,7 +618,7 @@ levels-after = levels after { $passages } axle passages, { $tonnes } MGT as it i
 levels-of-rail-as-it-is = the levels are those of { $rail }, which leads as it is
 forecast-ends-before = before, where the wheel leaves the rail and the forecast ends: { $titles }
 comparison = Comparison
-keeps-tractive-ratio = "{ $title }" keeps the tractive ratio: the traction force changes with friction and load; --hold force keeps the force
+keeps-tractive-ratio = "{ $title }" keeps the tractive ratio: the traction force changes with friction and load; { KEY("--hold") } force keeps the force
 fastest-in-millimetres = fastest mm
 decibels-per-million-passages = dB per 10⁶ passages
 change-head = change
@@ -719,7 +719,7 @@ cracks-at = cracks at { $wavelength } mm
 crack-axis = length of a crack [mm]
 growth-axis = growth [dB per 10⁶ passages]
 rail-leads = { $rail } leads: { $sentence }
-bands-not-forecast = not forecast: { $count } bands from { $first } to { $last } mm that lie outside map.wavelength of the case
+bands-not-forecast = not forecast: { $count } bands from { $first } to { $last } mm that lie outside { KEY("map.wavelength") } of the case
 grinding-interval-from = grinding interval from { $ground }
 grinding-interval = grinding interval
 over-the-limit-now = over the limit now: { $edition } at { $wavelength } mm by { $decibels } dB
@@ -732,7 +732,7 @@ linear-range-never-ends = linear range: |P₁| is { $ratio } P₀ now under "{ $
 amount-with-date = { $passages } axle passages = { $tonnes } MGT = { $months } months ({ $date })
 amount-with-months = { $passages } axle passages = { $tonnes } MGT = { $months } months
 amount-of-traffic = { $passages } axle passages = { $tonnes } MGT
-rail-not-forecast = { $rail } has no band between { $from } and { $to } mm, map.wavelength of the case, and is left out
+rail-not-forecast = { $rail } has no band between { $from } and { $to } mm, { KEY("map.wavelength") } of the case, and is left out
 wavelength-in-millimetres = wavelength [mm]
 median = median
 forecast = Forecast
@@ -741,7 +741,7 @@ at-the-last-date = at the last date
 months-later = { $months } months later
 growth-goes-by-this-rail = growth goes by the wear coefficient of this rail, { $coefficient } kg/J, { $interval }: it is fitted to what has changed over { $passages } axle passages, and the case says { $given } kg/J
 interval-of-coefficient = 95 % interval { $low } to { $high } kg/J
-coefficient-is-fitted = wear coefficient { $coefficient } kg/J, { $interval }: forecast with it by --set wear.coefficient={ $value }
+coefficient-is-fitted = wear coefficient { $coefficient } kg/J, { $interval }: forecast with it by { KEY("--set") } { KEY("wear.coefficient") }={ $value }
 no-coefficient-nothing-grows = no wear coefficient: the model says of no band measured that it grows
 no-coefficient-nothing-moved = no wear coefficient: the bands that should grow by the model have not moved
 no-coefficient-bands-fell = no wear coefficient: the bands that should grow by the model have fallen, so what is on this rail is not the corrugation of this model
@@ -845,9 +845,9 @@ wheel-leaves-the-rail-after = wheel leaves the rail after
 the-traffic = the traffic
 levels-after-grinding = one-third-octave levels under { $traffic }; now is after grinding to { $ground }; then is after { $amount }
 levels-under-traffic = one-third-octave levels under { $traffic }; then is after { $amount }
-growth-is-uncertain = forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two and more until it is fitted to two dated records (--earlier, --dates)
+growth-is-uncertain = forecast and what-if: growth rates are proportional to a wear coefficient that is uncertain by a factor of two and more until it is fitted to two dated records ({ KEY("--earlier") }, { KEY("--dates") })
 variant-head = variant
-case-and-variants = the case and its variants at { $speeds }
+case-and-variants = the case and its variants, { $speeds }
 limit-is = limit: { $edition }
 from-ground = from { $ground }
 held-is = held is what a change of friction or load leaves as it is: the traction force, the tractive ratio Q₀/μP₀ or the creepage
@@ -856,8 +856,8 @@ variant-lowers-most = of the variants “{ $title }” lowers the fastest growth
 no-variant-lowers = none of the variants lowers the fastest growth
 with-held = { $sentence } (held: { $held })
 without-any-effect = without any effect: { $titles }
-limit-is-passed-on = the limit ({ $edition }) is passed already on { $rail }; --ground or --from-limit says how long each variant lasts after grinding
-limit-is-passed = the limit ({ $edition }) is passed already; --ground or --from-limit says how long each variant lasts after grinding
+limit-is-passed-on = the limit ({ $edition }) is passed already on { $rail }; { KEY("--ground") } or { KEY("--from-limit") } says how long each variant lasts after grinding
+limit-is-passed = the limit ({ $edition }) is passed already; { KEY("--ground") } or { KEY("--from-limit") } says how long each variant lasts after grinding
 with-variant = with “{ $title }”
 gross-tonnes = { $tonnes } MGT
 reached-after = after { $time } { $variant }
@@ -887,7 +887,7 @@ limit-of-rms = limit of the RMS [µm]
 length-over-the-limit = length over the limit
 limit-of-bands = limit: { $edition } ({ $source })
 how-bands-are-filtered = profile without spikes, zero-phase band-pass, each rail on its own, the worst first
-needs-a-limit-of-rms = it needs a table of RMS limits (--limit)
+needs-a-limit-of-rms = it needs a table of RMS limits ({ KEY("--limit") })
 no-band-over-its-limit = nothing: no band is over its limit anywhere
 section-head = section
 from-in-metres = from [m]
@@ -963,25 +963,25 @@ idle-belongs-to-curve = it belongs to `riffel curve` and `riffel profile`
 idle-amplitude = growth rates do not depend on the amplitude
 idle-one-wheel = there is one wheel, which interferes with no other
 idle-map = the bands are those of the case, and the speeds those of the traffic
-idle-inertia = wheel.rotation is the limit of no inertia or of infinite inertia
-idle-rotation = wheel.rotation holds the creepage or the force along the rail
+idle-inertia = { KEY("wheel.rotation") } is the limit of no inertia or of infinite inertia
+idle-rotation = { KEY("wheel.rotation") } holds the creepage or the force along the rail
 idle-contact-angle = under a contact angle of zero the wheel has the same radius everywhere
 idle-free-wheel = a wheel that turns freely takes any radius
 idle-belongs-to = it belongs to { $keys }
 idle-patch = a non-steady contact resolves its patch
 idle-place-of-wear = a non-steady contact finds the place of wear itself
 one-or-other = { $one } or { $other }
-idle-belongs-to-wheelset = it belongs to wheelset.model = { $models }
+idle-belongs-to-wheelset = it belongs to { KEY("wheelset.model") } = { $models }
 idle-receptance-given = the track is a receptance given in place of the model
 idle-receptance-measured = the track is a measured receptance, with the rail and the supports that were measured
-idle-twist = without rail.torsion_constant the rail does not twist
-idle-without-supports = track.model = "{ $model }" is a rail without supports
-idle-sleepers = track.model = "{ $model }" has no sleepers without ballast
-idle-one-layer = track.model = "{ $model }" has one layer, the pads
+idle-twist = without { KEY("rail.torsion_constant") } the rail does not twist
+idle-without-supports = { KEY("track.model") } = "{ $model }" is a rail without supports
+idle-sleepers = { KEY("track.model") } = "{ $model }" has no sleepers without ballast
+idle-one-layer = { KEY("track.model") } = "{ $model }" has one layer, the pads
 idle-mean-over-bay = growth is the mean over the bay
-idle-same-everywhere = track.model = "{ $model }" is the same everywhere along the rail
-lateral-pinned-pinned-is-no-candidate = the lateral pinned-pinned mode is not among the candidates: it needs supports at a spacing and a rail.section whose lateral bending and shear are known
-vertical-pinned-pinned-is-no-candidate = the vertical pinned-pinned mode is not among the candidates: it needs supports at a spacing and a rail.section whose vertical bending and shear are known
+idle-same-everywhere = { KEY("track.model") } = "{ $model }" is the same everywhere along the rail
+lateral-pinned-pinned-is-no-candidate = the lateral pinned-pinned mode is not among the candidates: it needs supports at a spacing and a { KEY("rail.section") } whose lateral bending and shear are known
+vertical-pinned-pinned-is-no-candidate = the vertical pinned-pinned mode is not among the candidates: it needs supports at a spacing and a { KEY("rail.section") } whose vertical bending and shear are known
 no-least-sum-of-receptances = below the first peak of the { $origin } receptance the sum of rail, wheel and contact has no least value within its frequencies
 p2-is-no-candidate = P2 is not among the candidates: { $reason }
 no-modes-of-receptance = modes of the track are not among the candidates: no peak or dip of the { $origin } receptance stands out of its neighbours and its noise
@@ -993,14 +993,14 @@ wheel-on-low-rail = wheelset { $number }, low rail
 wheel-on-high-rail = wheelset { $number }, high rail
 wheel-on-left-rail = wheelset { $number }, left rail
 wheel-on-right-rail = wheelset { $number }, right rail
-all-rails-grow-alike = all rails are given the growth { $of_rail } (contact.from); in a curve the other one grows at its own rate, which contact.from.rail asks for
+all-rails-grow-alike = all rails are given the growth { $of_rail } ({ KEY("contact.from") }); in a curve the other one grows at its own rate, which { KEY("contact.from.rail") } asks for
 of-low = of the low rail
 of-high = of the high rail
 flange-of-wheel = { $wheel }, flange
 traffic-word = traffic
 at-spread-speed = { $speed } km/h with a standard deviation of { $deviation } km/h
-neither-speed-nor-traffic = neither --speed nor --traffic given
-not-fitted-without-passages = the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: they follow from the dates of both records and from a traffic file that says how much traffic there is, or are given (--passages-between)
+neither-speed-nor-traffic = neither { KEY("--speed") } nor { KEY("--traffic") } given
+not-fitted-without-passages = the wear coefficient is not fitted to the earlier record, for the axle passages since then are not known: they follow from the dates of both records and from a traffic file that says how much traffic there is, or are given ({ KEY("--passages-between") })
 coefficient-not-fitted = the wear coefficient is not fitted: { $reason }
 input-roughness = roughness
 input-of-the-same-rail = of the same rail
@@ -1024,9 +1024,9 @@ one-third-octave-spectra = { $count ->
        *[other] { $count } one-third-octave spectra
     }
 chosen-spectra = { $count } one-third-octave spectra, those with { $choices }
-needs-a-limit-of-levels = it needs a limit of levels (--limit)
-no-traffic-given = no traffic was given (--traffic)
-no-variant-given = no variant was given (--with)
+needs-a-limit-of-levels = it needs a limit of levels ({ KEY("--limit") })
+no-traffic-given = no traffic was given ({ KEY("--traffic") })
+no-variant-given = no variant was given ({ KEY("--with") })
 spikes = { $count ->
         [one] 1 spike
        *[other] { $count } spikes
@@ -1155,7 +1155,7 @@ measurement-of-wheelset-bending = lateral and vertical axle-box acceleration of 
 measurement-of-grinding-mark = the log of the grinding train (date, passes, speed, turns of the stones), a photograph of the facets, and a section that was not ground
 measurement-of-support-spacing = sleeper positions on the chainage of the record: the phase stays with them
 measurement-of-wheel-circumference = a trolley record of the same rail, and wheel roughness or out-of-roundness: if the trolley does not see the wavelength it is on the wheel
-measurement-of-unlisted = a receptance measurement of this track in place of the model (track.model = "measured")
+measurement-of-unlisted = a receptance measurement of this track in place of the model ({ KEY("track.model") } = "measured")
 
 ## Chains on simulated data
 
@@ -1176,6 +1176,7 @@ ranks-are-uneven = { $value }: in { $runs } simulations the truth does not lie a
 file-cannot-be-read = cannot read the { $what } { $path }: { $reason }
 not-valid-toml = not valid TOML: { $message }
 place-and-fault = { $place }: { $fault }
+track-is-the-same-everywhere = the track is the same everywhere along the rail with { KEY("track.model") } = "{ $model }"; choose one-layer-periodic or two-layer-periodic
 line-and-fault = { $path }, line { $line }: { $fault }
 no-such-preset = no preset is called "{ $name }"; the nearest is "{ $nearest }"
 presets-are-listed = riffel presets lists them all
@@ -1214,10 +1215,10 @@ ratio-such-as = { $kind } such as 0.4 or "{ $example }"
 name-as-subject = { $name } { $rule }
 is-flange-but-the-wheel-stands = is "flange", but the wheel stands on one point, at a contact angle of { $angle }°
 the-profiles-do-not-part-across = the profiles do not part across the track where they touch (curvature { $curvature } 1/m), so that there is no ellipse; give { $key }
-the-rail-is-not-convex-where = the rail is not convex where the wheel stands (curvature { $curvature } 1/m), so that no contact of a head moves there; leave contact.conformity out, or give { $key }
-is-but-the-ellipse-like-it = is "{ $name }", but the ellipse like it is one of contact.hertz = "exact"
+the-rail-is-not-convex-where = the rail is not convex where the wheel stands (curvature { $curvature } 1/m), so that no contact of a head moves there; leave { KEY("contact.conformity") } out, or give { $key }
+is-but-the-ellipse-like-it = is "{ $name }", but the ellipse like it is one of { KEY("contact.hertz") } = "exact"
 needs = needs { $what }
-supports-of-the-rail-or-a = supports of the rail: { $keys } or a track.preset
+supports-of-the-rail-or-a = supports of the rail: { $keys } or a { KEY("track.preset") }
 a-rail-that-moves-across-the = a rail that moves across the track: { $keys }
 narrow-the-window-or-measure-further = narrow the window, or measure further
 the-traction-force-of-kn-on = the traction force of { $force } kN on a wheel is { $ratio } times what friction can carry, μP₀ = { $most } kN
@@ -1236,48 +1237,48 @@ is-but-the-wheelset-is-mm = is { $gauge }, but the wheelset is { $width } mm wid
 is-but-the-wheels-mm-wide = is { $gauge }, but the wheels, { $width } mm wide over their field sides, do not stand on both rails
 is-but-cannot-be-read = is "{ $name }", but { $path } cannot be read: { $reason }
 nominal-profiles = nominal profiles: { $known }
-track-model-says-what-the-rail = track.model = "{ $model }" says what the rail does under the wheel alone, not how far its vibration runs
-the-rail-of-track-model-carries = the rail of track.model = "{ $model }" carries its vibration on without end at every frequency
+track-model-says-what-the-rail = { KEY("track.model") } = "{ $model }" says what the rail does under the wheel alone, not how far its vibration runs
+the-rail-of-track-model-carries = the rail of { KEY("track.model") } = "{ $model }" carries its vibration on without end at every frequency
 takes-one-wheel-of-wheel-with = { $what } takes one wheel of [wheel] with longitudinal creepage, and this is a loop on all axes or of several wheels
-track-model-is-but-is-of = `track.model` is "{ $model }", but { $what } is of discrete supports; choose a periodic model
-traffic-file-for-case = this is a traffic file, with its [[vehicle]], and no case file; give it by --traffic, and a case file, as `riffel init` writes one, in its place
+track-model-is-but-is-of = `{ KEY("track.model") }` is "{ $model }", but { $what } is of discrete supports; choose a periodic model
+traffic-file-for-case = this is a traffic file, with its [[vehicle]], and no case file; give it by { KEY("--traffic") }, and a case file, as `riffel init` writes one, in its place
 below-r-at-the-wavelength-of = below λ²/4π²R at the wavelength of { $wavelength } m: beyond it the profile is as curved as the wheel, which bridges the troughs
 at-m-and-m-s-is = { $quantity } at { $wavelength } m and { $speed } m/s is not a finite number: values of the case are too large or too small to compute with
-wheelset-model-needs-it = wheelset.model = "{ $model }" needs it
+wheelset-model-needs-it = { KEY("wheelset.model") } = "{ $model }" needs it
 give-length-and-diameter-of-an = give length and diameter of an axle of one diameter, or segments
 is-an-empty-list-an-axle = is an empty list, an axle of 0 m, but the sum of the lengths must be above 0
 at-most-the-length-of-the = at most the length of the axle, { $length } m
 between-m-and-m-the-ends = between -{ $end } m and { $end } m, the ends of the axle
-traffic-file-for-changes = this is a traffic file, with its [[vehicle]], and no file of changes; give it by --traffic
+traffic-file-for-changes = this is a traffic file, with its [[vehicle]], and no file of changes; give it by { KEY("--traffic") }
 give-one-of-the-two = give one of the two
 the-file-of-changes-changes-nothing = the file of changes changes nothing
 write-keys-of-the-case-as = write keys of the case, as in [contact] friction = 0.3, or [speed] mean, factor or standard_deviation
 give-damping-loss-factor-or-both = give { $key }.damping, { $key }.loss_factor, or both
 at-most-the-support-spacing = at most the support spacing, { $spacing }
-choose-contact-creep-law-half-space = choose contact.creep_law = "half-space", or leave it out
-give-contact-tractive-ratio-or-contact = give contact.tractive_ratio or contact.creepage
-at-most-contact-polach-adhesion-reduction = at most contact.polach.adhesion_reduction, { $value }
+choose-contact-creep-law-half-space = choose { KEY("contact.creep_law") } = "half-space", or leave it out
+give-contact-tractive-ratio-or-contact = give { KEY("contact.tractive_ratio") } or { KEY("contact.creepage") }
+at-most-contact-polach-adhesion-reduction = at most { KEY("contact.polach.adhesion_reduction") }, { $value }
 falling-friction-needs-limit-friction-ratio = falling friction needs limit_friction_ratio, friction_decay and speed of [contact.polach]: give all three or none
 is-one-of-t-a-of = is one of Tγ/A, of which the law of wear does not ask
-it-belongs-to-wear-law-usfd = it belongs to wear.law = "usfd" and "usfd-smooth"
+it-belongs-to-wear-law-usfd = it belongs to { KEY("wear.law") } = "usfd" and "usfd-smooth"
 rates-of-the-laws-add-name = rates of the laws add: name each once
-damage-laws-names-give-its-table = damage.laws names "{ $law }": give its table
-names-bending-but-track-model-does = names bending, but track.model = "{ $name }" does not tell what carries the rail
+damage-laws-names-give-its-table = { KEY("damage.laws") } names "{ $law }": give its table
+names-bending-but-track-model-does = names bending, but { KEY("track.model") } = "{ $name }" does not tell what carries the rail
 choose-a-model-or-no-bending = choose a model of rail and supports, or leave bending out
 names-fatigue-by-t-but-the = names fatigue by Tγ, but the contact does not creep
-give-contact-creepage-or-contact-tractive = give contact.creepage or contact.tractive_ratio above zero
-is-true-but-wheelset-model-tells = is true, but wheelset.model = "{ $model }" tells how the contacts move and not how the hubs do
-choose-wheelset-model-rigid-or-flexible = choose wheelset.model = "rigid" or "flexible", or leave it out
+give-contact-creepage-or-contact-tractive = give { KEY("contact.creepage") } or { KEY("contact.tractive_ratio") } above zero
+is-true-but-wheelset-model-tells = is true, but { KEY("wheelset.model") } = "{ $model }" tells how the contacts move and not how the hubs do
+choose-wheelset-model-rigid-or-flexible = choose { KEY("wheelset.model") } = "rigid" or "flexible", or leave it out
 give-longitudinal-or-lateral-creepage-with = give longitudinal or lateral creepage with it
 transverse-radius-is-the-relative-one = transverse_radius is the relative one of both profiles, equal to that of the rail under a cone
-are-several-but-track-model-does = are several, but track.model = "{ $model }" does not tell how the track answers from one to the next
+are-several-but-track-model-does = are several, but { KEY("track.model") } = "{ $model }" does not tell how the track answers from one to the next
 choose-a-model-or-one-wheel = choose a model of rail and supports, or one wheel
-give-rail-lateral-second-moment-and = give rail.lateral_second_moment and track.pad.lateral_stiffness, or leave it out
+give-rail-lateral-second-moment-and = give { KEY("rail.lateral_second_moment") } and { KEY("track.pad.lateral_stiffness") }, or leave it out
 the-waves-that-run-along-this = the waves that run along this rail over the { $furthest } m from the first wheel to the last are not told by so few oscillations as are fitted in time, { $per_cent } % rms off; give fewer or nearer wheels, or a track that damps more
-the-case-has-contacts-but-a = the case has { $count } contacts, but a passage in time takes at most { $most_contacts }: the work of a step and of the fit goes with their square; choose fewer wheels, or wheelset.opposite_rail = "absent"
+the-case-has-contacts-but-a = the case has { $count } contacts, but a passage in time takes at most { $most_contacts }: the work of a step and of the fit goes with their square; choose fewer wheels, or { KEY("wheelset.opposite_rail") } = "absent"
 is-a-file-and-this-case = is a file, and this case may not name any
 use-it-in-a-case-file = use it in a case file with the program, `riffel map CASE`
-lower-points = lower map.wavelength.points or map.speed.points
+lower-points = lower { KEY("map.wavelength.points") } or { KEY("map.speed.points") }
 and-exclude-each-other = and `{ $other }` exclude each other
 the-nearest-key-is = the nearest key is `{ $key }`
 is-no-key-of-a-case = is no key of a case
@@ -1286,13 +1287,13 @@ is-an-empty-list = is an empty list
 give-both-keys-of-one-of = give both keys of one of the two
 goes-down-to-but-every-value = goes down to { $value }, but every value must be greater than zero
 is-no-spread-give-mean-and = is no spread: give mean and standard_deviation, min and max, or a list of value and share, with { $name } as in "{ $example }"
-is-below-one-but-axles-that = `{ $key }` is below one, but axles that roll free damage the rail by the laws of damage.laws, too: name the axles with traction and those without as two vehicles
+is-below-one-but-axles-that = `{ $key }` is below one, but axles that roll free damage the rail by the laws of { KEY("damage.laws") }, too: name the axles with traction and those without as two vehicles
 the-shares-of-sum-to-but = the shares of `{ $key }` sum to { $sum }, but must sum to 1
 vehicle = vehicle "{ $vehicle }": { $error }
 variant-changes-friction-or-load-under = variant "{ $title }" changes friction or load under "{ $vehicle }"; { $why }
 speeds-and-bands-of-vehicle = speeds and bands of vehicle "{ $name }": { $message }
 line-measured-line-needs-profiles-of = `line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle "{ $name }" has none
-and-wear-band-width-of-the = `{ $key }` and wear.band_width of the case exclude each other; give one of the two
+and-wear-band-width-of-the = `{ $key }` and { KEY("wear.band_width") } of the case exclude each other; give one of the two
 write-one-vehicle-or-more = write one [[vehicle]] or more
 is-empty-but-tables-need-a = is empty, but tables need a name
 is-a-second-time = is "{ $text }" a second time
@@ -1302,9 +1303,9 @@ is-a-force-but-must-be = is "{ $force }", a force, but must be a mass, as in "13
 the-speeds-of-the-traffic-go = the speeds of the traffic go from { $from } to { $to } km/h, but must be above zero and rise
 there-are-vehicles-but-the-page = there are { $count } vehicles, but the page takes { $most_vehicles } at most
 the-case-is-larger-than-kib = the case is larger than { $size } KiB
-map-points-are-more-than-the = `map`: { $points } points are more than the { $most_map_points } that the page computes
-lower-points-on-the-page = lower map.wavelength.points or map.speed.points; the program itself computes larger maps
-contact-grid-is-but-the-page = `contact.grid` is { $grid }, but the page goes up to { $finest_grid } with a non-steady response
+map-points-are-more-than-the = `{ KEY("map") }`: { $points } points are more than the { $most_map_points } that the page computes
+lower-points-on-the-page = lower { KEY("map.wavelength.points") } or { KEY("map.speed.points") }; the program itself computes larger maps
+contact-grid-is-but-the-page = `{ KEY("contact.grid") }` is { $grid }, but the page goes up to { $finest_grid } with a non-steady response
 the-program-itself-goes-further = the program itself goes further
 the-of-the-point-is-but = the { $what } of the point is { $value }, but the map reaches from { $low } to { $high }
 choose-a-point-on-the-map = choose a point on the map
@@ -1346,17 +1347,17 @@ the-limit-of-the-level-must = the limit of the level must be 0 to { $loudest } d
 is-larger-than-mib-the-most = is larger than { $size } MiB, the most that Riffel reads of a { $what }
 is-text-in-but-a-must = is text in { $encoding }, but a { $what } must be UTF-8
 byte-of-the-file-is-which = byte { $place } of the file is { $value }, which is not UTF-8; it looks like Windows-1252, where it is "{ $letter }"
-write-set-key-value-as-in = write --set key=value, as in --set contact.friction=0.3
+write-set-key-value-as-in = write { KEY("--set") } key=value, as in { KEY("--set") } { KEY("contact.friction") }=0.3
 is-empty-window = is { $max }, but the window is empty unless it is above the min of { $min }
-track-model-needs-it = track.model = "{ $model }" needs it: give it{ $preset }
-or-name-a-preset = , or name a preset by track.preset
+track-model-needs-it = { KEY("track.model") } = "{ $model }" needs it: give it{ $preset }
+or-name-a-preset = , or name a preset by { KEY("track.preset") }
 track-of-all-frequencies-in-time = a passage in time needs all frequencies: a model of track and wheel in the place of receptances
 rigid-wheel-in-time = a passage in time takes the rigid wheel of [wheel], not a receptance that is given for it
 wheelset-of-all-frequencies-in-time = a passage in time needs all frequencies: a model of the wheelset, or its modes, in the place of measured receptances
 contacts-at-rest-in-time = a passage in time takes contacts that stay where they are on the profiles; leave it out
-no-spring-dashpot-in-time = `contact.response` is "spring-dashpot", which is known for small oscillations only; for a passage in time choose "quasi-static" or "non-steady"
-quasi-static-in-time = on all axes a passage in time takes a contact that answers at once, `contact.response` = "quasi-static"
-no-constant-force-in-time = `wheel.rotation` is "constant-tangential-force", but where the wheel leaves the rail no creepage keeps the force; choose "inertia" or "constant-creepage"
+no-spring-dashpot-in-time = `{ KEY("contact.response") }` is "spring-dashpot", which is known for small oscillations only; for a passage in time choose "quasi-static" or "non-steady"
+quasi-static-in-time = on all axes a passage in time takes a contact that answers at once, `{ KEY("contact.response") }` = "quasi-static"
+no-constant-force-in-time = `{ KEY("wheel.rotation") }` is "constant-tangential-force", but where the wheel leaves the rail no creepage keeps the force; choose "inertia" or "constant-creepage"
 
 ## Faults of the page
 

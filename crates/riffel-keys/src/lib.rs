@@ -22,6 +22,7 @@
 mod binary_format;
 mod error;
 mod excerpt;
+mod given_text;
 mod key_file;
 mod language;
 pub mod message;

@@ -7,6 +7,8 @@ use std::io;
 use std::path::Path;
 
 use crate::binary_format::BinaryFormat;
+use crate::given_text::given;
+pub use crate::given_text::with_texts;
 pub use crate::standard_input::LARGEST_RESPONSES;
 use crate::standard_input::{read_to, standard_input};
 use crate::{CaseError, question};
@@ -151,7 +153,9 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
         path: path.to_owned(),
         reason,
     };
-    let bytes = if let Some(document) = question::as_toml(path) {
+    let bytes = if let Some(text) = given(path) {
+        Ok(text)
+    } else if let Some(document) = question::as_toml(path) {
         document
     } else if is_standard_input(path) {
         standard_input(largest + 1)

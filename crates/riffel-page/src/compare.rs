@@ -34,7 +34,7 @@ impl Variant {
 
     /// A fault of a variant is not one of the form.
     fn fault(&self, fault: Fault) -> Fault {
-        fault.without_key(&format!("{}: ", self.name))
+        fault.without_key(&self.name)
     }
 }
 

@@ -1,38 +1,63 @@
 //! What went wrong, as the page shows it.
 
-use std::collections::BTreeMap;
-
 use miette::Diagnostic;
-use riffel_keys::message::translations;
+use riffel_keys::message::{Translations, translations};
 use riffel_keys::text_file::in_a_message;
 use riffel_keys::{CaseError, Message, say};
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// An error: a status of HTTP for the browser, a sentence for the reader and, where there is one, the key of the
 /// case that is at fault.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 pub struct Fault {
-    #[serde(skip)]
     status: u16,
-    #[serde(skip)]
     retry_after_s: Option<u32>,
     /// Dotted key of the case.
-    #[serde(skip_serializing_if = "Option::is_none")]
     key: Option<Box<str>>,
     /// The sentence.
-    message: Box<str>,
-    /// What would be right.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    help: Option<Box<str>>,
+    message: Message,
+    /// What would be right, or nothing.
+    help: Box<Message>,
     /// Line of the text that was sent, from 1.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    line: Option<usize>,
-    /// The German of both, by their English.
-    #[serde(skip_serializing_if = "BTreeMap::is_empty")]
-    german: BTreeMap<String, String>,
+    line: Option<u32>,
+    /// The German of both and their pieces, where another process said them.
+    known: Option<Box<Translations>>,
     /// What a developer of the page wants to know, and nobody else.
-    #[serde(skip_serializing_if = "Option::is_none")]
     detail: Option<Box<str>>,
+}
+
+/// A message as it is shown.
+fn shown(message: &Message) -> String {
+    in_a_message(&message.to_string()).into_owned()
+}
+
+impl Serialize for Fault {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        #[derive(Serialize)]
+        struct Document<'a> {
+            #[serde(skip_serializing_if = "Option::is_none")]
+            key: Option<&'a str>,
+            message: String,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            help: Option<String>,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            line: Option<u32>,
+            #[serde(flatten)]
+            known: Translations,
+            #[serde(skip_serializing_if = "Option::is_none")]
+            detail: Option<&'a str>,
+        }
+        let own = || translations([&self.message, &*self.help]);
+        Document {
+            key: self.key.as_deref(),
+            message: self.message(),
+            help: self.help(),
+            line: self.line,
+            known: self.known.as_deref().cloned().unwrap_or_else(own),
+            detail: self.detail.as_deref(),
+        }
+        .serialize(serializer)
+    }
 }
 
 impl Fault {
@@ -49,13 +74,13 @@ impl Fault {
     }
 
     /// The sentence.
-    pub fn message(&self) -> &str {
-        &self.message
+    pub fn message(&self) -> String {
+        shown(&self.message)
     }
 
     /// What would be right.
-    pub fn help(&self) -> Option<&str> {
-        self.help.as_deref()
+    pub fn help(&self) -> Option<String> {
+        (!self.help.is_empty()).then(|| shown(&self.help))
     }
 
     /// After how many seconds to ask again.
@@ -69,26 +94,25 @@ impl Fault {
         message: impl Into<Message>,
         help: impl Into<Message>,
     ) -> Self {
-        let (message, help) = (message.into(), help.into());
-        let german = translations([&message, &help]);
-        let [message, help] =
-            [message, help].map(|message| in_a_message(&message.to_string()).into_owned());
         Self {
             status: status.into(),
             retry_after_s: None,
             key: None,
             message: message.into(),
-            help: (!help.is_empty()).then(|| help.into()),
+            help: Box::new(help.into()),
             line: None,
-            german,
+            known: None,
             detail: None,
         }
     }
 
-    /// The same fault with the German of its sentences, by their English.
+    /// The same fault with what is known of its sentences.
     #[must_use]
-    pub fn with_german(self, german: BTreeMap<String, String>) -> Self {
-        Self { german, ..self }
+    pub fn with_translations(self, known: Translations) -> Self {
+        Self {
+            known: Some(known.into()),
+            ..self
+        }
     }
 
     /// A newer question for the same has come.
@@ -130,30 +154,12 @@ impl Fault {
     }
 
     /// The same fault of something that the form does not show.
+    #[must_use]
     pub fn without_key(self, what: &str) -> Self {
-        let told = |sentence: &str| format!("{what}{sentence}");
-        let german = self.german.into_iter();
-        let german = german.map(|(english, german)| match *english == *self.message {
-            true => (told(&english), told(&german)),
-            false => (english, german),
-        });
         Self {
             key: None,
             line: None,
-            message: told(&self.message).into(),
-            german: german.collect(),
-            ..self
-        }
-    }
-
-    /// The same fault in other words.
-    pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
-        Self {
-            message: words(&self.message).into(),
-            help: self.help.as_deref().map(|help| words(help).into()),
-            german: (self.german.iter())
-                .map(|(english, german)| (words(english), words(german)))
-                .collect(),
+            message: say!(place_and_fault, place = what, fault = self.message),
             ..self
         }
     }
@@ -170,7 +176,7 @@ impl From<CaseError> for Fault {
             let offset = labels.next()?.offset();
             let source = error.source_code()?;
             let span = source.read_span(&(offset, 0).into(), 0, 0).ok()?;
-            Some(span.line() + 1)
+            u32::try_from(span.line() + 1).ok()
         });
         let mut cause = &error;
         if let CaseError::NotConverged(inner) = cause {

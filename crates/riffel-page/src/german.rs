@@ -1,34 +1,29 @@
-//! The German of what an answer says, beside it.
+//! The German of what an answer says, and its pieces, beside it.
 
-use std::collections::BTreeMap;
-
+use riffel_keys::message::Translations;
 use serde_json::Value;
 
-/// Key of the table.
-const GERMAN: &str = "german";
-
-/// An answer with a table `german` beside its other keys: the German of its messages, by their English. The page changes its
-/// language without asking anew. What is an answer itself may have brought such a table, which goes into this one.
-pub(crate) fn beside(mut answer: Value, mut german: BTreeMap<String, String>) -> Value {
-    take(&mut answer, &mut german);
-    if let (Value::Object(answer), false) = (&mut answer, german.is_empty()) {
-        answer.insert(GERMAN.to_owned(), serde_json::json!(german));
+/// An answer with the tables of [`Translations`] beside its other keys. The page changes its language without asking anew.
+/// What is an answer itself may have brought such tables, which go into these.
+pub(crate) fn beside(mut answer: Value, mut known: Translations) -> Value {
+    take(&mut answer, &mut known);
+    if let (Value::Object(answer), Ok(Value::Object(known))) =
+        (&mut answer, serde_json::to_value(known))
+    {
+        answer.extend(known);
     }
     answer
 }
 
-fn take(value: &mut Value, german: &mut BTreeMap<String, String>) {
+fn take(value: &mut Value, known: &mut Translations) {
     match value {
         Value::Object(table) => {
-            if let Some(Value::Object(own)) = table.remove(GERMAN) {
-                let texts = own.into_iter();
-                german.extend(
-                    texts.filter_map(|(english, text)| Some((english, text.as_str()?.to_owned()))),
-                );
-            }
-            table.values_mut().for_each(|value| take(value, german));
+            let tables = Translations::KEYS.into_iter();
+            let own: Value = tables.filter_map(|key| table.remove_entry(key)).collect();
+            known.extend(serde_json::from_value(own).unwrap_or_default());
+            table.values_mut().for_each(|value| take(value, known));
         }
-        Value::Array(list) => list.iter_mut().for_each(|value| take(value, german)),
+        Value::Array(list) => list.iter_mut().for_each(|value| take(value, known)),
         _ => {}
     }
 }
@@ -44,12 +39,12 @@ mod tests {
     #[test]
     fn what_is_said_has_its_german_beside_it() {
         let inner = json!({ "value": 1, "german": { "low": "innen" } });
-        let (answer, german) =
+        let (answer, known) =
             with_translations(|| json!({ "rule": say!(is_missing), "inner": inner }));
         let expected = json!({ "rule": "is missing", "inner": { "value": 1 }, "german": { "is missing": "fehlt", "low": "innen" } });
-        assert_eq!(beside(answer, german), expected);
+        assert_eq!(beside(answer, known), expected);
         assert_eq!(
-            beside(json!({ "value": 1 }), BTreeMap::new()),
+            beside(json!({ "value": 1 }), Translations::default()),
             json!({ "value": 1 })
         );
     }

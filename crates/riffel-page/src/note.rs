@@ -25,12 +25,4 @@ impl Note {
     pub fn all<'a>(remarks: impl IntoIterator<Item = &'a Message>) -> Vec<Self> {
         remarks.into_iter().map(Self::from).collect()
     }
-
-    /// The same remark in other words.
-    pub fn in_words(self, words: impl Fn(&str) -> String) -> Self {
-        Self {
-            en: words(&self.en),
-            de: words(&self.de),
-        }
-    }
 }

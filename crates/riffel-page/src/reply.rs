@@ -48,13 +48,13 @@ impl Reply {
     }
 }
 
-/// An answer in JSON, with the German of what it says in a table `german`.
+/// An answer in JSON, with the German and the pieces of what it says beside it.
 ///
 /// # Errors
 /// A [`Fault`] if it has no JSON.
 pub fn written(answer: &impl Serialize) -> Result<Vec<u8>, Fault> {
-    let (answer, german) = with_translations(|| serde_json::to_value(answer));
-    let answer = answer.map(|answer| beside(answer, german));
+    let (answer, known) = with_translations(|| serde_json::to_value(answer));
+    let answer = answer.map(|answer| beside(answer, known));
     let written = answer.and_then(|answer| serde_json::to_vec(&answer));
     written.map_err(|_| Fault::defect("the answer cannot be written"))
 }

@@ -5,7 +5,7 @@ import { decoded } from './columns.js';
 import { axis, draw, layout, palette, refit } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords, said } from './german.js';
+import { said } from './german.js';
 import { Line, json } from './server.js';
 import { currentLanguage, number, t, translate } from './words.js';
 
@@ -23,8 +23,8 @@ const span = ({ from_m: from, to_m: to }) => (from === to ? metres(from) : `${me
 
 export class Along {
   /** `question` gives the name of the record and how it is laid out; `onPart` takes the part of the line that was chosen, null for all of it. */
-  constructor({ question, onPart, complain, labels, save }) {
-    Object.assign(this, { question, onPart, complain, labels, held: null, answer: null, part: null, table: null });
+  constructor({ question, onPart, complain, inLabels, save }) {
+    Object.assign(this, { question, onPart, complain, inLabels, held: null, answer: null, part: null, table: null });
     this.line = new Line('/api/along', json);
     this.plot = element('div', { className: 'curve tall', id: 'along' });
     const head = element('header', {}, worded('h2', 'along'));
@@ -222,8 +222,8 @@ export class Along {
     const none = (value, words) => (value == null ? '–' : words());
     this.#tabled(this.verdicts, t('verdict_columns'), sections.map((section) => {
       const { excess_db: excess, share_over_limit: share, rms_over_limit: ratio } = section;
-      const { language } = said(section.sentence);
-      const words = [inWords(section.sentence), ...(section.along ?? []).map(({ kind, name }) => `${kind} ${name}`.trim())].map(this.labels).join('; ');
+      const { text, language } = said(section.sentence, this.inLabels);
+      const words = [text, ...(section.along ?? []).map(({ kind, name }) => `${kind} ${name}`.trim())].join('; ');
       return {
         part: section, rail: section.rail,
         cells: [

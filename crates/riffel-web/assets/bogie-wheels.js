@@ -11,8 +11,8 @@ import { caseTitle, number, passages, power, t, translate } from './words.js';
 const [WIDTH, HEIGHT, ZERO] = [200, 70, 50];
 
 export class BogieWheels {
-  constructor({ state, unitOf, labels, replace, save }) {
-    Object.assign(this, { state, unitOf, labels, replace, line: new Line('/api/curve/wheels', json), answer: null });
+  constructor({ state, unitOf, inLabels, replace, save }) {
+    Object.assign(this, { state, unitOf, inLabels, replace, line: new Line('/api/curve/wheels', json), answer: null });
     this.of = element('span', { className: 'aside' });
     this.words = element('p', { className: 'why' });
     this.multiples = element('div', { className: 'multiples', id: 'growth-of-wheels' });
@@ -62,7 +62,7 @@ export class BogieWheels {
     this.panel.hidden = !answer;
     if (!answer) return;
     this.of.textContent = caseTitle(this.keys);
-    this.words.textContent = answer.fault ? this.labels(inWords(answer.fault.message)) : t('growth_of_wheels_help', answer.wavelength_m.at(0) && [answer.wavelength_m[0], answer.wavelength_m.at(-1)].map((one) => number(1e3 * one)).join('–'));
+    this.words.textContent = answer.fault ? inWords(answer.fault.message, this.inLabels) : t('growth_of_wheels_help', answer.wavelength_m.at(0) && [answer.wavelength_m[0], answer.wavelength_m.at(-1)].map((one) => number(1e3 * one)).join('–'));
     const most = Math.max(...this.#wheels.map((wheel) => wheel.highest?.growth_rate_per_passage ?? 0), 1e-12);
     this.multiples.replaceChildren(...this.#wheels.map((wheel) => this.#figure(wheel, most)));
   }
@@ -72,7 +72,7 @@ export class BogieWheels {
     const caption = element('figcaption', {}, element('b', { textContent: name }));
     const figure = element('figure', {}, caption);
     if (!wheel.keys) {
-      caption.append(element('span', { textContent: this.labels(inWords(wheel.not_in_loop)) }));
+      caption.append(element('span', { textContent: inWords(wheel.not_in_loop, this.inLabels) }));
       return figure;
     }
     const { highest } = wheel;

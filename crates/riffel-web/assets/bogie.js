@@ -44,11 +44,11 @@ function kept() {
   return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
 }
 
-export function startBogie({ state, listen, complain, banner, labels, unitOf, replace, save }) {
+export function startBogie({ state, listen, complain, banner, inLabels, unitOf, replace, save }) {
   const place = document.getElementById('view-curve');
   const line = new Line('/api/curve', json);
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
-  const growth = new BogieWheels({ state, unitOf, labels, replace, save });
+  const growth = new BogieWheels({ state, unitOf, inLabels, replace, save });
   let shown = null;
   /** Whether the last question had no answer: it is asked again as soon as a map has one. */
   let failed = false;
@@ -171,7 +171,7 @@ export function startBogie({ state, listen, complain, banner, labels, unitOf, re
     draw(curvatures, trace((profile) => profile.curvature_1_per_m.map(visible)), layout({ xaxis: across(), yaxis: axis(t('curvature_profile')) }));
     const { fault, wheels = [], wheelsets = [] } = shown.curve;
     trouble.hidden = !fault;
-    trouble.textContent = fault ? `${t('no_equilibrium')} ${labels(inWords(fault.message))}` : '';
+    trouble.textContent = fault ? `${t('no_equilibrium')} ${inWords(fault.message, inLabels)}` : '';
     table.hidden = above.hidden = heads.wheels.querySelector('.take').hidden = Boolean(fault);
     if (!fault) drawBogie(above, shown.curve, { radius: shown.asked.radius_m, gauge: shown.asked.gauge_m, wheelbase: shown.asked.wheelbase_m, label: t('bogie_from_above') });
     const cell = (value, digits) => value.toLocaleString(currentLanguage(), { minimumFractionDigits: digits, maximumFractionDigits: digits }).replace('-', '−');

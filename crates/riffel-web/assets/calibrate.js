@@ -18,7 +18,7 @@ const DRAWS = [1500, 3000, 6000];
 /** Where a reload finds them. */
 const KEPT = 'riffel-draws';
 
-export function startCalibrate({ state, traffic, labels, unitOf, listen, complain, banner, announce, save, replace }) {
+export function startCalibrate({ state, traffic, inLabels, unitOf, listen, complain, banner, announce, save, replace }) {
   const place = document.getElementById('view-calibrate');
   const line = new Line('/api/calibration', json);
   /** The plan as the program has it, and the question that was answered. */
@@ -28,7 +28,7 @@ export function startCalibrate({ state, traffic, labels, unitOf, listen, complai
 
   // What is asked --------------------------------------------------------------------------------------
 
-  const data = new CalibrationData({ onChange: () => askPlan(), plan: (files) => (state.current ? ask('/api/calibration/plan', { ...question(), data: files, changes: {} }) : null), complain, banner, labels });
+  const data = new CalibrationData({ onChange: () => askPlan(), plan: (files) => (state.current ? ask('/api/calibration/plan', { ...question(), data: files, changes: {} }) : null), complain, banner, inLabels });
   const priors = new Priors({ onChange: () => askPlan() });
   const hint = worded('p', 'calibrate_comes', { className: 'why' });
   const example = worded('button', 'try_example', { type: 'button', className: 'plain', id: 'calibration-example' });

@@ -14,8 +14,8 @@ const MOST = 6;
 
 export class CalibrationData {
   /** `onChange` is told that there are other files; `plan` asks for the plan of one of them alone. */
-  constructor({ onChange, plan, complain, banner, labels }) {
-    Object.assign(this, { onChange, plan, complain, banner, labels, files: [] });
+  constructor({ onChange, plan, complain, banner, inLabels }) {
+    Object.assign(this, { onChange, plan, complain, banner, inLabels, files: [] });
     this.input = element('input', { type: 'file', id: 'calibration-file', className: 'away', multiple: true, accept: '.csv,.txt,.tsv,.dat,text/plain,text/csv' });
     this.input.addEventListener('change', () => {
       this.add([...this.input.files]);
@@ -118,7 +118,7 @@ export class CalibrationData {
 
   show() {
     for (const record of this.files) {
-      tell(record, record.kind && t('taken_as', { kind: t(record.kind), size: fileSize(record.size) }), (text, { help }) => this.labels(help ? `${text} (${said(help).text})` : text));
+      tell(record, record.kind && t('taken_as', { kind: t(record.kind), size: fileSize(record.size) }), this.inLabels, (text, { help }) => (help ? `${text} (${said(help, this.inLabels).text})` : text));
     }
     this.list.replaceChildren(...this.files.map(({ place }) => place));
     this.list.lang = currentLanguage();

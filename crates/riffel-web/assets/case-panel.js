@@ -10,7 +10,7 @@ import { caseTitle, sentence, t, told, translate } from './words.js';
  * `more` is what a question has beside the case, null while there is none, and `at` says it in words; `fill` shows an answer in `plot` and in `below`; `rows` are the
  * table to take away.
  */
-export function startCasePanel({ state, listen, labels, save }, { view, path, word, more = () => ({}), at = () => '', below = [], fill, rows }) {
+export function startCasePanel({ state, listen, inLabels, save }, { view, path, word, more = () => ({}), at = () => '', below = [], fill, rows }) {
   const line = new Line(path, json);
   const of = element('span', { className: 'aside' });
   const words = element('p', { className: 'why', id: `${word}-words` });
@@ -53,7 +53,7 @@ export function startCasePanel({ state, listen, labels, save }, { view, path, wo
     if (!shown) return;
     const { question, keys, answer, fault } = shown;
     of.textContent = [caseTitle(keys), at(JSON.parse(question))].filter(Boolean).join(', ');
-    words.textContent = fault ? labels(said(fault.message).text) : answer.sentences.map((note) => sentence(told(note))).join(' ');
+    words.textContent = fault ? said(fault.message, inLabels).text : answer.sentences.map((note) => sentence(told(note))).join(' ');
     notes.replaceChildren(...(answer?.notes ?? []).map((note) => element('li', { textContent: told(note) })));
     for (const one of [plot, ...below]) one.hidden = !answer;
     if (answer) fill(answer, plot);

@@ -20,9 +20,9 @@ let dateFields = 0;
 const isDay = (text) => /^\d{4}-\d\d-\d\d$/.test(text) && text >= FIRST_DATE;
 
 export class Earlier {
-  /** `onChange` is told that there are other records or dates; `reading` gives the columns and the part of the line that were chosen, `labels` puts words of the program into those of the form. */
-  constructor({ onChange, reading, complain, banner, labels }) {
-    Object.assign(this, { onChange, layout: reading, complain, banner, labels, records: [], date: '', rail: 0 });
+  /** `onChange` is told that there are other records or dates; `reading` gives the columns and the part of the line that were chosen, `inLabels` puts keys of the program into those of the form. */
+  constructor({ onChange, reading, complain, banner, inLabels }) {
+    Object.assign(this, { onChange, layout: reading, complain, banner, inLabels, records: [], date: '', rail: 0 });
     this.own = this.#dateField('record-date');
     this.ownRow = element('div', { className: 'earlier-record' }, worded('label', 'measured_on', { htmlFor: 'record-date' }), this.own.input, this.own.fault);
     this.list = element('ul', { className: 'earlier-records', id: 'earlier-records' });
@@ -228,7 +228,7 @@ export class Earlier {
     for (const record of this.records) {
       record.field.input.setAttribute('aria-label', `${record.name}, ${t('measured_on')}`);
       const byColumns = (sentence) => (this.layout().format ? `${sentence.replace(/\.?$/, '.')} ${t('by_columns')}` : sentence);
-      tell(record, record.spectra && fileSize(record.size), (text) => byColumns(this.labels(text)));
+      tell(record, record.spectra && fileSize(record.size), this.inLabels, byColumns);
     }
     // Rows that are there stay in place: one may be typed into.
     const places = this.records.map(({ place }) => place);

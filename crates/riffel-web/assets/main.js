@@ -555,7 +555,7 @@ function setVariants(variants) {
 /** What the other views need. They are told 'case', 'map', 'point', 'view', 'traffic', 'variants' or 'words' when that has changed. */
 const listeners = [];
 const shared = {
-  state, traffic, labels: (text) => inLabels(text, form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, setVariants, saveAddress, record, replace, showView, leadTo, save,
+  state, traffic, inLabels: inLabels(form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, setVariants, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
 const outlook = new Outlook($('view-explore'), {

@@ -23,7 +23,7 @@ const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}:
 /** Where a reload finds the name of the record that the program keeps for this page. */
 const RECORD = 'riffel-record';
 
-export function startMeasure({ state, traffic, labels, listen, complain, banner, announce, save, showView, leadTo, replace }) {
+export function startMeasure({ state, traffic, inLabels, listen, complain, banner, announce, save, showView, leadTo, replace }) {
   const place = document.getElementById('view-measure');
   const line = new Line('/api/measure', json);
   let file = remembered(RECORD);
@@ -54,7 +54,7 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     keepRecord(file);
     earlier.reread().then(ask);
   } });
-  const earlier = new Earlier({ onChange: () => ask(), reading: () => reading(), complain, banner, labels });
+  const earlier = new Earlier({ onChange: () => ask(), reading: () => reading(), complain, banner, inLabels });
   const bar = element('progress', { max: 1, value: 0, hidden: true, id: 'upload' });
   const stop = worded('button', 'cancel', { type: 'button', className: 'plain small', hidden: true });
   const status = element('span', { className: 'aside', id: 'record-state' });
@@ -81,8 +81,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
     panel('spectrum', 'map-panel', spectrum, verdicts), panel('dominant', 'loop-panel', dominant),
     panel('growth_map', 'map-panel', map, element('footer', {}, legend)), panel('forecast', 'loop-panel', outlook), panel('notes', 'notes', notes),
   ];
-  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, labels, save });
-  const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, labels, save });
+  const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, inLabels, save });
+  const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, inLabels, save });
   place.append(drop, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
@@ -244,8 +244,8 @@ export function startMeasure({ state, traffic, labels, listen, complain, banner,
 
   /** Words of the program as an element of the page. */
   const spoken = (name, english, more = {}) => {
-    const { text, language } = said(english);
-    return element(name, { textContent: labels(text), lang: language, ...more });
+    const { text, language } = said(english, inLabels);
+    return element(name, { textContent: text, lang: language, ...more });
   };
   const item = (text, className = '') => spoken('li', text, { className });
 

@@ -15,7 +15,7 @@ const SWING = 1800;
 /** Amplitudes that are taken [m]. */
 const [LOWEST, HIGHEST] = [0.01e-6, 2000e-6];
 
-export function startMotion({ state, listen, banner, labels, save }) {
+export function startMotion({ state, listen, banner, inLabels, save }) {
   const place = document.getElementById('view-motion');
   const still = matchMedia('(prefers-reduced-motion: reduce)');
 
@@ -213,11 +213,11 @@ export function startMotion({ state, listen, banner, labels, save }) {
   // ----------------------------------------------------------------------------------------------------
 
   function tell(words, fault) {
-    const { text, language } = fault?.status === 0 ? { text: t('gone'), language: currentLanguage() } : fault ? said(fault.message) : { text: '', language: currentLanguage() };
+    const { text, language } = fault?.status === 0 ? { text: t('gone'), language: currentLanguage() } : fault ? said(fault.message, inLabels) : { text: '', language: currentLanguage() };
     // The program tells a speed with all of its digits.
     const short = text.replace(/\d+[.,]\d{5,}/g, (digits) => number(Number(digits.replace(',', '.')), 4));
     // An option of the program is none here, and um is no unit of the page.
-    Object.assign(words, { textContent: labels(short.replace(/^--sinusoid: /, '').replace(/(?<=\d) um\b/g, ' µm')), lang: language });
+    Object.assign(words, { textContent: short.replace(/^--sinusoid: /, '').replace(/(?<=\d) um\b/g, ' µm'), lang: language });
   }
 
   const wavePanel = element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, amplitude.row), waveWords, wave, waveNotes);

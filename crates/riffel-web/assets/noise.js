@@ -51,8 +51,8 @@ function keptLimit() {
 
 export class Noise {
   /** `question` asks about the rail, `isCurrent` tells whether that is still what is shown. */
-  constructor({ question, isCurrent, complain, banner, labels, save }) {
-    Object.assign(this, { question, isCurrent, complain, labels, of: null, answer: null, limit: keptLimit() });
+  constructor({ question, isCurrent, complain, banner, inLabels, save }) {
+    Object.assign(this, { question, isCurrent, complain, inLabels, of: null, answer: null, limit: keptLimit() });
     this.line = new Line('/api/noise', json);
     this.line.onCancel = () => banner.say(() => t('stopped'), { ways: [['again', () => this.#ask()]] });
     this.verdict = element('p', { className: 'why', id: 'noise-verdict' });
@@ -153,8 +153,8 @@ export class Noise {
     if (!answer) return;
     if (fault) {
       const known = fault.key === 'track.model';
-      const { text, language } = said(fault.message);
-      Object.assign(this.verdict, { textContent: known ? t('noise_silent') : this.labels(text), lang: known ? currentLanguage() : language });
+      const { text, language } = said(fault.message, this.inLabels);
+      Object.assign(this.verdict, { textContent: known ? t('noise_silent') : text, lang: known ? currentLanguage() : language });
       return;
     }
     Object.assign(this.verdict, {
@@ -165,8 +165,8 @@ export class Noise {
     const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row(speedsIn(inWords(title)), [decibels(after), decibels(saved)]));
     fillTable(this.measures, t('noise_columns'), measures);
     this.remarks.replaceChildren(...answer.remarks.map((remark) => {
-      const { text, language } = said(remark);
-      return element('li', { textContent: this.labels(text), lang: language });
+      const { text, language } = said(remark, this.inLabels);
+      return element('li', { textContent: text, lang: language });
     }));
     if (this.fault.hidden) this.input.value = this.limit === null ? '' : written(this.limit);
     this.outlook.textContent = this.#ahead();

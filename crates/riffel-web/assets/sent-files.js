@@ -18,15 +18,15 @@ export function addRow(record, remove, { fields = [], faults = [], className = '
   return record;
 }
 
-/** Say what a record is, or that it is left out and why; `words` puts what the program said into those of the page. */
-export function tell(record, what, words) {
+/** Say what a record is, or that it is left out and why; `shown` gives the words of keys and quantities, `whole` the rest of what is said. */
+export function tell(record, what, shown, whole) {
   const { refused } = record;
   record.drop.setAttribute('aria-label', `${t('drop')}: ${record.name}`);
   if (what || refused) record.state.textContent = refused ? t('left_out') : what;
   record.trouble.hidden = !refused;
   if (!refused) return;
-  const { text, language } = said(refused.message);
-  Object.assign(record.trouble, { textContent: words(text, refused), lang: language });
+  const { text, language } = said(refused.message, shown);
+  Object.assign(record.trouble, { textContent: whole(text, refused), lang: language });
 }
 
 /** What a reload has of records that the program holds. */

@@ -153,8 +153,8 @@ fn of_this_release(module: &[u8]) -> Result<(), PageFileError> {
 fn keys_of(case: &str) -> Result<toml::Table, PageFileError> {
     let given = CaseText::Toml(case.to_owned());
     given.read().map_err(|fault| PageFileError::Case {
-        message: fault.message().to_owned(),
-        help: fault.help().map(str::to_owned),
+        message: fault.message(),
+        help: fault.help(),
     })?;
     case.parse()
         .map_err(|error: toml::de::Error| PageFileError::Case {

@@ -4,8 +4,8 @@
 //! can be ended at any moment, and its memory is given back. What it prints is an answer's document, and its error is one,
 //! too.
 
+use riffel_keys::message::Translations;
 use riffel_keys::say;
-use std::collections::BTreeMap;
 use std::ffi::OsString;
 use std::fs::{self, File};
 use std::io;
@@ -47,9 +47,9 @@ struct ErrorDocument {
     message: String,
     /// What would be right.
     help: Option<String>,
-    /// The German of both, by their English.
-    #[serde(default)]
-    german: BTreeMap<String, String>,
+    /// The German of both and their pieces.
+    #[serde(flatten)]
+    known: Translations,
 }
 
 /// How often is looked whether the result is still wanted.
@@ -239,13 +239,13 @@ fn fault_of(words: &str) -> Fault {
         Some(ErrorDocument {
             message,
             help,
-            german,
+            known,
         }) => Fault::refused(
             StatusCode::UNPROCESSABLE_ENTITY,
             message,
             help.unwrap_or_default(),
         )
-        .with_german(german),
+        .with_translations(known),
         None => Fault::defect(say!(the_program_broke_off)),
     }
 }

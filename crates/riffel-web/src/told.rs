@@ -13,10 +13,7 @@ impl<T: Serialize> IntoResponse for Told<T> {
     fn into_response(self) -> Response {
         match written(&self.0) {
             Ok(bytes) => ([(header::CONTENT_TYPE, "application/json")], bytes).into_response(),
-            Err(fault) => {
-                let words = fault.message().to_owned();
-                (StatusCode::INTERNAL_SERVER_ERROR, words).into_response()
-            }
+            Err(fault) => (StatusCode::INTERNAL_SERVER_ERROR, fault.message()).into_response(),
         }
     }
 }

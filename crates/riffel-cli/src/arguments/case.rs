@@ -5,9 +5,9 @@ use std::path::{Path, PathBuf};
 use clap::Args;
 use riffel_case::file::CaseFile;
 use riffel_case::{Case, CaseContact, CurvingCase};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::text_file::is_standard_input;
+use riffel_keys::{CaseError, say};
 
 use crate::error::CliError;
 use crate::staging::add_input;
@@ -63,18 +63,15 @@ impl CaseArguments {
         let Some(position) = position else {
             return self.read();
         };
+        let option = "--position";
         let case = Case::read(&self.path, &self.overrides)?;
         match case.edit(|keys| keys.track.position = Some(position)) {
-            Err(CaseError::Changed { message, .. }) => Err(CliError::Position {
-                message: message.to_string(),
-            })?,
-            Ok(case) if case.track.support_spacing().is_none() => Err(CliError::Position {
-                message: format!(
-                    "the track is the same everywhere along the rail with track.model = \"{}\"; choose \
-                     one-layer-periodic or two-layer-periodic",
-                    case.file.track.model.name()
-                ),
-            })?,
+            Err(CaseError::Changed { message, .. }) => Err(CliError::Case { option, message })?,
+            Ok(case) if case.track.support_spacing().is_none() => {
+                let model = case.file.track.model.name();
+                let message = say!(track_is_the_same_everywhere, model = model);
+                Err(CliError::Case { option, message })?
+            }
             case => Ok(protected(&self.path, case?)),
         }
     }
@@ -113,8 +110,8 @@ fn protect(path: &Path, file: &CaseFile) {
 /// The case with a contact that answers from one wavelength \[m\] to another.
 pub(crate) fn covering(case: &Case, from: f64, to: f64) -> Result<Case, CliError> {
     // The window was not written by the user.
-    case.covering(from, to)
-        .map_err(|error| CliError::Wavelength {
-            message: error.without_key().to_string(),
-        })
+    case.covering(from, to).map_err(|error| CliError::Case {
+        option: "--wavelength",
+        message: error.without_key(),
+    })
 }

@@ -23,8 +23,8 @@ use serde::ser::{Serialize, Serializer};
 use crate::Language;
 
 pub use piece::Piece;
-pub use translations::{translations, with_translations};
-pub use value::{Value, decimal, fixed, number, significant, significant_digits};
+pub use translations::{Translations, translations, with_translations};
+pub use value::{Value, decimal, fixed, number, quantity, significant, significant_digits};
 
 /// A message of the Fluent files with the values that it names.
 #[derive(Debug, Clone, PartialEq)]
@@ -42,8 +42,13 @@ macro_rules! say {
 }
 
 impl Message {
+    /// What a message calls `key` is one.
     fn new(id: &'static str, values: Vec<(&'static str, Value)>) -> Self {
-        let values = values.into_boxed_slice();
+        let values = values.into_iter().map(|(name, value)| match value {
+            Value::Text(key) if name == "key" => (name, Value::Key(key)),
+            value => (name, value),
+        });
+        let values = values.collect();
         Self { id, values }
     }
 
@@ -70,12 +75,12 @@ impl Message {
 
     /// In words.
     pub fn text(&self, language: Language) -> String {
-        piece::join(&self.pieces(language), language)
+        piece::join(&self.pieces(language))
     }
 
     /// In words, in one line of a terminal where the language has a shorter wording for that.
     pub fn short(&self, language: Language) -> String {
-        piece::join(&piece::pieces(self, language, Some("short")), language)
+        piece::join(&piece::pieces(self, language, Some("short")))
     }
 
     /// In words, the first letter a capital.
@@ -112,8 +117,8 @@ impl Message {
         })
     }
 
-    /// The words with its values between them, for who shows some of them in another way.
-    pub fn pieces(&self, language: Language) -> Vec<Piece<'_>> {
+    /// The words with its keys and quantities between them, for who shows those in another way.
+    pub fn pieces(&self, language: Language) -> Vec<Piece> {
         piece::pieces(self, language, None)
     }
 }
@@ -162,9 +167,8 @@ impl fmt::Display for Message {
 /// In English. Who needs it in other languages as well listens meanwhile ([`with_translations`]).
 impl Serialize for Message {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let english = self.text(Language::English);
-        translations::note(self, &english);
-        serializer.serialize_str(&english)
+        translations::note(self);
+        serializer.serialize_str(&self.text(Language::English))
     }
 }
 

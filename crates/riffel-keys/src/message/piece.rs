@@ -1,28 +1,55 @@
 //! A message in words.
 
-use std::borrow::Cow;
 use std::sync::OnceLock;
 
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
+use serde::{Deserialize, Serialize};
 use unic_langid::LanguageIdentifier;
 
 use super::{Message, Value};
 use crate::Language;
 
-/// A part of a message.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Piece<'a> {
+/// A part of a message in one language: words, or what a reader may show in another way.
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(untagged)]
+pub enum Piece {
     /// Words of the language.
     Words(String),
-    /// A value of the message.
-    Value(Cow<'a, Value>),
+    /// A key of the case, or an option of the program.
+    Key {
+        /// As it stands in the message, with its quotation marks.
+        text: String,
+        /// Dotted, or with its dashes.
+        key: String,
+    },
+    /// A quantity.
+    Quantity {
+        /// As it stands in the message.
+        text: String,
+        /// In SI.
+        si: f64,
+        /// The SI unit.
+        unit: String,
+    },
+}
+
+impl Piece {
+    /// As it stands in the message.
+    pub(super) fn text(&self) -> &str {
+        match self {
+            Self::Words(text) | Self::Key { text, .. } | Self::Quantity { text, .. } => text,
+        }
+    }
 }
 
 type Bundle = FluentBundle<FluentResource>;
 
 /// The first of the private characters that stand for the values of a message while Fluent puts it together.
 const FIRST_MARK: u32 = 0xE000;
+/// The private characters around a key that a wording names by `KEY`.
+const KEY_BEGINS: char = '\u{F000}';
+const KEY_ENDS: char = '\u{F001}';
 
 /// The wordings of a language, parsed when they are first needed.
 fn bundle(language: Language) -> &'static Bundle {
@@ -32,6 +59,10 @@ fn bundle(language: Language) -> &'static Bundle {
         let locale: LanguageIdentifier = language.code().parse().unwrap_or_default();
         let mut bundle = FluentBundle::new_concurrent(vec![locale]);
         bundle.set_use_isolating(false);
+        let _ = bundle.add_function("KEY", |key, _| match key {
+            [FluentValue::String(key)] => format!("{KEY_BEGINS}{key}{KEY_ENDS}").into(),
+            _ => FluentValue::Error,
+        });
         // A message with an error in it is left out; the tests find it.
         let resource = match FluentResource::try_new(language.wordings().to_owned()) {
             Ok(resource) | Err((resource, _)) => resource,
@@ -41,18 +72,14 @@ fn bundle(language: Language) -> &'static Bundle {
     })
 }
 
-/// The words and values of a message or, where it has it, of one of its attributes.
-pub(super) fn pieces<'a>(
-    message: &'a Message,
-    language: Language,
-    attribute: Option<&str>,
-) -> Vec<Piece<'a>> {
+/// The pieces of a message or, where it has it, of one of its attributes.
+pub(super) fn pieces(message: &Message, language: Language, attribute: Option<&str>) -> Vec<Piece> {
     let bundle = bundle(language);
-    let Some(wording) = bundle.get_message(message.id) else {
-        return vec![Piece::Words(message.id.to_owned())];
-    };
-    let attribute = attribute.and_then(|name| wording.get_attribute(name));
-    let pattern = attribute.map_or(wording.value(), |attribute| Some(attribute.value()));
+    let wording = bundle.get_message(message.id);
+    let pattern = wording.and_then(|wording| {
+        let attribute = attribute.and_then(|name| wording.get_attribute(name));
+        attribute.map_or(wording.value(), |attribute| Some(attribute.value()))
+    });
     let Some(pattern) = pattern else {
         return vec![Piece::Words(message.id.to_owned())];
     };
@@ -66,50 +93,86 @@ pub(super) fn pieces<'a>(
     }
     let marked = bundle.format_pattern(pattern, Some(&arguments), &mut Vec::new());
     let mut pieces = Vec::new();
-    let mut words = String::new();
-    for letter in marked.chars() {
+    let mut letters = marked.chars().peekable();
+    while let Some(letter) = letters.next() {
         let index = u32::from(letter).checked_sub(FIRST_MARK);
-        let value = index.and_then(|index| message.values.get(index as usize));
-        match value {
-            None => words.push(letter),
-            Some((_, value)) => {
-                if !words.is_empty() {
-                    pieces.push(Piece::Words(std::mem::take(&mut words)));
-                }
-                pieces.push(Piece::Value(Cow::Borrowed(value)));
+        let value = index.and_then(|index| Some(&message.values.get(index as usize)?.1));
+        let key = match value {
+            _ if letter == KEY_BEGINS => letters.by_ref().take_while(|&c| c != KEY_ENDS).collect(),
+            Some(Value::Key(key)) => key.clone(),
+            Some(value) => {
+                push_value(value, language, &mut pieces);
+                continue;
             }
-        }
-    }
-    if !words.is_empty() {
-        pieces.push(Piece::Words(words));
+            None => {
+                push_words(letter.encode_utf8(&mut [0; 4]), &mut pieces);
+                continue;
+            }
+        };
+        // The quotation marks of code belong to the key.
+        let text = match pieces.pop() {
+            Some(Piece::Words(words)) if words.ends_with('`') && letters.peek() == Some(&'`') => {
+                letters.next();
+                if words.len() > 1 {
+                    push_words(&words[..words.len() - 1], &mut pieces);
+                }
+                format!("`{key}`")
+            }
+            before => {
+                pieces.extend(before);
+                key.clone()
+            }
+        };
+        pieces.push(Piece::Key { text, key });
     }
     pieces
 }
 
-/// Pieces as one text.
-pub(super) fn join(pieces: &[Piece<'_>], language: Language) -> String {
-    let texts = pieces.iter().map(|piece| match piece {
-        Piece::Words(words) => Cow::Borrowed(&**words),
-        Piece::Value(value) => in_words(value, language),
-    });
-    texts.collect()
+fn push_words(words: &str, pieces: &mut Vec<Piece>) {
+    match pieces.last_mut() {
+        Some(Piece::Words(before)) => before.push_str(words),
+        _ => pieces.push(Piece::Words(words.to_owned())),
+    }
 }
 
-fn in_words(value: &Value, language: Language) -> Cow<'_, str> {
+fn push_value(value: &Value, language: Language, pieces: &mut Vec<Piece>) {
+    let of_language = |number: &str| number.replace('.', language.decimal_mark());
     match value {
-        Value::Text(text) | Value::Key(text) => Cow::Borrowed(text),
-        Value::Number(number) => Cow::Owned(number.replace('.', language.decimal_mark())),
-        Value::Count(count) => Cow::Owned(count.to_string()),
-        Value::Words(words) => Cow::Borrowed(words.text(language)),
-        Value::Message(message) => Cow::Owned(message.text(language)),
+        Value::Text(text) => push_words(text, pieces),
+        Value::Key(key) => pieces.push(Piece::Key {
+            text: key.clone(),
+            key: key.clone(),
+        }),
+        Value::Number(number) => push_words(&of_language(number), pieces),
+        Value::Quantity { shown, si, unit } => pieces.push(Piece::Quantity {
+            text: of_language(shown),
+            si: *si,
+            unit: (*unit).to_owned(),
+        }),
+        Value::Count(count) => push_words(&count.to_string(), pieces),
+        Value::Words(words) => push_words(words.text(language), pieces),
+        Value::Message(message) => {
+            for piece in self::pieces(message, language, None) {
+                match piece {
+                    Piece::Words(words) => push_words(&words, pieces),
+                    other => pieces.push(other),
+                }
+            }
+        }
         Value::List(values) => {
-            let values: Vec<_> = values
-                .iter()
-                .map(|value| in_words(value, language))
-                .collect();
-            Cow::Owned(values.join(", "))
+            for (k, value) in values.iter().enumerate() {
+                if k > 0 {
+                    push_words(", ", pieces);
+                }
+                push_value(value, language, pieces);
+            }
         }
     }
+}
+
+/// Pieces as one text.
+pub(super) fn join(pieces: &[Piece]) -> String {
+    pieces.iter().map(Piece::text).collect()
 }
 
 #[cfg(test)]
@@ -119,13 +182,24 @@ mod tests {
     use fluent_syntax::ast::{Entry, Expression, InlineExpression, Pattern, PatternElement};
 
     use super::*;
+    use crate::say;
 
-    /// Names of the values in a wording, also those within choices.
+    /// Names of the values and keys in a wording, also those within choices.
     fn names<'a>(pattern: &Pattern<&'a str>, into: &mut BTreeSet<&'a str>) {
-        let mut of_inline = |inline: &InlineExpression<&'a str>| {
-            if let InlineExpression::VariableReference { id } = inline {
+        let mut of_inline = |inline: &InlineExpression<&'a str>| match inline {
+            InlineExpression::VariableReference { id } => {
                 into.insert(id.name);
             }
+            InlineExpression::FunctionReference { id, arguments } => {
+                assert_eq!(id.name, "KEY");
+                for key in &arguments.positional {
+                    let InlineExpression::StringLiteral { value } = key else {
+                        panic!("KEY takes a text, not {key:?}");
+                    };
+                    into.insert(value);
+                }
+            }
+            _ => {}
         };
         let mut choices = Vec::new();
         for element in &pattern.elements {
@@ -147,7 +221,7 @@ mod tests {
         }
     }
 
-    /// Every message of a language with the names of its values and whether its attributes have no others.
+    /// Every message of a language with the names of its values and keys and whether its attributes have no others.
     fn messages(language: Language) -> BTreeMap<&'static str, BTreeSet<&'static str>> {
         let resource = fluent_syntax::parser::parse(language.wordings()).expect("no errors");
         let mut messages = BTreeMap::new();
@@ -168,7 +242,59 @@ mod tests {
         messages
     }
 
-    /// Every language has every message, with the same values; none is left in English.
+    #[test]
+    fn keys_and_quantities_are_pieces_and_the_rest_is_words() {
+        let words = |text: &str| Piece::Words(text.to_owned());
+        let key = |text: &str, key: &str| Piece::Key {
+            text: text.to_owned(),
+            key: key.to_owned(),
+        };
+        let load = crate::message::quantity(1500.0, "N", "1.5 kN");
+        let rule = say!(is_but_must_be, value = load, rule = "more");
+        let message = say!(key_and_rule, key = "contact.normal_load", rule = rule);
+        let quantity = |text: &str| Piece::Quantity {
+            text: text.to_owned(),
+            si: 1500.0,
+            unit: "N".to_owned(),
+        };
+        let begins = key("`contact.normal_load`", "contact.normal_load");
+        for (language, expected) in [
+            (
+                Language::English,
+                [
+                    begins.clone(),
+                    words(": is "),
+                    quantity("1.5 kN"),
+                    words(", but must be more"),
+                ],
+            ),
+            (
+                Language::German,
+                [
+                    begins,
+                    words(": ist "),
+                    quantity("1,5 kN"),
+                    words(", muss aber more sein"),
+                ],
+            ),
+        ] {
+            assert_eq!(message.pieces(language), expected);
+            assert_eq!(message.text(language), join(&expected));
+        }
+        // A key that the wording itself names.
+        let message = say!(lower_points);
+        assert_eq!(
+            message.pieces(Language::English),
+            [
+                words("lower "),
+                key("map.wavelength.points", "map.wavelength.points"),
+                words(" or "),
+                key("map.speed.points", "map.speed.points"),
+            ]
+        );
+    }
+
+    /// Every language has every message, with the same values and keys; none is left in English.
     #[test]
     fn languages_have_no_gaps() {
         let english = messages(Language::English);

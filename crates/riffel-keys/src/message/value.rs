@@ -15,6 +15,15 @@ pub enum Value {
     Text(String),
     /// A number in words, with a decimal point; each language has its own mark.
     Number(String),
+    /// A quantity.
+    Quantity {
+        /// Number and unit as they are displayed, with a decimal point.
+        shown: String,
+        /// In SI.
+        si: f64,
+        /// The SI unit.
+        unit: &'static str,
+    },
     /// How many: languages choose between singular and plural by it.
     Count(u64),
     /// A key of the case, dotted, or an option of the program.
@@ -41,7 +50,9 @@ impl Value {
     /// As data: numbers as numbers, other messages with their own id and values.
     pub(super) fn document(&self, language: Language) -> serde_json::Value {
         match self {
-            Self::Text(text) | Self::Key(text) => text.as_str().into(),
+            Self::Text(text) | Self::Key(text) | Self::Quantity { shown: text, .. } => {
+                text.as_str().into()
+            }
             Self::Number(number) => serde_json::from_str::<serde_json::Number>(number)
                 .map_or_else(|_| number.as_str().into(), Into::into),
             Self::Count(count) => (*count).into(),
@@ -58,6 +69,15 @@ impl Value {
 /// A number as it is displayed: `number(format_args!("{x:.1e}"))`.
 pub fn number(shown: impl Display) -> Value {
     Value::Number(shown.to_string())
+}
+
+/// A value in SI as it is displayed: `quantity(5e4, "N", "50 kN")`. Without a unit it is a number.
+pub fn quantity(si: f64, unit: &'static str, shown: impl Display) -> Value {
+    let shown = shown.to_string();
+    match unit {
+        "" => Value::Number(shown),
+        unit => Value::Quantity { shown, si, unit },
+    }
 }
 
 /// A number with so many digits after the decimal mark.
@@ -114,15 +134,15 @@ impl From<&Message> for Value {
 
 /// In its SI unit.
 impl<D: Dimension> From<Quantity<D>> for Value {
-    fn from(quantity: Quantity<D>) -> Self {
-        number(quantity)
+    fn from(value: Quantity<D>) -> Self {
+        Self::from(&value)
     }
 }
 
 /// In its SI unit.
 impl<D: Dimension> From<&Quantity<D>> for Value {
-    fn from(quantity: &Quantity<D>) -> Self {
-        number(quantity)
+    fn from(value: &Quantity<D>) -> Self {
+        quantity(value.si(), D::UNIT, value)
     }
 }
 

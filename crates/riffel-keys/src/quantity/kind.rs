@@ -1,5 +1,6 @@
 //! Quantities where only the key tells which, read from text.
 
+use super::error::QuantityProblem;
 use super::{Dimension, QuantityError, WrittenQuantity, named};
 use crate::unit::{Exponents, Unit};
 use crate::{Message, say};
@@ -59,11 +60,7 @@ impl Kind {
     pub(crate) fn read_written(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
         self.read_one(text)
             .map_err(|error| match self.read_range(text) {
-                Some(_) => QuantityError::Range {
-                    text: text.to_owned(),
-                    name: self.name,
-                    example: self.example,
-                },
+                Some(_) => self.refuse(text, QuantityProblem::Range),
                 None => error,
             })
     }
@@ -106,11 +103,6 @@ impl Kind {
     fn read_one(&self, text: &str) -> Result<WrittenQuantity, QuantityError> {
         /// Characters of the largest number written out, and some to spare; foreign data may be longer.
         const LONGEST_NUMBER: usize = 400;
-        let Self {
-            name,
-            unit,
-            example,
-        } = *self;
         let trimmed = text.trim();
         // The longest beginning that reads as a number: "5 km" must not lose "5e3 m".
         let number = (1..=trimmed.len().min(LONGEST_NUMBER))
@@ -118,22 +110,14 @@ impl Kind {
             .filter(|&end| trimmed.is_char_boundary(end))
             .find_map(|end| Some((trimmed[..end].parse::<f64>().ok()?, &trimmed[end..])));
         let Some((number, rest)) = number else {
-            return Err(QuantityError::NoNumber {
-                text: text.to_owned(),
-                name,
-                example,
-            });
+            return Err(self.refuse(text, QuantityProblem::NoNumber));
         };
         // No unit begins with a digit: "50,000", "50 000", "50'000" and "50.000.000" are numbers with separators.
         // One alone does: "0.3 1/m".
         let rest = rest.trim_start();
         let after = rest.trim_start_matches([',', '.', '\'', '’', '_', '\u{202f}']);
         if after.starts_with(|c: char| c.is_ascii_digit()) && !rest.starts_with("1/") {
-            return Err(QuantityError::Separator {
-                text: text.to_owned(),
-                name,
-                example,
-            });
+            return Err(self.refuse(text, QuantityProblem::Separator));
         }
         let mut written = WrittenQuantity {
             number,
@@ -141,22 +125,13 @@ impl Kind {
             si: number,
         };
         if !written.unit.is_empty() {
-            let read = Unit::parse(&written.unit).map_err(|unit| QuantityError::UnknownUnit {
-                text: text.to_owned(),
-                unit,
-                name,
-                example,
-            })?;
+            let read = Unit::parse(&written.unit)
+                .map_err(|unit| self.refuse(text, QuantityProblem::UnknownUnit(unit)))?;
             // The unit of a dimension is a constant that the tests read for every dimension.
-            let own = Unit::parse(unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
+            let own = Unit::parse(self.unit).map_or(Exponents::new(0, 0, 0), |unit| unit.exponents);
             if !read.exponents.measure(own) {
-                return Err(QuantityError::WrongUnit {
-                    text: text.to_owned(),
-                    got: read.exponents.to_string(),
-                    name,
-                    unit,
-                    example,
-                });
+                let got = read.exponents.to_string();
+                return Err(self.refuse(text, QuantityProblem::WrongUnit(got)));
             }
             written.si = number * read.factor;
         }
@@ -168,10 +143,15 @@ impl Kind {
         if si.is_finite() {
             return Ok(si);
         }
-        Err(QuantityError::NotFinite {
+        Err(self.refuse(text, QuantityProblem::NotFinite))
+    }
+
+    fn refuse(&self, text: &str, problem: QuantityProblem) -> QuantityError {
+        QuantityError {
             text: text.to_owned(),
-            name: self.name,
-        })
+            kind: *self,
+            problem,
+        }
     }
 }
 

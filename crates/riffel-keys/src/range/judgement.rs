@@ -1,5 +1,6 @@
 //! What is said of a value that is not usual, or not possible.
 
+use crate::message::quantity;
 use crate::quantity::{Kind, WrittenQuantity};
 use crate::unit::Unit;
 use crate::{Message, PhysicalRange, Value, number, say};
@@ -25,14 +26,16 @@ impl PhysicalRange {
     pub(crate) fn judge(&self, key: &str, written: &WrittenQuantity) -> Judgement {
         let kind = &self.kind;
         let [low, high] = self.hard;
-        let value = written.in_words(kind);
+        let words = written.in_words(kind);
+        let value = quantity(written.si, kind.unit, &words);
+        let bound = |si| quantity(si, kind.unit, amount(kind, si));
         if !(low..=high).contains(&written.si) {
             return Judgement::Impossible {
                 rule: say!(
                     is_outside,
-                    value = number(value),
-                    low = number(amount(kind, low)),
-                    high = number(amount(kind, high))
+                    value = value,
+                    low = bound(low),
+                    high = bound(high)
                 ),
                 help: self.question(written).unwrap_or_else(|| "".into()),
             };
@@ -43,20 +46,19 @@ impl PhysicalRange {
             None => Value::from(""),
         };
         if !(from..=to).contains(&written.si) {
-            let (from, to) = (amount(kind, from), amount(kind, to));
             return Judgement::Unusual(say!(
                 unusual_value,
                 key = key,
-                value = number(value),
-                from = number(from),
-                to = number(to),
+                value = value,
+                from = bound(from),
+                to = bound(to),
                 question = question()
             ));
         }
         if written.unit.is_empty() && written.si > self.bare_up_to {
             let in_engineers_unit = kind.in_engineers_unit(written.si);
             let read = format!(
-                "{value} = {} {}",
+                "{words} = {} {}",
                 significant(in_engineers_unit.0),
                 in_engineers_unit.1
             );

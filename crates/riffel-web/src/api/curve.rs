@@ -1,13 +1,13 @@
 //! `POST /api/curve`: profiles of a wheel and a rail, and how a bogie stands on them in a curve.
 
-use std::path::Path;
-
 use axum::extract::State;
+use riffel::profile::NominalProfile;
 use riffel_answers::curve::CurveAnswer;
 use riffel_answers::profile::OutlineAnswer;
 use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
-use riffel_keys::{CaseError, Message};
+use riffel_keys::CaseError;
+use riffel_keys::text_file::with_texts;
 use serde::Deserialize;
 use serde_json::{Value, json};
 
@@ -16,13 +16,12 @@ use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::told::Told;
-use crate::uploads::Uploads;
 use riffel_page::Note;
 
+/// What errors call the case of a question.
+pub(super) const NAME: &str = "the curve of the page";
 /// Longest name of a file that is shown, in letters.
 const LONGEST_NAME: usize = 120;
-/// Endings of names by which a reader tells formats apart; others are left out.
-const ENDINGS: [&str; 8] = ["ban", "mpt", "prr", "prw", "rai", "slcs", "whe", "whl"];
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -66,7 +65,14 @@ impl Question {
                 )));
             }
         }
-        Ok(())
+        // No other name may reach a reader: it would be a file of this machine.
+        let is_known = |profile: &ProfileText| {
+            profile.text.is_some() || NominalProfile::named(&profile.name).is_some()
+        };
+        match [&self.wheel, &self.rail].into_iter().all(is_known) {
+            true => Ok(()),
+            false => Err(Fault::bad("there is no such nominal profile")),
+        }
     }
 }
 
@@ -76,67 +82,70 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
     question.check()?;
-    let uploads = page.uploads.clone();
     page.queue
         .run(asker.subject("curve"), move |wanted| {
-            question.answer(wanted, &uploads)
+            with_texts(question.texts(), || question.answer(wanted))
         })
         .await
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Told<Value>, Fault> {
-        let folder = place(uploads)?;
-        let paths = self.put(folder.path())?;
-        let named =
-            |error: CaseError| Fault::from(error).in_words(|words| self.named(words, &paths));
-        let profiles = [&self.wheel, &self.rail].into_iter().zip(&paths);
-        let outlines = OutlineAnswer::new(profiles.map(|(profile, path)| {
+    fn answer(&self, wanted: &Wanted) -> Result<Told<Value>, Fault> {
+        let names = self.names();
+        let profiles = [&self.wheel, &self.rail].into_iter().zip(&names);
+        let outlines = OutlineAnswer::new(profiles.map(|(profile, name)| {
             let reading = ProfileReading {
                 orientation: profile.orientation,
                 ..ProfileReading::default()
             };
-            (path.into(), reading)
-        }))
-        .map_err(named)?;
+            (name.into(), reading)
+        }))?;
         // Short of an equilibrium the profiles are still worth seeing.
         let vehicle = self
-            .curving(&paths)
+            .curving()
             .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
         if !wanted.still() {
             return Err(Fault::superseded());
         }
-        let curve = vehicle
-            .and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle))
-            .map_err(named);
+        let curve = vehicle.and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle));
         let curve = match curve {
             Ok(answer) => {
                 let mut document = json!(answer.document(None));
-                document["remarks"] = json!(self.told(&answer.remarks, &paths));
+                document["remarks"] = json!(Note::all(&answer.remarks));
                 document
             }
-            Err(fault) => json!({ "fault": fault }),
+            Err(error) => json!({ "fault": Fault::from(error) }),
         };
-        let remarks = self.told(&outlines.remarks, &paths);
-        let mut document =
-            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks });
-        self.name(&mut document, &paths);
-        Ok(Told(document))
+        let remarks = Note::all(&outlines.remarks);
+        Ok(Told(
+            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks }),
+        ))
     }
 
-    /// Put the profiles into a folder: what the reader is given for each.
-    pub(super) fn put(&self, folder: &Path) -> Result<[String; 2], Fault> {
-        Ok([
-            self.wheel.put(folder, "wheel")?,
-            self.rail.put(folder, "rail")?,
-        ])
+    /// What the readers are given for each profile: the nominal name, or that of the text, which is no other's.
+    fn names(&self) -> [String; 2] {
+        let [wheel, rail] = [&self.wheel, &self.rail].map(ProfileText::shown);
+        match self.rail.text.is_some() && wheel == rail {
+            true => [wheel, format!("rail/{rail}")],
+            false => [wheel, rail],
+        }
+    }
+
+    /// The texts with their names.
+    pub(super) fn texts(&self) -> Vec<(String, String)> {
+        let texts = [&self.wheel.text, &self.rail.text].into_iter();
+        let named = self.names().into_iter().zip(texts);
+        named
+            .filter_map(|(name, text)| Some((name, text.clone()?)))
+            .collect()
     }
 
     /// The case of `riffel curve`.
-    pub(super) fn curving(&self, paths: &[String; 2]) -> Result<CurvingCase, CaseError> {
+    pub(super) fn curving(&self) -> Result<CurvingCase, CaseError> {
+        let [wheel, rail] = self.names().map(toml::Value::from);
         let mut overrides = vec![
-            format!("profiles.wheel={}", paths[0]),
-            format!("profiles.rail={}", paths[1]),
+            format!("profiles.wheel={wheel}"),
+            format!("profiles.rail={rail}"),
             format!("curve.radius={}", self.radius_m),
             format!("curve.speed={}", self.speed_m_per_s),
             format!("curve.cant={}", self.cant_m),
@@ -168,73 +177,18 @@ impl Question {
             let name = profile.orientation?.name();
             Some(format!("profiles.{kind}_orientation={name}"))
         }));
-        CurvingCase::parse("the curve of the page", METRO_CURVE_CASE, &overrides)
+        CurvingCase::parse(NAME, METRO_CURVE_CASE, &overrides)
     }
-
-    /// Put the names that the user knows in place of paths in all texts of a document.
-    pub(super) fn name(&self, document: &mut Value, paths: &[String]) {
-        match document {
-            Value::String(words) => *words = self.named(words, paths),
-            Value::Array(items) => items.iter_mut().for_each(|item| self.name(item, paths)),
-            Value::Object(fields) => {
-                fields
-                    .values_mut()
-                    .for_each(|field| self.name(field, paths));
-            }
-            _ => {}
-        }
-    }
-
-    fn told(&self, remarks: &[Message], paths: &[String]) -> Vec<Note> {
-        let told = remarks.iter().map(Note::from);
-        told.map(|note| note.in_words(|words| self.named(words, paths)))
-            .collect()
-    }
-
-    /// Words with the names that the user knows in place of paths.
-    pub(super) fn named(&self, words: &str, paths: &[String]) -> String {
-        let both = [&self.wheel, &self.rail].into_iter().zip(paths);
-        both.fold(words.to_owned(), |words, (profile, path)| {
-            let name: String = profile.name.chars().take(LONGEST_NAME).collect();
-            words.replace(path.as_str(), &name)
-        })
-    }
-}
-
-/// A folder of its own for each question: gone with it, or with the program.
-pub(super) fn place(uploads: &Uploads) -> Result<tempfile::TempDir, Fault> {
-    let folder = uploads.folder();
-    folder.map_err(|error| Fault::defect(format!("there is no place for files: {error}")))
-}
-
-/// Put a file of a question, a profile or the curve on them, into its folder.
-pub(super) fn store(path: &Path, text: &str) -> Result<(), Fault> {
-    std::fs::write(path, text)
-        .map_err(|error| Fault::defect(format!("the profile cannot be stored: {error}")))
 }
 
 impl ProfileText {
-    /// What the reader is given: the nominal name, or the path of the text in a folder. Nothing of a name becomes part of a path but an ending that
-    /// is known.
-    fn put(&self, folder: &Path, kind: &str) -> Result<String, Fault> {
-        let Some(text) = &self.text else {
-            return match riffel::profile::NominalProfile::named(&self.name) {
-                Some(nominal) => Ok(nominal.name.to_owned()),
-                None => Err(Fault::bad("there is no such nominal profile".to_owned())),
-            };
-        };
-        let ending = self
-            .name
-            .rsplit('.')
-            .next()
-            .unwrap_or_default()
-            .to_lowercase();
-        let ending = ENDINGS
-            .iter()
-            .find(|known| **known == ending)
-            .unwrap_or(&"csv");
-        let path = folder.join(format!("{kind}.{ending}"));
-        store(&path, text)?;
-        Ok(path.display().to_string())
+    /// The name by which it is read, which is no nominal one where there is a text.
+    fn shown(&self) -> String {
+        let beyond = self.name.chars().count().saturating_sub(LONGEST_NAME);
+        let name: String = self.name.chars().skip(beyond).collect();
+        match self.text.is_some() && NominalProfile::named(&name).is_some() {
+            true => format!("{name}.csv"),
+            false => name,
+        }
     }
 }

@@ -1,11 +1,12 @@
 //! `POST /api/curve/wheels`: growth of a case under every wheel of the bogie in its curve.
 
 use std::collections::BTreeMap;
+use std::path::Path;
 
 use axum::extract::State;
 use riffel_answers::wheels::WheelsAnswer;
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::text_file::with_texts;
 use riffel_page::CaseText;
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -16,10 +17,6 @@ use crate::fault::{Fault, Refusal};
 use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::told::Told;
-use crate::uploads::Uploads;
-
-/// The curve in `folder` of a question.
-const FILE: &str = "curve.toml";
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -34,28 +31,28 @@ pub(crate) async fn post(
     Asked(question): Asked<Question>,
 ) -> Result<Told<Value>, Refusal> {
     question.curve.check()?;
-    let uploads = page.uploads.clone();
     page.queue
         .run(asker.subject("wheels"), move |wanted| {
-            question.answer(wanted, &uploads)
+            question.answer(wanted)
         })
         .await
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted, uploads: &Uploads) -> Result<Told<Value>, Fault> {
+    fn answer(&self, wanted: &Wanted) -> Result<Told<Value>, Fault> {
         let case = self.case.read()?;
-        let folder = curve::place(uploads)?;
-        let paths = self.curve.put(folder.path())?;
-        let named = |fault: Fault| fault.in_words(|words| self.curve.named(words, &paths));
-        let of_case = |error: CaseError| named(error.into());
-        let curving = self.curve.curving(&paths).map_err(of_case)?;
-        curve::store(&folder.path().join(FILE), &curving.toml())?;
-        let case = case.on_curve(folder.path(), FILE).map_err(of_case)?;
+        let curve = (curve::NAME.to_owned(), self.curve.curving()?.toml());
+        let texts = self.curve.texts().into_iter().chain([curve]);
+        with_texts(texts, || Self::of_case(&case, wanted))
+    }
+
+    /// The answer for a case, while the curve and its profiles can be read.
+    fn of_case(case: &Case, wanted: &Wanted) -> Result<Told<Value>, Fault> {
+        let case = case.on_curve(Path::new(""), curve::NAME)?;
         if !wanted.still() {
             return Err(Fault::superseded());
         }
-        let answer = WheelsAnswer::new(&case, |_| ()).map_err(|error| named(error.into()))?;
+        let answer = WheelsAnswer::new(&case, |_| ())?;
         let mut document = json!(answer.document(&case));
         // The case with its wheel is the question.
         document
@@ -67,11 +64,10 @@ impl Question {
             .zip(document["wheels"].as_array_mut().into_iter().flatten())
         {
             let Ok(growth) = &wheel.growth else { continue };
-            let keys = growth.case.keys_of_curve().map_err(of_case)?;
+            let keys = growth.case.keys_of_curve()?;
             told["keys"] = json!(keys.into_iter().collect::<BTreeMap<_, _>>());
         }
         document["give_way"] = json!(Case::keys_that_give_way().collect::<Vec<_>>());
-        self.curve.name(&mut document, &paths);
         Ok(Told(document))
     }
 }
