@@ -148,6 +148,11 @@ edge-of-patch-not-resolved = die Last bewegt den Rand der Kontaktfläche um { $m
 ## Profiles
 
 flat-patch-beyond-range = die Schiene dreht sich über eine Kontaktfläche um { $degrees }°: die ebene trägt bis etwa 23°, halbe Breite durch Radius 0,2; darüber gilt die konforme daneben
+positions-do-not-rise = { KEY("--from") } ist { $from } m und { KEY("--to") } { $to } m, doch Positionen müssen steigen
+spectra-have-no-positions = { $key } ist { $position }, doch die Datei ist eine Tabelle von Spektren, die keine Positionen hat
+no-column-of-rails = { KEY("--rail") } ist { $rail }, doch die Tabelle hat keine Spalte `rail`
+spacing-is-not-positive = { KEY("--spacing") } ist { $spacing }, muss aber größer als null sein
+spacing-is-not-that-of-positions = { KEY("--spacing") } ist { $spacing }, doch die Positionen liegen { $metres } m auseinander
 rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet ist, bleiben { $millimetres } mm: sie ist dort verschlissen, oder geneigt ({ KEY("--inclination") }), oder eine andere Schiene
 
 ## Files of profiles

@@ -156,6 +156,11 @@ edge-of-patch-not-resolved = the load moves the edge of the patch by { $moves } 
 ## Profiles
 
 flat-patch-beyond-range = the rail turns by { $degrees }° across a patch: the flat one holds to some 23°, half a width over the radius of 0.2; beyond, take the conformal one beside it
+positions-do-not-rise = { KEY("--from") } is { $from } m and { KEY("--to") } { $to } m, but positions must rise
+spectra-have-no-positions = { $key } is { $position }, but the file is a table of spectra, which has no positions
+no-column-of-rails = { KEY("--rail") } is { $rail }, but the table has no column `rail`
+spacing-is-not-positive = { KEY("--spacing") } is { $spacing }, but must be greater than zero
+spacing-is-not-that-of-positions = { KEY("--spacing") } is { $spacing }, but the positions are { $metres } m apart
 rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field side by which it is laid: it is worn there, or inclined ({ KEY("--inclination") }), or another rail
 
 ## Files of profiles

@@ -3,8 +3,8 @@
 use std::path::Path;
 
 use riffel::roughness::Profile;
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{CaseError, say};
 
 use crate::{LabelledSpectrum, Rail, Record, RoughnessFile, Survey};
 
@@ -42,7 +42,7 @@ impl RecordPart {
         let from = self.from.map_or(f64::NEG_INFINITY, |from| from.si());
         let to = self.to.map_or(f64::INFINITY, |to| to.si());
         if from >= to {
-            let message = format!("--from is {from} m and --to {to} m, but positions must rise");
+            let message = say!(positions_do_not_rise, from = from, to = to);
             return Err(CaseError::data(path, message));
         }
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
@@ -144,9 +144,7 @@ impl RecordPart {
             .into_iter()
             .find_map(|(name, position)| Some((name, position?)))
         {
-            let message = format!(
-                "{name} is {position}, but the file is a table of spectra, which has no positions"
-            );
+            let message = say!(spectra_have_no_positions, key = name, position = position);
             return Err(CaseError::data(path, message));
         }
         let Some(name) = &self.rail else {
@@ -155,7 +153,7 @@ impl RecordPart {
         let survey = Survey::new(path, spectra, Vec::new())?;
         let rails = survey.by_rail();
         if survey.rail_column().is_none() {
-            let message = format!("--rail is {name}, but the table has no column `rail`");
+            let message = say!(no_column_of_rails, rail = name);
             return Err(CaseError::data(path, message));
         }
         let names: Vec<String> = rails.iter().map(|(rail, _)| rail.clone()).collect();

@@ -62,7 +62,7 @@ impl RoughnessFile {
         let spacing = layout.spacing;
         if let Some(spacing) = spacing {
             if spacing.si() <= 0.0 {
-                let message = format!("--spacing is {spacing}, but must be greater than zero");
+                let message = say!(spacing_is_not_positive, spacing = spacing);
                 return Err(Refusal::new(None, message));
             }
             plausibility::check_spacing(spacing.si(), None)?;
@@ -116,9 +116,10 @@ impl RoughnessFile {
         {
             return Err(Refusal::new(
                 None,
-                format!(
-                    "--spacing is {spacing}, but the positions are {} m apart",
-                    record.spacing
+                say!(
+                    spacing_is_not_that_of_positions,
+                    spacing = spacing,
+                    metres = record.spacing
                 ),
             ));
         }

@@ -118,8 +118,8 @@ fn one_wheel_along_one_axis_is_the_same_on_supports() {
         amplitude: 60e-6,
         wavelength: 0.047,
     };
-    let expected = one.settle(profile, 200).unwrap().swap_remove(0);
-    let got = all.settle(profile, 200).unwrap().swap_remove(0);
+    let expected = one.settle(profile, 100).unwrap().swap_remove(0);
+    let got = all.settle(profile, 100).unwrap().swap_remove(0);
     let first = expected.harmonics[1];
     for (got, expected) in got.harmonics.iter().zip(&expected.harmonics) {
         let off = |got: Complex64, expected: Complex64, first: Complex64| {
