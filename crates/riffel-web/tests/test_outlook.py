@@ -108,7 +108,7 @@ def test_causes_of_a_measured_rail_are_cards(open_page, locale):
 
 
 @pytest.mark.without_curves
-def test_remedies_say_when_the_rail_is_ground_and_go_by_their_cost(page, tmp_path):
+def test_remedies_say_when_the_rail_is_ground_and_go_by_their_cost(page, open_page, tmp_path):
     page.open_case((ROOT / "cases/metro.toml").read_text(), "metro.toml")
     answer = told(tmp_path, "compare", "cases/metro.toml", "--remedies")
     before = answer["grinding_interval"]["months"]
@@ -141,4 +141,18 @@ def test_remedies_say_when_the_rail_is_ground_and_go_by_their_cost(page, tmp_pat
     page.settle()
     assert [row[0].split("\n")[0] for row in ranked(page)][:2] == [titles[second], titles[first]]
     assert page.page.locator(f"#cost-of-{first}").input_value() == "10000"
+    # So does a project, in any other page.
+    page.page.click("[popovertarget=take-away]")
+    with page.page.expect_download() as download:
+        page.page.click("[data-take=project]")
+    download.value.save_as(tmp_path / "costs.riffel")
+    text = (tmp_path / "costs.riffel").read_text()
+    assert json.loads(text)["costs"] == {id_: pytest.approx(cost, abs=0.005) for id_, cost in costs.items()}
+    assert "what remedies cost" in page.text("#notice")
+    other = open_page()
+    other.open_case(text, "costs.riffel")
+    other.until(lambda: other.page.locator(f"#cost-of-{first}").count() > 0 and other.page.locator(f"#cost-of-{first}").input_value() == "10000")
+    other.settle()
+    assert [row[0].split("\n")[0] for row in ranked(other)][:2] == [titles[second], titles[first]]
+    other.close()
     page.complaints.clear()
