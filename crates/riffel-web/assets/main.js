@@ -195,7 +195,9 @@ const CURVE_WAIT = 100;
 /** The curves are slower to draw than the map: each in turn is drawn when that is on the screen, and under a slider between two maps. */
 const figures = [[drawGrowth, 'growth'], [drawReceptance, 'receptance'], [drawForce, 'force']].map(([draw, place]) => ({ draw, place, drawn: null }));
 let drawing = false;
+/** Draw all curves anew, for another state or in other colours or words. */
 async function curves() {
+  for (const figure of figures) figure.drawn = null;
   if (drawing) return;
   drawing = true;
   let last = performance.now();

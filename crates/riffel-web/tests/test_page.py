@@ -693,6 +693,18 @@ def test_the_map_follows_a_slider(open_page, size, capsys):
         print(f"\n# {size[0]} × {size[1]}: first map of 241 × 221 after {first:.0f} ms; 100 steps of a slider to the map on the screen, median {statistics.median(times):.0f} ms, 95 % within {parts[18]:.0f} ms")
 
 
+def test_curves_follow_the_colours_and_the_language_of_the_page(page):
+    ink = lambda: page.page.evaluate("() => ['growth', 'receptance', 'force'].map((id) => document.getElementById(id).layout.font.color)")
+    axes = lambda: page.page.evaluate("() => ['growth', 'receptance', 'force'].map((id) => document.getElementById(id).layout.xaxis.title.text)")
+    page.page.wait_for_function("() => document.getElementById('growth').data")
+    page.settle()
+    light, english = ink(), axes()
+    page.page.click("#theme")
+    page.until(lambda: not set(ink()) & set(light))
+    page.page.select_option("#language", "de")
+    page.until(lambda: not set(axes()) & set(english))
+
+
 def test_curves_wait_until_the_map_is_on_the_screen(open_page):
     page = open_page()
     page.page.wait_for_function("() => document.getElementById('growth').data")
