@@ -7,6 +7,7 @@ use crate::fault::Fault;
 use crate::german::beside;
 
 /// An answer.
+#[derive(Clone)]
 pub struct Reply {
     /// Its content type.
     pub content_type: &'static str,

@@ -98,9 +98,9 @@ export class Decision {
   /** A row for each remedy and for each kind of data that may be measured once more. */
   #rows() {
     const { value: currency } = this.currency;
-    const keep = new Map(Object.entries(this.costsGiven));
+    const { costsGiven: given } = this;
     const cell = (id, word, unit, label, value = '') => {
-      const input = element('input', { type: 'text', inputMode: 'decimal', id, className: 'figure', size: 7, autocomplete: 'off', value: keep.get(id) ?? value, ariaLabel: `${label}: ${t(word)}` });
+      const input = element('input', { type: 'text', inputMode: 'decimal', id, className: 'figure', size: 7, autocomplete: 'off', value: given[id] ?? value, ariaLabel: `${label}: ${t(word)}` });
       return element('td', {}, element('label', { className: 'choice' }, input, element('span', { className: 'unit', textContent: unit || currency })));
     };
     const head = (first, ...words) => element('tr', {}, ...[first, ...words].map((word) => worded('th', word, { scope: 'col' })));

@@ -26,8 +26,8 @@ struct BrokenOff;
 
 /// Work, for as long as its result is `wanted`, which is asked often and from several threads; `None` where it was broken off.
 ///
-/// The work has a rayon pool of its own, as large as the current one: to start it takes some 0.1 ms. It ends by unwinding, so that it
-/// leaves no lock poisoned only if it holds none at its steps.
+/// The work has a rayon pool of its own, as large as the current one, which takes some 0.1 ms to start. Work that is broken off unwinds
+/// like a panic: a lock that it holds at that step is poisoned.
 ///
 /// # Panics
 ///

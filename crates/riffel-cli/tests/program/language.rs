@@ -55,6 +55,11 @@ fn cases_and_findings_are_german_and_the_command_line_is_not() {
             "ist kein Schlüssel",
         ),
     ];
+    say_in_german(&sandbox, &said);
+}
+
+/// That commands say these words.
+fn say_in_german(sandbox: &Sandbox, said: &[(&str, &str)]) {
     for (command, words) in said {
         let text = sandbox.riffel(&format!("{command} --language de")).text;
         assert!(text.contains(words), "{command}: {text}");
@@ -78,8 +83,5 @@ fn findings_are_german_on_a_terminal() {
             "63 mm wächst am schnellsten, um 0,",
         ),
     ];
-    for (command, words) in said {
-        let text = sandbox.riffel(&format!("{command} --language de")).text;
-        assert!(text.contains(words), "{command}: {text}");
-    }
+    say_in_german(&sandbox, &said);
 }

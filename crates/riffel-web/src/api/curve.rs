@@ -13,7 +13,6 @@ use serde_json::{Value, json};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::told::Told;
 use riffel_page::Note;
@@ -83,14 +82,14 @@ pub(crate) async fn post(
 ) -> Result<Told<Value>, Refusal> {
     question.check()?;
     page.queue
-        .run(asker.subject("curve"), move |wanted| {
-            with_texts(question.texts(), || question.answer(wanted))
+        .run(asker.subject("curve"), move |_| {
+            with_texts(question.texts(), || question.answer())
         })
         .await
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted) -> Result<Told<Value>, Fault> {
+    fn answer(&self) -> Result<Told<Value>, Fault> {
         let names = self.names();
         let profiles = [&self.wheel, &self.rail].into_iter().zip(&names);
         let outlines = OutlineAnswer::new(profiles.map(|(profile, name)| {
@@ -104,9 +103,6 @@ impl Question {
         let vehicle = self
             .curving()
             .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
-        if !wanted.still() {
-            return Err(Fault::superseded());
-        }
         let curve = vehicle.and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle));
         let curve = match curve {
             Ok(answer) => {

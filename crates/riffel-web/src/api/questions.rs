@@ -1,5 +1,7 @@
 //! `POST` of the questions that need no server: see [`riffel_page`]. `GET /api/vocabulary`: its words.
 
+use std::sync::Arc;
+
 use axum::extract::State;
 use axum::http::{HeaderValue, header};
 use axum::response::{IntoResponse, Response};
@@ -17,7 +19,7 @@ pub(crate) async fn post(
     AskedJson(json): AskedJson,
 ) -> Result<Response, Refusal> {
     if let Some(reply) = page.answered.to(path, &json) {
-        return Ok(sent(&reply));
+        return Ok(sent(Arc::unwrap_or_clone(reply)));
     }
     let question = reader(&json)?;
     let kind = question.subject();
@@ -32,12 +34,13 @@ pub(crate) async fn post(
             answered.keep(path, json, wanted, || question.answer())
         })
         .await?;
-    Ok(sent(&reply))
+    // One that is not kept has no other owner, and is not copied.
+    Ok(sent(Arc::unwrap_or_clone(reply)))
 }
 
-fn sent(reply: &Reply) -> Response {
+fn sent(reply: Reply) -> Response {
     let kind = HeaderValue::from_static(reply.content_type);
-    let mut response = ([(header::CONTENT_TYPE, kind)], reply.bytes.clone()).into_response();
+    let mut response = ([(header::CONTENT_TYPE, kind)], reply.bytes).into_response();
     if reply.attached {
         let attachment = HeaderValue::from_static("attachment");
         let headers = response.headers_mut();

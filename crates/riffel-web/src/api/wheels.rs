@@ -14,7 +14,6 @@ use serde_json::{Value, json};
 use super::curve;
 use crate::Page;
 use crate::fault::{Fault, Refusal};
-use crate::queue::Wanted;
 use crate::request::{Asked, Asker};
 use crate::told::Told;
 
@@ -32,26 +31,21 @@ pub(crate) async fn post(
 ) -> Result<Told<Value>, Refusal> {
     question.curve.check()?;
     page.queue
-        .run(asker.subject("wheels"), move |wanted| {
-            question.answer(wanted)
-        })
+        .run(asker.subject("wheels"), move |_| question.answer())
         .await
 }
 
 impl Question {
-    fn answer(&self, wanted: &Wanted) -> Result<Told<Value>, Fault> {
+    fn answer(&self) -> Result<Told<Value>, Fault> {
         let case = self.case.read()?;
         let curve = (curve::NAME.to_owned(), self.curve.curving()?.toml());
         let texts = self.curve.texts().into_iter().chain([curve]);
-        with_texts(texts, || Self::of_case(&case, wanted))
+        with_texts(texts, || Self::of_case(&case))
     }
 
     /// The answer for a case, while the curve and its profiles can be read.
-    fn of_case(case: &Case, wanted: &Wanted) -> Result<Told<Value>, Fault> {
+    fn of_case(case: &Case) -> Result<Told<Value>, Fault> {
         let case = case.on_curve(Path::new(""), curve::NAME)?;
-        if !wanted.still() {
-            return Err(Fault::superseded());
-        }
         let answer = WheelsAnswer::new(&case, |_| ())?;
         let mut document = json!(answer.document(&case));
         // The case with its wheel is the question.
