@@ -2,7 +2,7 @@
 
 use riffel::diagnosis::MechanismKind;
 use riffel_case::Case;
-use riffel_keys::{Message, Value, fixed, say, significant};
+use riffel_keys::{Message, Value, fixed, say, shown_speed, significant};
 use serde::Serialize;
 
 use crate::Highest;
@@ -125,7 +125,7 @@ fn sentence(wavelength: f64, speed: f64, found: Option<(MechanismKind, f64)>) ->
     let frequency = speed / wavelength;
     let [millimetres, speed, hertz]: [Value; 3] = [
         significant(1e3 * wavelength, 2),
-        fixed(3.6 * speed, 0),
+        shown_speed(speed, 0),
         fixed(frequency, 0),
     ];
     match found {
@@ -166,7 +166,7 @@ fn frequency_kept(case: &Case, speeds: [f64; 2]) -> Option<(bool, Message)> {
     let (first, last): (Highest, Highest) = (crest(slowest)?, crest(fastest)?);
     // A fixed length has a frequency that goes with the speed.
     let kept = (last.frequency / first.frequency).ln().abs() < 0.5 * (fastest / slowest).ln();
-    let [slow, fast] = speeds.map(|speed| fixed(3.6 * speed, 0));
+    let [slow, fast] = speeds.map(|speed| shown_speed(speed, 0));
     let [low, high] = [first, last].map(|it| fixed(it.frequency, 0));
     Some((
         kept,

@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use riffel::feedback::Stability;
 use riffel_case::Case;
 use riffel_keys::quantity::Quantity;
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{CaseError, Message, fixed, say, shown_speed};
 use riffel_plot::{LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 use serde::Serialize;
 
@@ -293,7 +293,7 @@ impl Answer for StabilityMap {
         let least = least.fold(f64::INFINITY, f64::min);
         let lowest = self.friction[0];
         let (slowest, fastest) = (self.speeds_m_per_s[0], self.speeds_m_per_s[SPEEDS - 1]);
-        let [slowest, fastest] = [slowest, fastest].map(|speed| fixed(3.6 * speed, 0));
+        let [slowest, fastest] = [slowest, fastest].map(|speed| shown_speed(speed, 0));
         let highest = fixed(self.friction[self.friction.len() - 1], 3);
         vec![if least.is_infinite() {
             say!(

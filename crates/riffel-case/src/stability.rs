@@ -2,7 +2,7 @@
 
 use riffel::feedback::Stability;
 use riffel::{Axis, Error, Loop};
-use riffel_keys::{Message, Value, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
 
 use crate::Case;
 use crate::build::validity::shorter_than_patch;
@@ -58,7 +58,7 @@ impl Case {
 
 /// What is to be said of a loop at a speed \[m/s\], if anything: that it oscillates, or that it cannot be told.
 pub(crate) fn said(speed: f64, found: &Result<Stability, Error>) -> Option<Message> {
-    let speed = fixed(3.6 * speed, 0);
+    let speed = shown_speed(speed, 0);
     let Ok(found) = found else {
         return Some(say!(loop_not_judged, speed = speed));
     };

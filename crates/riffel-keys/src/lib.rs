@@ -42,7 +42,10 @@ pub use error::CaseError;
 pub use excerpt::clipped;
 pub use key_file::{KeyFile, overridden_key};
 pub use language::Language;
-pub use message::{Message, Value, decimal, fixed, number, significant, significant_digits};
+pub use message::{
+    Message, Value, decimal, fixed, number, shown_speed, shown_speeds, significant,
+    significant_digits,
+};
 pub use physics_in_words::physics_in_words;
 pub use range::{PhysicalRange, RANGES, bound};
 pub use unit::{Exponents, Unit};

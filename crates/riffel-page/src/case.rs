@@ -1,9 +1,9 @@
 //! `POST /api/case`: a case checked, as keys and as text.
 
-use riffel_keys::say;
+use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -18,7 +18,7 @@ struct Answer {
     toml: String,
     /// Every key, with presets and defaults.
     complete: riffel_case::file::CaseFile,
-    remarks: Vec<Note>,
+    remarks: Vec<Message>,
 }
 
 impl crate::Question for Question {
@@ -36,7 +36,7 @@ impl crate::Question for Question {
             keys,
             toml,
             complete: case.file,
-            remarks: Note::all(&case.remarks),
+            remarks: case.remarks,
         })
     }
 }

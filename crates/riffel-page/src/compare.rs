@@ -4,11 +4,11 @@ use riffel::{Axis, Ridge};
 use riffel_answers::LineGrowth;
 use riffel_answers::ridge::RidgePointDocument;
 use riffel_case::Case;
-use riffel_keys::say;
+use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
 use crate::map::{Computed, Head};
-use crate::{CaseText, Fault, Note, Reply, Traffic};
+use crate::{CaseText, Fault, Reply, Traffic};
 
 /// Wavelengths of a growth curve.
 pub(super) const WAVELENGTH_POINTS: usize = 241;
@@ -79,7 +79,7 @@ enum UnderTraffic {
         #[serde(flatten)]
         growth: Box<LineGrowth>,
         /// In what it doubles, "5 to 14 months"; none where nothing grows.
-        doubles_in: Option<Note>,
+        doubles_in: Option<Message>,
     },
     Refused {
         fault: Fault,
@@ -90,7 +90,7 @@ impl UnderTraffic {
     fn of(case: &Case, traffic: Option<&riffel_case::traffic::Traffic>) -> Self {
         match LineGrowth::new(case, traffic) {
             Ok(growth) => Self::Answered {
-                doubles_in: growth.fastest.as_ref().map(|it| Note::from(&it.time())),
+                doubles_in: growth.fastest.as_ref().map(|it| it.time()),
                 growth: Box::new(growth),
             },
             Err(error) => Self::Refused {

@@ -2,10 +2,11 @@
 
 use riffel_answers::Answer as _;
 use riffel_answers::rail_damage::RailDamage;
+use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply};
+use crate::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -19,8 +20,8 @@ pub(crate) struct Question {
 struct Answer<'a> {
     #[serde(flatten)]
     damage: &'a RailDamage,
-    sentences: Vec<Note>,
-    notes: Vec<Note>,
+    sentences: Vec<Message>,
+    notes: &'a [Message],
 }
 
 impl crate::Question for Question {
@@ -37,8 +38,8 @@ impl crate::Question for Question {
         let sentences = [of_mean].into_iter().chain(shakedown.sentences());
         let sentences: Vec<_> = sentences.chain(damage.findings.clone()).collect();
         Reply::json(&Answer {
-            sentences: Note::all(&sentences),
-            notes: Note::all(&shakedown.remarks),
+            sentences,
+            notes: &shakedown.remarks,
             damage: &damage,
         })
     }

@@ -205,7 +205,7 @@ impl From<riffel_answers::AnswerError> for Fault {
     fn from(error: riffel_answers::AnswerError) -> Self {
         match error {
             riffel_answers::AnswerError::Case(error) => error.into(),
-            error => Self::bad(error.to_string()),
+            error => Self::bad(error.message()),
         }
     }
 }

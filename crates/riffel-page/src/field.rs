@@ -5,7 +5,7 @@ use riffel_keys::{Message, fixed, say};
 use serde::{Deserialize, Serialize};
 use serde_json::Value;
 
-use crate::{Fault, Note, Reply};
+use crate::{Fault, Reply};
 
 /// What `riffel validate --field --json` printed when the outcomes had been written down.
 const KEPT: &str = include_str!("../field-prediction.json");
@@ -41,15 +41,15 @@ struct Outcome {
 #[derive(Serialize)]
 struct Answer {
     /// Which version predicted it, and how it came out.
-    summary: Note,
+    summary: Message,
     outcomes: Vec<Row>,
 }
 
 #[derive(Serialize)]
 struct Row {
     site: String,
-    what: Note,
-    unit: Note,
+    what: Message,
+    unit: Message,
     measured: Value,
     /// Median and bands of 50 and 80 % of the samples; none where nothing grows in most.
     predicted: Option<Value>,
@@ -61,8 +61,8 @@ impl Row {
     fn new(site: &str, outcome: Outcome) -> Self {
         Self {
             site: site.to_owned(),
-            what: Note::from(&quantity(&outcome.what)),
-            unit: Note::from(&unit(&outcome.unit)),
+            what: quantity(&outcome.what),
+            unit: unit(&outcome.unit),
             measured: outcome.measured,
             predicted: outcome.predicted,
             inside: outcome.inside,
@@ -116,10 +116,7 @@ impl crate::Question for Question {
             outcomes = outcomes.len(),
             score = fixed(kept.log_score, 2)
         );
-        Reply::json(&Answer {
-            summary: Note::from(&summary),
-            outcomes,
-        })
+        Reply::json(&Answer { summary, outcomes })
     }
 }
 

@@ -22,7 +22,6 @@ mod figure;
 mod german;
 mod line;
 mod map;
-mod note;
 mod own_values;
 mod passage;
 mod point;
@@ -38,7 +37,6 @@ use serde::de::DeserializeOwned;
 
 pub use case_text::{CaseText, LARGEST_CASE};
 pub use fault::Fault;
-pub use note::Note;
 pub use reply::{Reply, written};
 pub use traffic::{TRAFFIC_FILE, Traffic};
 pub use vocabulary::{VOCABULARY, vocabulary_of};

@@ -1,10 +1,11 @@
 //! `POST /api/line`: what grows fastest under the traffic of the line, and what that follows.
 
 use riffel_answers::{Cause, LineGrowth};
+use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply};
+use crate::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question(OnLine);
@@ -14,8 +15,8 @@ struct Answer<'a> {
     #[serde(flatten)]
     growth: &'a LineGrowth,
     /// In what the fastest doubles; none where nothing grows.
-    doubles_in: Option<Note>,
-    notes: Vec<Note>,
+    doubles_in: Option<Message>,
+    notes: &'a [Message],
     card: Option<Card>,
     /// Wavelengths \[m\] with their growth rates per passage under the traffic.
     curve: &'a [[f64; 2]],
@@ -24,17 +25,17 @@ struct Answer<'a> {
 /// What the fastest follows, in words.
 #[derive(Serialize)]
 struct Card {
-    title: Note,
-    evidence_for: Vec<Note>,
-    evidence_against: Vec<Note>,
+    title: Message,
+    evidence_for: Vec<Message>,
+    evidence_against: Vec<Message>,
 }
 
 impl From<&Cause> for Card {
     fn from(cause: &Cause) -> Self {
         Self {
-            title: Note::from(&cause.title()),
-            evidence_for: Note::all(&cause.evidence_for),
-            evidence_against: Note::all(&cause.evidence_against),
+            title: cause.title(),
+            evidence_for: cause.evidence_for.clone(),
+            evidence_against: cause.evidence_against.clone(),
         }
     }
 }
@@ -48,8 +49,8 @@ impl crate::Question for Question {
         let (case, traffic) = self.0.read()?;
         let growth = LineGrowth::new(&case, traffic.as_ref())?;
         Reply::json(&Answer {
-            doubles_in: growth.fastest.map(|it| Note::from(&it.time())),
-            notes: Note::all(&growth.remarks),
+            doubles_in: growth.fastest.map(|it| it.time()),
+            notes: &growth.remarks,
             card: growth.cause.as_ref().map(Card::from),
             curve: &growth.curve,
             growth: &growth,

@@ -6,10 +6,11 @@ use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
 use riffel_case::traffic::UsualTraffic;
+use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -26,7 +27,7 @@ pub(crate) struct Head {
     /// The strongest first.
     branches: Vec<Branch>,
     /// The branches in a sentence.
-    branches_in_words: Note,
+    branches_in_words: Message,
     /// That of the strongest branch.
     best_fit_frequency_hz: Option<f64>,
     highest: Option<RidgePointDocument>,
@@ -36,7 +37,7 @@ pub(crate) struct Head {
     complete: riffel_case::file::CaseFile,
     /// Keys and tables that this case does not use.
     idle: Vec<&'static str>,
-    remarks: Vec<Note>,
+    remarks: Vec<Message>,
     usual_traffic: Usual,
 }
 
@@ -159,7 +160,7 @@ impl Computed {
         let map = GrowthMap::compute(feedback, wavelength, speed, |_| ());
         let ridge = ridge_in(case, feedback, [wavelength, speed]);
         let branches = BranchDocument::all(case, &ridge);
-        let branches_in_words = Note::from(&BranchDocument::sentence(&branches));
+        let branches_in_words = BranchDocument::sentence(&branches);
         let growing: Vec<&RidgePoint> = ridge
             .points
             .iter()
@@ -200,7 +201,7 @@ impl Computed {
                 derived: Derived::of(case),
                 complete: case.file.clone(),
                 idle: idle(case),
-                remarks: Note::all(&case.remarks),
+                remarks: case.remarks.clone(),
                 usual_traffic: case.into(),
             },
             values: map

@@ -1,11 +1,12 @@
 //! `POST /api/passage`: a wheel over a sinusoid in time, and what the linear loop says of the same wave.
 
 use riffel::passage::Sinusoid;
+use riffel_answers::AnswerError;
 use riffel_answers::simulate::{Course, SinusoidAnswer, SinusoidRequest};
-use riffel_keys::say;
+use riffel_keys::{CaseError, Message, say};
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply};
+use crate::{CaseText, Fault, Reply};
 
 /// Amplitudes of the wave \[m\].
 const AMPLITUDES: [f64; 2] = [1e-8, 2e-3];
@@ -25,7 +26,7 @@ struct Answer {
     contact_loss_fraction: f64,
     static_normal_force_n: f64,
     linear: Linear,
-    remarks: Vec<Note>,
+    remarks: Vec<Message>,
 }
 
 /// The same wave by the linear loop, at the same places.
@@ -58,9 +59,8 @@ impl crate::Question for Question {
             wavelength,
             amplitude,
         };
-        let request = SinusoidRequest::new(speed, profile, None)?;
-        let answer = SinusoidAnswer::new(&case, request);
-        let answer = answer?;
+        let request = SinusoidRequest::new(speed, profile, None).map_err(refused)?;
+        let answer = SinusoidAnswer::new(&case, request).map_err(refused)?;
         let course = answer.course();
         // Oscillations are those of the amplitude of the case, with the profile real at x = 0.
         let share = amplitude / case.feedback.amplitude();
@@ -82,8 +82,19 @@ impl crate::Question for Question {
             },
             contact_loss_fraction: answer.settled.contact_loss,
             static_normal_force_n: static_normal_force,
-            remarks: Note::all(&answer.remarks),
+            remarks: answer.remarks,
             course,
         })
+    }
+}
+
+/// The same error without the option of the program, of which the page has none.
+fn refused(error: AnswerError) -> Fault {
+    match error {
+        AnswerError::Case(CaseError::Physics { error, .. }) => Fault::bad(Message::from(&error)),
+        AnswerError::Argument { value, rule, .. } => {
+            Fault::bad(say!(wave_is_but_must_be, value = value, rule = rule))
+        }
+        error => error.into(),
     }
 }

@@ -4,11 +4,11 @@ use riffel::Complex64;
 use riffel_answers::receptance::ReceptanceCurves;
 use riffel_case::traffic::{UsualTraffic, reported_growth};
 use riffel_case::{Case, Point};
-use riffel_keys::say;
+use riffel_keys::{Message, say};
 use serde::{Deserialize, Serialize};
 
 use crate::compare::Growth;
-use crate::{CaseText, Fault, Note, Reply};
+use crate::{CaseText, Fault, Reply};
 
 /// Frequencies of the curves \[Hz\], those that `riffel receptance` draws.
 const FREQUENCIES: [f64; 2] = [20.0, 5000.0];
@@ -29,7 +29,7 @@ pub(crate) struct Question {
 struct Answer {
     state: Turn,
     /// That growth is faster than any seen on a railway.
-    reported_growth: Option<Note>,
+    reported_growth: Option<Message>,
     /// Over frequency at the speed of the point.
     spectrum: Spectrum,
     /// Over wavelength at the speed of the point.
@@ -126,7 +126,7 @@ impl crate::Question for Question {
         let daily = self.passages_per_day.unwrap_or_else(usual);
         let reported = reported_growth(wavelength, state.growth_rate, daily);
         Reply::json(&Answer {
-            reported_growth: reported.as_ref().map(Note::from),
+            reported_growth: reported,
             state: Turn {
                 point: Point::new(&case, &state),
                 amplitude_m: case.feedback.amplitude(),

@@ -3,10 +3,11 @@
 use std::collections::BTreeMap;
 
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
+use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Note, Reply};
+use crate::{Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -19,26 +20,26 @@ pub(crate) struct Question {
 
 #[derive(Serialize)]
 struct Answer<'a> {
-    helps_most: Option<Note>,
+    helps_most: Option<Message>,
     remedies: Vec<Ranked<'a>>,
-    left_out: Vec<LeftOut>,
-    notes: Vec<Note>,
+    left_out: Vec<LeftOut<'a>>,
+    notes: &'a [Message],
 }
 
 #[derive(Serialize)]
 struct Ranked<'a> {
-    name: Note,
-    doubles_in: Note,
-    ground_after: Option<Note>,
+    name: &'a Message,
+    doubles_in: &'a Message,
+    ground_after: Option<&'a Message>,
     months_per_cost: Option<f64>,
     #[serde(flatten)]
     remedy: &'a Remedy,
 }
 
 #[derive(Serialize)]
-struct LeftOut {
-    title: Note,
-    reason: Note,
+struct LeftOut<'a> {
+    title: &'a Message,
+    reason: &'a Message,
 }
 
 impl crate::Question for Question {
@@ -51,21 +52,21 @@ impl crate::Question for Question {
         let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
         let answer = answer.with_costs(&self.costs)?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
-            name: Note::from(&remedy.title),
-            doubles_in: Note::from(&remedy.doubles_in),
-            ground_after: remedy.ground_after.as_ref().map(Note::from),
+            name: &remedy.title,
+            doubles_in: &remedy.doubles_in,
+            ground_after: remedy.ground_after.as_ref(),
             months_per_cost: remedy.months_per_cost(),
             remedy,
         });
         let left_out = answer.left_out.iter().map(|it| LeftOut {
-            title: Note::from(&it.title),
-            reason: Note::from(&it.reason),
+            title: &it.title,
+            reason: &it.reason,
         });
         Reply::json(&Answer {
-            helps_most: answer.helps_most().as_ref().map(Note::from),
+            helps_most: answer.helps_most(),
             remedies: ranked.collect(),
             left_out: left_out.collect(),
-            notes: Note::all(&answer.remarks),
+            notes: &answer.remarks,
         })
     }
 }

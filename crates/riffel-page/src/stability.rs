@@ -2,9 +2,10 @@
 
 use riffel_answers::Answer as _;
 use riffel_answers::stability_map::StabilityMap;
+use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
-use crate::{CaseText, Fault, Note, Reply};
+use crate::{CaseText, Fault, Reply};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -15,8 +16,8 @@ pub(crate) struct Question {
 struct Answer<'a> {
     #[serde(flatten)]
     map: &'a StabilityMap,
-    sentences: Vec<Note>,
-    notes: Vec<Note>,
+    sentences: Vec<Message>,
+    notes: &'a [Message],
 }
 
 impl crate::Question for Question {
@@ -28,8 +29,8 @@ impl crate::Question for Question {
         let case = self.case.read()?;
         let map = StabilityMap::new(&case, &StabilityMap::frictions(), &|_| ())?;
         Reply::json(&Answer {
-            sentences: Note::all(&map.sentences()),
-            notes: Note::all(&map.remarks),
+            sentences: map.sentences(),
+            notes: &map.remarks,
             map: &map,
         })
     }

@@ -6,7 +6,7 @@ use riffel_case::traffic::{
     WHEEL_OF_THE_CASE,
 };
 use riffel_keys::quantity::Quantity;
-use riffel_keys::{number, say};
+use riffel_keys::{say, shown_speed};
 use serde::Deserialize;
 
 use crate::{CaseText, Fault};
@@ -76,8 +76,8 @@ impl Traffic {
             if !(slowest > 0.0 && slowest <= fastest && fastest < FASTEST) {
                 return Err(Fault::bad(say!(
                     the_speeds_of_the_traffic_go,
-                    from = number(format_args!("{:.1}", 3.6 * slowest)),
-                    to = number(format_args!("{:.1}", 3.6 * fastest))
+                    from = shown_speed(slowest, 1),
+                    to = shown_speed(fastest, 1)
                 )));
             }
         }

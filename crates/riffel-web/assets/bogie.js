@@ -10,7 +10,7 @@ import { inWords } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
 import { remember, remembered } from './remembered.js';
 import { Fault, Line, json } from './server.js';
-import { currentLanguage, t, told, translate } from './words.js';
+import { currentLanguage, t, translate } from './words.js';
 
 const NOMINAL = { wheel: ['S1002', 'cone-1:40'], rail: ['60E1', '60E2', '54E1', 'BS113A'] };
 /** How the coordinates of a file may stand. */
@@ -183,7 +183,7 @@ export function startBogie({ state, listen, complain, banner, inLabels, unitOf, 
         cell((180 / Math.PI) * wheel.contact_angle_rad, 1), cell(1e-3 * wheel.normal_force_n, 1), cell(wheel.t_gamma_n, 0),
       ]);
     }));
-    remarks.replaceChildren(...[...shown.remarks, ...(shown.curve.remarks ?? [])].map((note) => told(note)).filter((words, k, all) => all.indexOf(words) === k)
+    remarks.replaceChildren(...[...shown.remarks, ...(shown.curve.remarks ?? [])].map((one) => inWords(one)).filter((words, k, all) => all.indexOf(words) === k)
       .map((words) => element('li', { textContent: words })));
   }
 

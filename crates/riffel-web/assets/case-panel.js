@@ -2,9 +2,9 @@
 
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { inWords, said } from './german.js';
 import { Line, json } from './server.js';
-import { caseTitle, sentence, t, told, translate } from './words.js';
+import { caseTitle, sentence, t, translate } from './words.js';
 
 /**
  * `more` is what a question has beside the case, null while there is none, and `at` says it in words; `fill` shows an answer in `plot` and in `below`; `rows` are the
@@ -53,8 +53,8 @@ export function startCasePanel({ state, listen, inLabels, save }, { view, path, 
     if (!shown) return;
     const { question, keys, answer, fault } = shown;
     of.textContent = [caseTitle(keys), at(JSON.parse(question))].filter(Boolean).join(', ');
-    words.textContent = fault ? said(fault.message, inLabels).text : answer.sentences.map((note) => sentence(told(note))).join(' ');
-    notes.replaceChildren(...(answer?.notes ?? []).map((note) => element('li', { textContent: told(note) })));
+    words.textContent = fault ? said(fault.message, inLabels).text : answer.sentences.map((note) => sentence(inWords(note))).join(' ');
+    notes.replaceChildren(...(answer?.notes ?? []).map((note) => element('li', { textContent: inWords(note) })));
     for (const one of [plot, ...below]) one.hidden = !answer;
     if (answer) fill(answer, plot);
     translate(panel);

@@ -3,14 +3,14 @@
 import { palette } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { inWords, said } from './german.js';
 import { shownUnit, si } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { Line, framed, json } from './server.js';
 import { Sweep, drawCurves } from './sweep.js';
 import { reportOf } from './variant-report.js';
 import { MOST_VARIANTS, ownName } from './variants.js';
-import { labelOf, number, passages, power, speed, t, told, translate, written } from './words.js';
+import { labelOf, number, passages, power, speed, t, translate, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
 const PATIENCE = 150;
@@ -237,7 +237,7 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
       if (fault) return [said(fault.message).text, '–', '–', '–'];
       if (!fastest) return [t('nothing_grows_here'), '–', '–', '–'];
       const count = fastest.doubling_passages;
-      return [millimetres(fastest.wavelength_m, 2), told(time), passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];
+      return [millimetres(fastest.wavelength_m, 2), inWords(time), passages(count), traffic.words(count, si(complete, 'contact.normal_load')).mass];
     };
     common.textContent = windowInWords(all, heads[0].window);
     const columns = heads.map((head) => {

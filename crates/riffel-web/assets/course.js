@@ -21,8 +21,7 @@ export function fitItems({ wear_fit: fit, fit_fault: fault }, { item, take }) {
   if (!fit) return [];
   const items = [element('li', { textContent: t('fit_between', passages(fit.passages_between)), lang: currentLanguage() })];
   fit.sentences.forEach((sentence, k) => {
-    // What to write on a command line is here a button.
-    const one = item(sentence.replace(/: forecast with it by --set .*$/, ''));
+    const one = item(sentence);
     if (k === 0 && fit.verdict === 'fitted') {
       const use = element('button', { type: 'button', className: 'plain small', textContent: t('use_coefficient') });
       use.addEventListener('click', () => take(fit.coefficient_kg_per_j));

@@ -2,11 +2,12 @@
 
 import { element, fillTable, row, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords } from './german.js';
 import { set } from './keys.js';
 import { readNumber } from './numbers.js';
 import { nameOfValue } from './priors.js';
 import { Fault, askOnce, json } from './server.js';
-import { number, sentence, t, told, translate, written } from './words.js';
+import { number, sentence, t, translate, written } from './words.js';
 
 const [WIDTH, HEIGHT] = [240, 18];
 /** Costs of a plan: name, its unit behind a currency, what stands there before. */
@@ -104,7 +105,7 @@ export class Decision {
       return element('td', {}, element('label', { className: 'choice' }, input, element('span', { className: 'unit', textContent: unit || currency })));
     };
     const head = (first, ...words) => element('tr', {}, ...[first, ...words].map((word) => worded('th', word, { scope: 'col' })));
-    const rows = this.remedies.map(({ id, name, changes }) => row(told(name), OF_ACTION.map(([key, unit]) => cell(`action-${id}-${key}`, `action_${key}`, unit, told(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
+    const rows = this.remedies.map(({ id, name, changes }) => row(inWords(name), OF_ACTION.map(([key, unit]) => cell(`action-${id}-${key}`, `action_${key}`, unit, inWords(name), key === 'upkeep' ? this.given[changes[0].key] : ''))));
     const more = this.measurements.map(({ name, kind }, k) => row(`${t(kind)} (${name})`, [cell(`price-${k}`, 'price', '', name, kind === 'dated-levels' ? this.price : '')]));
     this.actions.replaceChildren(element('tbody', {}, head('remedy', ...OF_ACTION.map(([key]) => `action_${key}`)), ...rows, head('measure_once_more', 'price'), ...more));
     translate(this.asked);
@@ -117,7 +118,7 @@ export class Decision {
     const cost = Object.fromEntries(COSTS.map(([name, unit]) => [name, amount(this.costs.get(name), unit || currency)]).filter(([, value]) => value));
     const action = this.remedies.map(({ id, name, changes }) => {
       const written = Object.fromEntries(OF_ACTION.map(([key, unit]) => [key, of(`action-${id}-${key}`, unit)]).filter(([, value]) => value));
-      return Object.keys(written).length ? { name, title: told(name), changes: inTables(changes), ...written } : null;
+      return Object.keys(written).length ? { name, title: inWords(name), changes: inTables(changes), ...written } : null;
     }).filter(Boolean);
     const every = amount(this.every, 'months');
     if (every) action.push({ title: t('every_months', this.every.value.trim()), grind_every: every });
@@ -146,7 +147,7 @@ export class Decision {
   async #ask() {
     this.rank.disabled = true;
     const { question } = this;
-    this.titles = question.action.map(({ name, grind_every: every }) => () => (every ? t('every_months', every.split(' ')[0]) : told(name)));
+    this.titles = question.action.map(({ name, grind_every: every }) => () => (every ? t('every_months', every.split(' ')[0]) : inWords(name)));
     const action = question.action.map(({ name: _, ...one }) => one);
     try {
       this.#show(await json(await askOnce('/api/calibration/decision', { ...question, action })));

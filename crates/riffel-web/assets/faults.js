@@ -3,14 +3,15 @@
 import { said } from './german.js';
 import { get, set, short } from './keys.js';
 import { Fault, askOnce } from './server.js';
-import { currentLanguage, labelOf, nameOf, t, written } from './words.js';
+import { currentLanguage, inUnits, labelOf, nameOf, t, written } from './words.js';
 
 /** An option of the program; the page has none. */
 const OPTION = /--[a-z]+(-[a-z]+)*/;
 
 /** Keys of the case by their labels, options as plain words, quantities in the unit of a field. */
-export const inLabels = (form, field) => ({ text, key, si, unit }) => {
-  if (key === undefined) return unit === field?.node?.unit ? `${written(short(si / field.shown[1]))} ${field.shown[0]}` : text;
+export const inLabels = (form, field) => (piece) => {
+  const { text, key, si, unit } = piece;
+  if (key === undefined) return si !== undefined && unit === field?.node?.unit ? `${written(short(si / field.shown[1]))} ${field.shown[0]}` : inUnits(piece);
   if (OPTION.test(key)) return currentLanguage() === 'de' ? nameOf(key.slice(2).replaceAll('-', '_')) : key.slice(2).replaceAll('-', ' ');
   return [...form.fields.keys()].some((own) => own === key || own.startsWith(`${key}.`)) ? labelOf(key) : text;
 };

@@ -2,8 +2,9 @@
 
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords } from './german.js';
 import { askOnce, json } from './server.js';
-import { number, sentence, t, told, translate } from './words.js';
+import { number, sentence, t, translate } from './words.js';
 
 export function startField({ state, listen, complain, save }) {
   const summary = element('p', { className: 'why', id: 'field-summary' });
@@ -37,12 +38,12 @@ export function startField({ state, listen, complain, save }) {
   function rowOf({ site, what, unit, measured: found, predicted, inside, source }) {
     const band = predicted ? `${number(predicted.median)} (${predicted.band_80.map((end) => number(end)).join('–')})` : t('nothing_grows_here');
     const name = element('th', { scope: 'row', textContent: site, lang: 'en', title: source });
-    return row(name, [`${told(what)}${told(unit) && `, ${told(unit)}`}`, band, measured(found), element('td', { textContent: t(inside ? 'inside' : 'outside'), className: inside ? 'good' : 'bad' })]);
+    return row(name, [`${inWords(what)}${inWords(unit) && `, ${inWords(unit)}`}`, band, measured(found), element('td', { textContent: t(inside ? 'inside' : 'outside'), className: inside ? 'good' : 'bad' })]);
   }
 
   function show() {
     if (!answer) return;
-    summary.textContent = sentence(told(answer.summary));
+    summary.textContent = sentence(inWords(answer.summary));
     fillTable(table, ['site', 'measured_what', 'predicted_band', 'measured_there', ''].map((word) => word && t(word)), answer.outcomes.map(rowOf));
     translate(panel);
   }

@@ -1,7 +1,7 @@
 // What the program says, in the language of the page. Each of its answers has the German of its sentences beside them, and the
 // pieces of those that name keys and quantities.
 
-import { currentLanguage } from './words.js';
+import { currentLanguage, inUnits } from './words.js';
 
 const known = new Map();
 const inPieces = new Map();
@@ -17,7 +17,7 @@ export function heard(answer) {
  * What the program said, in the language of the page where that is known, and that language; `shown` gives the words of a key or
  * a quantity.
  */
-export function said(english, shown = ({ text }) => text) {
+export function said(english, shown = inUnits) {
   const german = currentLanguage() === 'de' ? known.get(english.trim()) : undefined;
   const language = german === undefined ? 'en' : 'de';
   const pieces = inPieces.get(english.trim())?.[language];

@@ -11,6 +11,7 @@ import { furtherFaults, inLabels, wording } from './faults.js';
 import { element, lead } from './elements.js';
 import { startField } from './field.js';
 import { Form } from './form.js';
+import { inWords } from './german.js';
 import { get, pack, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
@@ -30,7 +31,7 @@ import { Tour } from './tour.js';
 import { Traffic, readTraffic } from './traffic.js';
 import { inside, reach } from './transport.js';
 import { MOST_VARIANTS, ownName, readVariants } from './variants.js';
-import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, sentence, speed as inUnit, t, told, translate, unitOfSpeed } from './words.js';
+import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, sentence, speed as inUnit, t, translate, unitOfSpeed } from './words.js';
 
 const $ = (id) => document.getElementById(id);
 
@@ -132,8 +133,8 @@ function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
   $('map-title').textContent = head.title ?? '';
-  $('branches').textContent = sentence(told(head.branches_in_words));
-  $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: told(remark) })));
+  $('branches').textContent = sentence(inWords(head.branches_in_words));
+  $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: inWords(remark) })));
   $('notes-panel').hidden = !head.remarks.length;
 }
 
@@ -147,7 +148,7 @@ function highestOfTraffic() {
 }
 
 /** Passages with the time and the gross tonnes that they take. */
-const inWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
+const countInWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
 
 let moved = false;
 function movePoint(point, pinned) {
@@ -175,9 +176,9 @@ function askPoint() {
 
 function showPoint(at) {
   state.at = at;
-  drawPhasors($('phasors'), $('amplitudes'), at.state, inWords);
+  drawPhasors($('phasors'), $('amplitudes'), at.state, countInWords);
   const parts = Math.hypot(...at.state.normal_force_n) > at.state.static_normal_force_n;
-  $('why').textContent = [words(at.state, inWords), parts && t('parts'), at.reported_growth && sentence(told(at.reported_growth))].filter(Boolean).join(' ');
+  $('why').textContent = [words(at.state, countInWords), parts && t('parts'), at.reported_growth && sentence(inWords(at.reported_growth))].filter(Boolean).join(' ');
   $('place').textContent = `Re Ŵ₁ = ${number(at.state.normalized_dissipation[0])}; ${power(at.state.growth_rate_per_passage)} ${t('per_passage')}`;
   for (const place of document.querySelectorAll('.at-speed')) place.textContent = inUnit(at.state.speed_m_per_s);
   curves();

@@ -4,11 +4,11 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { inWords, said } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';
-import { caseTitle, currentLanguage, number, speed, t, told, translate } from './words.js';
+import { caseTitle, currentLanguage, number, speed, t, translate } from './words.js';
 
 /** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
 const SWING = 1800;
@@ -82,7 +82,7 @@ export function startMotion({ state, listen, banner, inLabels, save }) {
       textContent: lost > 0 ? t('wave_apart', { percent: number(100 * lost, 2) }) : t(least < 0.5 ? 'wave_large' : 'wave_small', { share: number(Math.min(...course.normal_force_n) / mean, 2) }),
       lang: currentLanguage(),
     });
-    waveNotes.replaceChildren(...answer.remarks.map((note) => element('li', { textContent: told(note) })));
+    waveNotes.replaceChildren(...answer.remarks.map((note) => element('li', { textContent: inWords(note) })));
     drawPassage(answer);
   }
 
@@ -214,10 +214,7 @@ export function startMotion({ state, listen, banner, inLabels, save }) {
 
   function tell(words, fault) {
     const { text, language } = fault?.status === 0 ? { text: t('gone'), language: currentLanguage() } : fault ? said(fault.message, inLabels) : { text: '', language: currentLanguage() };
-    // The program tells a speed with all of its digits.
-    const short = text.replace(/\d+[.,]\d{5,}/g, (digits) => number(Number(digits.replace(',', '.')), 4));
-    // An option of the program is none here, and um is no unit of the page.
-    Object.assign(words, { textContent: short.replace(/^--sinusoid: /, '').replace(/(?<=\d) um\b/g, ' µm'), lang: language });
+    Object.assign(words, { textContent: text, lang: language });
   }
 
   const wavePanel = element('article', { className: 'panel half' }, waveHead, element('div', { className: 'settings' }, amplitude.row), waveWords, wave, waveNotes);

@@ -7,7 +7,7 @@ import { offer } from './figures.js';
 import { inWords, said } from './german.js';
 import { askWhich, readNumber } from './numbers.js';
 import { Line, json } from './server.js';
-import { currentLanguage, number, speed, speedsIn, t, translate, written } from './words.js';
+import { currentLanguage, number, speed, t, translate, written } from './words.js';
 
 /** Where a reload finds the limit that was written, and the wheel that was chosen. */
 const LIMIT = 'riffel-limit-dba';
@@ -162,7 +162,7 @@ export class Noise {
       lang: currentLanguage(),
     });
     fillTable(this.parts, ['', ...PARTS.map(([part]) => t(`noise_${part}`))], [row('dB(A)', PARTS.map(([part]) => decibels(answer.level[`${part}_dba`])))]);
-    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row(speedsIn(inWords(title)), [decibels(after), decibels(saved)]));
+    const measures = answer.measures.map(({ title, total_dba: after, saved_db: saved }) => row(inWords(title), [decibels(after), decibels(saved)]));
     fillTable(this.measures, t('noise_columns'), measures);
     this.remarks.replaceChildren(...answer.remarks.map((remark) => {
       const { text, language } = said(remark, this.inLabels);

@@ -6,10 +6,10 @@ import { drawCurves } from './sweep.js';
 import { palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { said } from './german.js';
+import { inWords, said } from './german.js';
 import { Remedies } from './remedies.js';
 import { Line, json } from './server.js';
-import { sentence, speedsIn, t, told, translate } from './words.js';
+import { sentence, t, translate } from './words.js';
 
 /** The headline is asked for when the map has stood still for so long [ms]: it takes as long as five maps, and would hold up the next ones under a slider. */
 const REST = 150;
@@ -90,9 +90,9 @@ export class Outlook {
     if (!answer) return;
     const { fastest, doubles_in: time, cause, card: evidence } = answer;
     const helps = this.remedies.answer?.helps_most;
-    const words = answer.fault ? [speedsIn(said(answer.fault.message).text)] : [...answer.notes, ...(helps ? [helps] : [])].map(told);
+    const words = answer.fault ? [inWords(answer.fault.message)] : [...answer.notes, ...(helps ? [helps] : [])].map((one) => inWords(one));
     this.verdict.textContent = words.map(sentence).join(' ');
-    this.large.textContent = time ? `In ${told(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.large.textContent = time ? `In ${inWords(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
     this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
     this.cause.replaceChildren(evidence ? this.#card(cause, evidence) : element('p', { className: 'why', textContent: t(answer.fault ? 'not_known' : 'no_cause') }));
@@ -101,9 +101,9 @@ export class Outlook {
   }
 
   #card(cause, { title, evidence_for: own, evidence_against: others }) {
-    const items = (notes) => notes.map((note) => sentence(told(note)));
+    const items = (notes) => notes.map((note) => sentence(inWords(note)));
     const { text, language } = said(cause.measurement);
-    return card(cause.mechanism, [element('h3', { textContent: told(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
+    return card(cause.mechanism, [element('h3', { textContent: inWords(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
   }
 
   /** The evidence: the place on the map and the panel beside it. */

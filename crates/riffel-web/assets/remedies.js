@@ -2,10 +2,11 @@
 
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords } from './german.js';
 import { inUnit, set, shownUnit } from './keys.js';
 import { NumberField, UNITS } from './number-field.js';
 import { remember, remembered } from './remembered.js';
-import { labelOf, number, sentence, t, told, translate } from './words.js';
+import { labelOf, number, sentence, speed, t, translate } from './words.js';
 
 /** Where a reload finds what remedies cost. */
 const KEPT = 'riffel-costs';
@@ -42,8 +43,8 @@ export class Remedies {
     else this.table.replaceChildren();
     // A field that has moved with its row is still the one that is written in.
     if (this.table.contains(typing)) typing.focus();
-    const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${told(title)}`)} ${sentence(told(reason))}`) ?? [];
-    this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(told(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
+    const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${inWords(title)}`)} ${sentence(inWords(reason))}`) ?? [];
+    this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(inWords(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
     for (const [id, field] of this.fields) field.show(this.costs[id] ?? null);
   }
@@ -81,7 +82,7 @@ export class Remedies {
       this.fields.set(id, new NumberField({ id: `cost-of-${id}`, word: 'remedy_cost', units: UNITS.none, low: LEAST, high: MOST, accept, onTrouble: () => {} }));
     }
     const { input, fault, echo } = this.fields.get(id);
-    input.setAttribute('aria-label', `${told(name)}: ${t('remedy_cost')}`);
+    input.setAttribute('aria-label', `${inWords(name)}: ${t('remedy_cost')}`);
     return [input, fault, echo];
   }
 
@@ -90,26 +91,26 @@ export class Remedies {
     const bar = element('i', { className: change < 0 ? 'less' : 'more' });
     bar.style.width = `${Math.min(Math.abs(change), 100) / 2}%`;
     const changes = remedy.changes.map(({ key, value }) => this.#inUnit(key, value));
-    const name = element('th', { scope: 'row' }, told(remedy.name), element('small', { textContent: changes.map(({ text }) => text).join(', ') }));
+    const name = element('th', { scope: 'row' }, inWords(remedy.name), element('small', { textContent: changes.map(({ text }) => text).join(', ') }));
     const ofTraffic = remedy.changes[0].key.startsWith('speed.');
     const keep = worded('button', ofTraffic ? 'set_traffic' : 'keep_remedy', { type: 'button', className: 'plain small' });
     keep.addEventListener('click', () => {
       if (ofTraffic) return this.onTraffic();
       const keys = structuredClone(this.state.keys);
       for (const { key, given } of changes) set(keys, key, given);
-      return this.onKeep(told(remedy.name), keys);
+      return this.onKeep(inWords(remedy.name), keys);
     });
     const signed = `${change > 0 ? '+' : ''}${number(Math.round(change))} %`;
     const { months_gained: gained, months_per_cost: worth } = remedy;
-    const ground = element('td', { textContent: remedy.ground_after ? told(remedy.ground_after) : '–' }, ...(gained === null ? [] : [element('small', { textContent: t('months_gained', { months: `${gained > 0 ? '+' : ''}${number(gained, 2)}`, worth: worth && number(1000 * worth, 2) }) })]));
+    const ground = element('td', { textContent: remedy.ground_after ? inWords(remedy.ground_after) : '–' }, ...(gained === null ? [] : [element('small', { textContent: t('months_gained', { months: `${gained > 0 ? '+' : ''}${number(gained, 2)}`, worth: worth && number(1000 * worth, 2) }) })]));
     const likely = this.likely ? ['helps', 'best'].map((what) => `${number(100 * (this.likely.get(remedy.id)?.[what] ?? NaN), 2)} %`) : [];
-    return row(name, [element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), told(remedy.doubles_in), ground, element('td', {}, ...this.#cost(remedy)), ...likely, keep]);
+    return row(name, [element('td', { className: 'effect' }, bar, element('span', { textContent: signed })), inWords(remedy.doubles_in), ground, element('td', {}, ...this.#cost(remedy)), ...likely, keep]);
   }
 
   /** A key with its value [SI] as the form has it. */
   #inUnit(key, value) {
     const [unit, size] = shownUnit(key, this.unitOf(key));
-    const shown = key === 'speed.standard_deviation' ? `± ${number(3.6 * value)} km/h` : `${key === 'speed.factor' ? '×' : labelOf(key)} ${number(value / size)} ${unit}`.trim();
+    const shown = key === 'speed.standard_deviation' ? `± ${speed(value)}` : `${key === 'speed.factor' ? '×' : labelOf(key)} ${number(value / size)} ${unit}`.trim();
     return { key, text: shown, given: inUnit(key, value, this.unitOf(key)) };
   }
 }

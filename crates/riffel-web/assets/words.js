@@ -398,14 +398,10 @@ export const unitOfSpeed = () => [speedUnit, SPEED_UNITS[speedUnit]];
 /** A speed [m/s] in that unit. */
 export const speed = (value) => `${number(value / SPEED_UNITS[speedUnit])} ${speedUnit}`;
 
-/** A sentence of the program, which has km/h, with its speeds in that unit. */
-export const speedsIn = (sentence) => (speedUnit === 'km/h' ? sentence : sentence.replace(/([\d.,]+)(?:–([\d.,]+))? km\/h/g, (_, ...ends) => {
-  const converted = ends.slice(0, 2).filter(Boolean).map((end) => number(Number(end.replace(',', '.')) / 3.6 / SPEED_UNITS[speedUnit]));
-  return `${converted.join('–')} ${speedUnit}`;
-}));
-
-/** A remark of the program, which comes in every language, and as a sentence. */
-export const told = (note) => speedsIn(note[language]);
+/** A piece of what the program says, which has km/h, with its speeds in that unit. */
+export function inUnits({ text, speeds_m_per_s: speeds }) {
+  return speeds && speedUnit !== 'km/h' ? `${speeds.map((value) => number(value / SPEED_UNITS[speedUnit])).join('–')} ${speedUnit}` : text;
+}
 export const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
 
 /** A number as it stands in a case, with the comma of the language. */

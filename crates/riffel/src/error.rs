@@ -185,7 +185,7 @@ pub enum Error {
 
     /// A wheel that hops instead of rolling.
     #[error(
-        "a sinusoid of {:.1} um and {:.1} mm keeps the wheel in the air for {:.0} % of a wave; choose a smaller amplitude",
+        "a sinusoid of {:.1} µm and {:.1} mm keeps the wheel in the air for {:.0} % of a wave; choose a smaller amplitude",
         1e6 * amplitude,
         1e3 * wavelength,
         100.0 * share

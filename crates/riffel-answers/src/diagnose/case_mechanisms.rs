@@ -4,7 +4,7 @@ use riffel::diagnosis::{GrowthDensity, Mechanism, MechanismKind, TrafficSpeeds};
 use riffel::wheelset::ModeName;
 use riffel_case::file::CurveRail;
 use riffel_case::{Case, WheelsOfCurve};
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Message, fixed, say, shown_speeds};
 
 /// The wheels whose growth is held against a wavelength, with the rail of a curve that each runs on: those of the vehicle in its
 /// curve, or the one of the case, which has no name.
@@ -166,8 +166,7 @@ fn density(case: &Case, measured: f64, speeds: &TrafficSpeeds) -> Result<GrowthD
     if from >= to {
         return Err(say!(
             track_known_up_to,
-            slowest = fixed(3.6 * slowest, 0),
-            fastest = fixed(3.6 * fastest, 0),
+            speeds = shown_speeds([slowest, fastest]),
             longest = fixed(1e3 * to, 0),
             shortest = fixed(1e3 * shortest, 0)
         ));

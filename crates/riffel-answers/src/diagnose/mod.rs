@@ -25,7 +25,7 @@ pub(crate) use reason::course_in_words;
 
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
-use riffel_keys::{CaseError, Language, Message, fixed, say};
+use riffel_keys::{CaseError, Language, Message, say, shown_speeds};
 use riffel_plot::LineFigure;
 use riffel_rail::RailRecord;
 use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
@@ -164,11 +164,7 @@ impl Diagnosis {
     /// [`riffel::Error::OutOfRange`] for speeds not above zero.
     pub fn speeds_of_map(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
         let (slowest, fastest) = (case.speed.min(), case.speed.max());
-        let sentence = say!(
-            speeds_of_the_map,
-            slowest = fixed(3.6 * slowest, 0),
-            fastest = fixed(3.6 * fastest, 0)
-        );
+        let sentence = say!(speeds_of_the_map, speeds = shown_speeds([slowest, fastest]));
         Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
     }
 }

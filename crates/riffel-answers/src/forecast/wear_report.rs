@@ -209,8 +209,7 @@ impl WearReport {
             (WearVerdict::Fitted, Some(bounds)) => say!(
                 coefficient_is_fitted,
                 coefficient = scientific(coefficient),
-                interval = self.interval(bounds),
-                value = format!("{coefficient:.3e}")
+                interval = self.interval(bounds)
             ),
             (WearVerdict::Unexplained, _) => self.unexplained(),
             (WearVerdict::NothingGrows, _) => say!(no_coefficient_nothing_grows),
@@ -264,6 +263,15 @@ impl WearReport {
             }
         }
         sentences
+    }
+
+    /// How to forecast with the coefficient on a command line, where there is one.
+    pub fn advice(&self) -> Option<Message> {
+        let coefficient = self.fitted_coefficient()?;
+        Some(say!(
+            forecast_with_coefficient,
+            value = format!("{coefficient:.3e}")
+        ))
     }
 
     /// The fit as data.

@@ -1,7 +1,7 @@
 //! Levels beside the track as a picture.
 
 use riffel::noise::Part;
-use riffel_keys::{Language, Message, fixed, number, say};
+use riffel_keys::{Language, Message, fixed, number, say, shown_speed};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::tables::name_of;
@@ -14,7 +14,7 @@ pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language)
         title: say!(noise_beside_the_track).text(language),
         caption: say!(
             caption_of_noise,
-            speed = fixed(3.6 * answer.speed_m_per_s, 0),
+            speed = shown_speed(answer.speed_m_per_s, 0),
             distance = number(answer.distance_m),
             height = number(answer.height_m),
             parameters = parameters

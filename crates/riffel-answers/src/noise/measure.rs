@@ -3,7 +3,7 @@
 use riffel::noise::{Energies, Part};
 use riffel::roughness::Spectrum;
 use riffel_case::Case;
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Message, fixed, say, shown_speed};
 use serde::Serialize;
 
 use super::Train;
@@ -62,7 +62,7 @@ pub(super) fn measures(
         train.levels(radiation, &ground)?,
     );
     for factor in [0.8, 0.5] {
-        let title = say!(at_speed, speed = fixed(3.6 * factor * speed, 0));
+        let title = say!(at_speed, speed = shown_speed(factor * speed, 0));
         let slower = train.radiation(case, train.wheel_modes(), factor * speed)?;
         add(title, train.levels(&slower, roughness)?);
     }

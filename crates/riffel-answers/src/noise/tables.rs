@@ -1,7 +1,7 @@
 //! Levels as tables.
 
 use riffel::noise::Part;
-use riffel_keys::{Message, fixed, number, say};
+use riffel_keys::{Message, number, say, shown_speed};
 
 use super::NoiseAnswer;
 use crate::{Column, Table, Values};
@@ -23,7 +23,7 @@ pub(super) fn introduction(answer: &NoiseAnswer) -> Vec<Message> {
         say!(
             noise_at_speed,
             title = title,
-            speed = fixed(3.6 * answer.speed_m_per_s, 1)
+            speed = shown_speed(answer.speed_m_per_s, 1)
         ),
         say!(
             noise_heard_at,

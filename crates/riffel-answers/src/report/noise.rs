@@ -2,7 +2,7 @@
 
 use riffel::noise::Part;
 use riffel_case::Case;
-use riffel_keys::{Language, Message, Value, fixed, number, say};
+use riffel_keys::{Language, Message, Value, fixed, number, say, shown_speed};
 use riffel_plot::PlotError;
 
 use super::outlook::{Outlook, drawing};
@@ -25,7 +25,7 @@ pub(super) fn heard(
     let total = decibels(answer.level.total_dba);
     let heard = say!(
         train_is_heard,
-        speed = fixed(3.6 * answer.speed_m_per_s, 0),
+        speed = shown_speed(answer.speed_m_per_s, 0),
         wheels = number(answer.wheels),
         length = fixed(answer.train_length_m, 1),
         level = total.clone(),

@@ -7,7 +7,7 @@ use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
 use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Message, Value, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, number, say, shown_speeds};
 use serde::Serialize;
 
 /// A branch is named by a resonance of the case within this share of its frequency.
@@ -124,12 +124,10 @@ impl BranchDocument {
 
     /// Frequency, mechanism if known, speeds and wavelengths, as in "225 Hz (20–87 km/h, 25–109 mm)".
     fn in_words(&self) -> Message {
-        let range = |[least, most]: [f64; 2], unit: f64| {
-            let [least, most] = [least, most].map(|value| format!("{:.0}", unit * value));
-            match least == most {
-                true => least,
-                false => format!("{least}–{most}"),
-            }
+        let [least, most] = self.wavelength_m.map(|it| format!("{:.0}", 1e3 * it));
+        let wavelengths = match least == most {
+            true => least,
+            false => format!("{least}–{most}"),
         };
         let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
         let mechanism = self
@@ -140,8 +138,8 @@ impl BranchDocument {
             branch,
             frequency = fixed(self.frequency_hz, 0),
             mechanism = or_nothing(mechanism),
-            speeds = range(self.speed_m_per_s, 3.6),
-            wavelengths = range(self.wavelength_m, 1e3),
+            speeds = shown_speeds(self.speed_m_per_s),
+            wavelengths = wavelengths,
             edge = or_nothing(edge)
         )
     }

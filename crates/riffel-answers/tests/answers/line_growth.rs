@@ -78,7 +78,7 @@ fn at_one_speed_it_is_the_highest_growth_there() {
     assert!(!fastest.at_edge);
     let words = in_words(&growth);
     assert!(
-        words.contains("under the traffic given (108–108 km/h, 4000 axles a day)"),
+        words.contains("under the traffic given (108 km/h, 4000 axles a day)"),
         "{words}"
     );
     assert!(!words.contains("edge"), "{words}");

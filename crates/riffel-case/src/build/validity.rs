@@ -5,7 +5,7 @@ use std::f64::consts::TAU;
 use riffel::contact::{CurvatureFilter, EllipticContact};
 use riffel::feedback::Stability;
 use riffel::{Axis, Direction, Error, HertzContact, Loop};
-use riffel_keys::{Message, Value, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::{BeamModel, ContactDynamics, CreepLawName, HertzTheory, TrackModel};
@@ -230,7 +230,7 @@ fn of_waves(
                 takes = readable(share * curvature(wavelength)),
                 growth = readable(growth),
                 wavelength = fixed(1e3 * wavelength, 0),
-                speed = fixed(3.6 * speed, 0)
+                speed = shown_speed(speed, 0)
             ));
         }
     }

@@ -3,7 +3,7 @@
 use riffel::Rail;
 use riffel::contact::Creepages;
 use riffel::curving::Curve;
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Message, fixed, say, shown_speed};
 
 use super::mean_contact::MeanContact;
 use crate::case_text::CaseText;
@@ -43,7 +43,7 @@ impl CaseText {
             lateral,
             spin,
         } = contact.creepages;
-        let (radius, speed) = (curve.radius.abs(), 3.6 * curve.speed);
+        let (radius, speed) = (curve.radius.abs(), curve.speed);
         let (along, across) = (100.0 * longitudinal, 100.0 * lateral);
         let angle = contact.contact_angle.to_degrees();
         let load = 1e-3 * contact.normal_force;
@@ -57,7 +57,7 @@ impl CaseText {
         self.curve_remarks.push(say!(
             mean_state_from_curve,
             radius = fixed(radius, 0),
-            speed = fixed(speed, 0),
+            speed = shown_speed(speed, 0),
             wheelset = from.wheelset,
             rail = rail,
             along = fixed(along, 3),

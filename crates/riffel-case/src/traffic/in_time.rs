@@ -4,7 +4,7 @@ use rayon::prelude::*;
 use riffel::forecast::SpeedDistribution;
 use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message, number, say};
+use riffel_keys::{CaseError, Message, say, shown_speed};
 
 use super::spreads::PartValues;
 use super::wheel_on_case::settings_of;
@@ -85,7 +85,7 @@ impl Traffic {
                                 say!(
                                     vehicle_at_km_h,
                                     vehicle = &vehicle.name,
-                                    speed = number(format_args!("{:.1}", 3.6 * node.0)),
+                                    speed = shown_speed(node.0, 1),
                                     error = error.message()
                                 ),
                             ),

@@ -1,6 +1,6 @@
 //! The usual traffic of a line, which stands in until that of the line itself is given.
 
-use riffel_keys::{CaseError, Message, fixed, say, significant};
+use riffel_keys::{CaseError, Message, fixed, say, shown_speeds, significant};
 
 use super::{Line, Traffic, TrafficFile, Vehicle, WHEEL_OF_THE_CASE};
 use crate::Case;
@@ -141,23 +141,17 @@ impl UsualTraffic {
 
 /// A traffic with its slowest and fastest trains \[m/s\], and its axles a day where they are known.
 pub fn traffic_at_speeds(traffic: Message, speeds: [f64; 2], per_day: Option<f64>) -> Message {
-    let [slowest, fastest] = speeds.map(|speed| fixed(3.6 * speed, 0));
+    let speeds = shown_speeds(speeds);
     match per_day {
         Some(per_day) => say!(
             traffic_at_speeds_a_day,
             traffic = traffic,
-            slowest = slowest,
-            fastest = fastest,
+            speeds = speeds,
             axles = match per_day < 10.0 {
                 true => significant(per_day, 2),
                 false => fixed(per_day, 0),
             }
         ),
-        None => say!(
-            traffic_at_speeds,
-            traffic = traffic,
-            slowest = slowest,
-            fastest = fastest
-        ),
+        None => say!(traffic_at_speeds, traffic = traffic, speeds = speeds),
     }
 }

@@ -6,7 +6,7 @@ use riffel_answers::compare::{CompareAnswer, CompareRequest, compare_over};
 use riffel_answers::forecast::per_million;
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
-use riffel_keys::{CaseError, Language, Message, fixed, say};
+use riffel_keys::{CaseError, Language, Message, say, shown_speed};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
@@ -195,13 +195,13 @@ fn titled(traffic: Traffic) -> (Traffic, Message) {
 }
 
 fn in_words(speeds: &SpeedDistribution) -> Message {
-    let speed = fixed(3.6 * speeds.mean(), 1);
-    match 3.6 * speeds.deviation() {
+    let speed = shown_speed(speeds.mean(), 1);
+    match speeds.deviation() {
         0.0 => say!(at_speed, speed = speed),
         deviation => say!(
             at_spread_speed,
             speed = speed,
-            deviation = fixed(deviation, 1)
+            deviation = shown_speed(deviation, 1)
         ),
     }
 }

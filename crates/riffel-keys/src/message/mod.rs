@@ -24,7 +24,10 @@ use crate::Language;
 
 pub use piece::Piece;
 pub use translations::{Translations, translations, with_translations};
-pub use value::{Value, decimal, fixed, number, quantity, significant, significant_digits};
+pub use value::{
+    Value, decimal, fixed, number, quantity, shown_speed, shown_speeds, significant,
+    significant_digits,
+};
 
 /// A message of the Fluent files with the values that it names.
 #[derive(Debug, Clone, PartialEq)]

@@ -32,13 +32,23 @@ pub enum Piece {
         /// The SI unit.
         unit: String,
     },
+    /// A speed, or the slowest and the fastest of several.
+    Speeds {
+        /// As it stands in the message, in km/h.
+        text: String,
+        /// In m/s.
+        speeds_m_per_s: Vec<f64>,
+    },
 }
 
 impl Piece {
     /// As it stands in the message.
     pub(super) fn text(&self) -> &str {
         match self {
-            Self::Words(text) | Self::Key { text, .. } | Self::Quantity { text, .. } => text,
+            Self::Words(text)
+            | Self::Key { text, .. }
+            | Self::Quantity { text, .. }
+            | Self::Speeds { text, .. } => text,
         }
     }
 }
@@ -148,6 +158,13 @@ fn push_value(value: &Value, language: Language, pieces: &mut Vec<Piece>) {
             text: of_language(shown),
             si: *si,
             unit: (*unit).to_owned(),
+        }),
+        Value::Speeds {
+            shown,
+            speeds_m_per_s,
+        } => pieces.push(Piece::Speeds {
+            text: of_language(shown),
+            speeds_m_per_s: speeds_m_per_s.clone(),
         }),
         Value::Count(count) => push_words(&count.to_string(), pieces),
         Value::Words(words) => push_words(words.text(language), pieces),
@@ -281,6 +298,17 @@ mod tests {
             assert_eq!(message.pieces(language), expected);
             assert_eq!(message.text(language), join(&expected));
         }
+        // Speeds, of which readers choose the unit.
+        let speeds = crate::shown_speeds([10.0, 25.0]);
+        let message = say!(traffic_at_speeds, traffic = "trains", speeds = speeds);
+        let shown = Piece::Speeds {
+            text: "36–90 km/h".to_owned(),
+            speeds_m_per_s: vec![10.0, 25.0],
+        };
+        assert_eq!(
+            message.pieces(Language::English),
+            [words("trains ("), shown, words(")")]
+        );
         // A key that the wording itself names.
         let message = say!(lower_points);
         assert_eq!(

@@ -24,6 +24,13 @@ pub enum Value {
         /// The SI unit.
         unit: &'static str,
     },
+    /// A speed, or the slowest and the fastest of several; each reader may have another unit.
+    Speeds {
+        /// In km/h, with its unit and a decimal point.
+        shown: String,
+        /// In m/s.
+        speeds_m_per_s: Vec<f64>,
+    },
     /// How many: languages choose between singular and plural by it.
     Count(u64),
     /// A key of the case, dotted, or an option of the program.
@@ -50,9 +57,10 @@ impl Value {
     /// As data: numbers as numbers, other messages with their own id and values.
     pub(super) fn document(&self, language: Language) -> serde_json::Value {
         match self {
-            Self::Text(text) | Self::Key(text) | Self::Quantity { shown: text, .. } => {
-                text.as_str().into()
-            }
+            Self::Text(text)
+            | Self::Key(text)
+            | Self::Quantity { shown: text, .. }
+            | Self::Speeds { shown: text, .. } => text.as_str().into(),
             Self::Number(number) => serde_json::from_str::<serde_json::Number>(number)
                 .map_or_else(|_| number.as_str().into(), Into::into),
             Self::Count(count) => (*count).into(),
@@ -77,6 +85,26 @@ pub fn quantity(si: f64, unit: &'static str, shown: impl Display) -> Value {
     match unit {
         "" => Value::Number(shown),
         unit => Value::Quantity { shown, si, unit },
+    }
+}
+
+/// A speed \[m/s\] with so many digits after the decimal mark of its km/h.
+pub fn shown_speed(speed: f64, digits: usize) -> Value {
+    Value::Speeds {
+        shown: format!("{} km/h", decimal(3.6 * speed, digits)),
+        speeds_m_per_s: vec![speed],
+    }
+}
+
+/// The slowest and the fastest of several speeds \[m/s\], as in "40–70 km/h".
+pub fn shown_speeds([slowest, fastest]: [f64; 2]) -> Value {
+    let [from, to] = [slowest, fastest].map(|speed| decimal(3.6 * speed, 0));
+    if from == to {
+        return shown_speed(slowest, 0);
+    }
+    Value::Speeds {
+        shown: format!("{from}–{to} km/h"),
+        speeds_m_per_s: vec![slowest, fastest],
     }
 }
 

@@ -2,20 +2,18 @@
 
 use axum::extract::State;
 use riffel::profile::NominalProfile;
-use riffel_answers::curve::CurveAnswer;
-use riffel_answers::profile::OutlineAnswer;
+use riffel_answers::curve::{CurveAnswer, CurveDocument};
+use riffel_answers::profile::{OutlineAnswer, OutlineDocument};
 use riffel_case::file::ProfileOrientation;
 use riffel_case::{CurvingCase, METRO_CURVE_CASE, ProfileReading};
-use riffel_keys::CaseError;
 use riffel_keys::text_file::with_texts;
-use serde::Deserialize;
-use serde_json::{Value, json};
+use riffel_keys::{CaseError, Message};
+use serde::{Deserialize, Serialize};
 
 use crate::Page;
 use crate::fault::{Fault, Refusal};
 use crate::request::{Asked, Asker};
 use crate::told::Told;
-use riffel_page::Note;
 
 /// What errors call the case of a question.
 pub(super) const NAME: &str = "the curve of the page";
@@ -51,6 +49,20 @@ struct ProfileText {
     orientation: Option<ProfileOrientation>,
 }
 
+#[derive(Serialize)]
+pub(crate) struct Answer {
+    outlines: OutlineDocument,
+    curve: InCurve,
+    remarks: Vec<Message>,
+}
+
+#[derive(Serialize)]
+#[serde(untagged)]
+enum InCurve {
+    Found(Box<CurveDocument>),
+    Refused { fault: Fault },
+}
+
 impl Question {
     /// `Ok` if the numbers are those of a curve.
     pub(super) fn check(&self) -> Result<(), Fault> {
@@ -79,7 +91,7 @@ pub(crate) async fn post(
     State(page): State<Page>,
     asker: Asker,
     Asked(question): Asked<Question>,
-) -> Result<Told<Value>, Refusal> {
+) -> Result<Told<Answer>, Refusal> {
     question.check()?;
     page.queue
         .run(asker.subject("curve"), move |_| {
@@ -89,7 +101,7 @@ pub(crate) async fn post(
 }
 
 impl Question {
-    fn answer(&self) -> Result<Told<Value>, Fault> {
+    fn answer(&self) -> Result<Told<Answer>, Fault> {
         let names = self.names();
         let profiles = [&self.wheel, &self.rail].into_iter().zip(&names);
         let outlines = OutlineAnswer::new(profiles.map(|(profile, name)| {
@@ -105,17 +117,16 @@ impl Question {
             .and_then(|case| Ok((case.vehicle_in_curve()?, case)));
         let curve = vehicle.and_then(|(vehicle, case)| CurveAnswer::of_vehicle(&case, vehicle));
         let curve = match curve {
-            Ok(answer) => {
-                let mut document = json!(answer.document(None));
-                document["remarks"] = json!(Note::all(&answer.remarks));
-                document
-            }
-            Err(error) => json!({ "fault": Fault::from(error) }),
+            Ok(answer) => InCurve::Found(Box::new(answer.document(None))),
+            Err(error) => InCurve::Refused {
+                fault: error.into(),
+            },
         };
-        let remarks = Note::all(&outlines.remarks);
-        Ok(Told(
-            json!({ "outlines": outlines.document(), "curve": curve, "remarks": remarks }),
-        ))
+        Ok(Told(Answer {
+            outlines: outlines.document(),
+            curve,
+            remarks: outlines.remarks,
+        }))
     }
 
     /// What the readers are given for each profile: the nominal name, or that of the text, which is no other's.

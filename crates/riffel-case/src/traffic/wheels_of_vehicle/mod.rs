@@ -10,7 +10,7 @@ use rayon::prelude::*;
 use riffel::Loop;
 use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowth};
 use riffel::roughness::ThirdOctave;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, Value, say, shown_speed};
 
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
@@ -276,11 +276,11 @@ impl Asked<'_> {
             }
         }
         let words = (!without.is_empty()).then(|| {
-            let speeds = without.iter().map(|speed| format!("{:.0}", 3.6 * speed));
+            let speeds = without.iter().map(|&speed| shown_speed(speed, 0));
             say!(
                 no_equilibrium_at_speeds,
                 vehicle = self.name(),
-                speeds = speeds.collect::<Vec<_>>().join(", ")
+                speeds = Value::List(speeds.collect())
             )
         });
         Ok((found, words))

@@ -117,7 +117,7 @@ pub(super) fn readable(report: &WearReport) -> String {
         "change over {:.2e} axle passages between {earlier} and {later} records{pairs}\n{rows}\n",
         report.passages
     );
-    for sentence in report.sentences() {
+    for sentence in report.sentences().into_iter().chain(report.advice()) {
         text += &format!("{}\n", sentence.text(language()));
     }
     text
