@@ -14,7 +14,7 @@ use riffel_study::Stop;
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_case, wrong};
-use crate::interrupt::interruptible;
+use crate::interrupt::{interruptible, stoppable};
 
 fn of_calibration(error: CalibrationError) -> PyErr {
     match error {
@@ -66,7 +66,7 @@ pub(crate) fn calibrate(
         Ok((remarks, doubts, models))
     };
     // Finished parts of chains stay for a restart.
-    let done = interruptible(py, work).inspect_err(|_| stop.ask())?;
+    let done = stoppable(py, work, || stop.ask())?;
     let (remarks, doubts, models) = done.map_err(of_calibration)?;
     let models = models.map(|models| document(py, &models)).transpose()?;
     Ok((remarks, doubts, models))

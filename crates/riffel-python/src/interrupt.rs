@@ -1,27 +1,42 @@
 //! Long work that leaves Python free and that Ctrl-C ends.
 
 use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
-use std::sync::Mutex;
 use std::sync::atomic::{AtomicBool, Ordering};
 use std::sync::mpsc::{Receiver, RecvTimeoutError, sync_channel};
+use std::sync::{Arc, Mutex};
 use std::time::Duration;
 
 use pyo3::exceptions::PyRuntimeError;
 use pyo3::prelude::*;
+use riffel::wanted::run_while;
 
 /// How often signals are looked at.
 const PATIENCE: Duration = Duration::from_millis(50);
 
-/// The result of work that is done without the interpreter, on the threads of rayon, so that a signal raises at once.
-/// Work that is given up runs to its end unheard.
-///
-/// A thread of rayon and not of its own: work in parallel begins there anyway, and is not handed on once more.
+/// The result of long work that is done without the interpreter. A signal raises at once, and the work ends soon after it.
 pub(crate) fn interruptible<T: Send + 'static>(
     py: Python<'_>,
     work: impl FnOnce() -> T + Send + 'static,
 ) -> PyResult<T> {
-    if rayon::current_thread_index().is_some() {
-        // A callable of the user that asks another case: its thread must not wait for itself.
+    if is_within_work() {
+        return Ok(py.detach(work));
+    }
+    let wanted = Wanted::default();
+    let asked = wanted.clone();
+    let stop = || _ = wanted.give_up();
+    let done = stoppable(py, move || asked.run(work), stop)?;
+    done.ok_or_else(ended)
+}
+
+/// The same for work that keeps what it has before it ends: after a signal it is asked to `stop`.
+///
+/// A thread of rayon and not of its own: work in parallel begins there anyway, and is not handed on once more.
+pub(crate) fn stoppable<T: Send + 'static>(
+    py: Python<'_>,
+    work: impl FnOnce() -> T + Send + 'static,
+    stop: impl FnOnce(),
+) -> PyResult<T> {
+    if is_within_work() {
         return Ok(py.detach(work));
     }
     let (sender, receiver) = sync_channel(1);
@@ -34,34 +49,37 @@ pub(crate) fn interruptible<T: Send + 'static>(
         match wait(py, &receiver) {
             Ok(Ok(result)) => return Ok(result),
             Ok(Err(panic)) => resume_unwind(panic),
-            Err(RecvTimeoutError::Timeout) => py.check_signals()?,
-            Err(RecvTimeoutError::Disconnected) => {
-                return Err(PyRuntimeError::new_err("the threads of Riffel have ended"));
+            Err(RecvTimeoutError::Timeout) => {
+                if let Err(error) = py.check_signals() {
+                    stop();
+                    return Err(error);
+                }
             }
+            Err(RecvTimeoutError::Disconnected) => return Err(ended()),
         }
     }
 }
 
-/// The same for work on memory of the caller, which asks whether it is still wanted and ends soon after a signal.
-/// Until it ends, the interpreter does something else, whose result is returned; an error of that ends the work too.
+/// Long work on memory of the caller, which a signal ends. Until it ends, the interpreter does something else, whose result is
+/// returned; an error of that ends the work too.
 ///
 /// `give_up` is called when the work is no longer wanted, for what else it may be waiting for.
 pub(crate) fn interruptible_while<M>(
     py: Python<'_>,
-    work: impl FnOnce(&AtomicBool) + Send,
+    work: impl FnOnce() + Send,
     meanwhile: impl FnOnce() -> PyResult<M>,
     give_up: impl Fn(&PyErr),
 ) -> PyResult<M> {
-    let wanted = AtomicBool::new(true);
-    if rayon::current_thread_index().is_some() {
-        py.detach(|| work(&wanted));
+    if is_within_work() {
+        py.detach(work);
         return meanwhile();
     }
+    let wanted = Wanted::default();
     let (sender, receiver) = sync_channel(1);
     rayon::in_place_scope(|scope| {
-        let wanted = &wanted;
+        let asked = wanted.clone();
         scope.spawn(move |_| {
-            work(wanted);
+            asked.run(work);
             // A panic closes the channel instead, and goes on at the end of the scope.
             let _ = sender.send(());
         });
@@ -69,7 +87,7 @@ pub(crate) fn interruptible_while<M>(
         let mut result = meanwhile();
         loop {
             if let Err(error) = &result
-                && wanted.swap(false, Ordering::Relaxed)
+                && wanted.give_up()
             {
                 give_up(error);
             }
@@ -83,6 +101,37 @@ pub(crate) fn interruptible_while<M>(
             }
         }
     })
+}
+
+/// Whether a callable of the user asks from within work for more: its thread must not wait for itself.
+fn is_within_work() -> bool {
+    rayon::current_thread_index().is_some()
+}
+
+/// Whether the result of some work is still wanted.
+#[derive(Clone)]
+struct Wanted(Arc<AtomicBool>);
+
+impl Default for Wanted {
+    fn default() -> Self {
+        Self(Arc::new(AtomicBool::new(true)))
+    }
+}
+
+impl Wanted {
+    /// Work, for as long as it is wanted.
+    fn run<T: Send>(self, work: impl FnOnce() -> T + Send) -> Option<T> {
+        run_while(move || self.0.load(Ordering::Relaxed), work)
+    }
+
+    /// Whether it was wanted until now.
+    fn give_up(&self) -> bool {
+        self.0.swap(false, Ordering::Relaxed)
+    }
+}
+
+fn ended() -> PyErr {
+    PyRuntimeError::new_err("the threads of Riffel have ended")
 }
 
 /// Wait without the interpreter, but not for long.

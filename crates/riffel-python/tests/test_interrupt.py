@@ -11,17 +11,28 @@ import pytest
 from conftest import ROOT
 
 SCRIPT = """
-import signal
+import signal, time
 import numpy as np, riffel
 # A shell that starts the tests in the background lets them ignore Ctrl-C.
 signal.signal(signal.SIGINT, signal.default_int_handler)
-case = riffel.Case.from_toml("cases/bhaskar-track.toml", {"track.model": "moving-beam"})
+case = riffel.Case.from_toml("cases/bhaskar-track.toml", {{"track.model": "moving-beam"}})
 print("begun", flush=True)
 try:
-    case.growth_map(wavelength=np.linspace(0.02, 0.08, 100_000), speed=np.linspace(5.0, 60.0, 1000))
+    case.{call}
 except KeyboardInterrupt:
     print("interrupted", flush=True)
+    rested = 1.0
+    while rested > 0.02:
+        begun = time.process_time()
+        time.sleep(0.2)
+        rested = time.process_time() - begun
+    print("at rest", flush=True)
 """
+# Each takes minutes.
+LONG = [
+    "growth_map(wavelength=np.linspace(0.02, 0.08, 100_000), speed=np.linspace(5.0, 60.0, 1000))",
+    "ridge(speed=np.linspace(5.0, 60.0, 1_000_000))",
+]
 
 
 CALLABLE = """
@@ -49,16 +60,17 @@ except KeyboardInterrupt:
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals of POSIX")
-def test_a_signal_ends_the_wait() -> None:
-    command = [sys.executable, "-c", SCRIPT]
+@pytest.mark.parametrize("call", LONG)
+def test_a_signal_ends_the_wait_and_the_work(call: str) -> None:
+    command = [sys.executable, "-c", SCRIPT.format(call=call)]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True, cwd=ROOT) as process:
         assert process.stdout is not None
         try:
             assert process.stdout.readline() == "begun\n"
-            # The map takes minutes.
             time.sleep(0.3)
             process.send_signal(signal.SIGINT)
             assert process.stdout.readline() == "interrupted\n"
+            assert process.stdout.readline() == "at rest\n"
         finally:
             process.kill()
 

@@ -8,7 +8,6 @@ mod work;
 
 use std::path::PathBuf;
 use std::sync::Arc;
-use std::sync::atomic::{AtomicBool, Ordering};
 
 use num_complex::Complex64;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1, PyReadwriteArray2};
@@ -271,10 +270,7 @@ impl Case {
         let case = self.over(py, &wavelengths, &speeds)?;
         let rate = case.feedback.growth_rate_per_dissipation();
         let (tiles, _) = values.as_slice_mut()?.as_chunks_mut::<TILE>();
-        let work = |wanted: &AtomicBool| {
-            let wanted = || wanted.load(Ordering::Relaxed);
-            GrowthMap::compute_into(&case.feedback, &wavelengths, &speeds, tiles, wanted, |_| ());
-        };
+        let work = || GrowthMap::compute_into(&case.feedback, &wavelengths, &speeds, tiles, |_| ());
         let give_up = |error: &PyErr| {
             for callable in &self.callables {
                 callable.fail(error.clone_ref(py));

@@ -37,7 +37,7 @@ impl GrowthMap {
         Self {
             wavelength,
             speed,
-            tiles: Grid::new(&wavelengths, &speeds, &|| true, &progress).evaluated(feedback),
+            tiles: Grid::new(&wavelengths, &speeds, &progress).evaluated(feedback),
             growth_rate_per_dissipation,
         }
     }
@@ -46,8 +46,7 @@ impl GrowthMap {
     /// speed as many whole tiles as hold the wavelengths, of which the last is filled up with values that mean
     /// nothing.
     ///
-    /// Method, `progress` and accuracy are those of [`compute`](Self::compute). `wanted` is asked before every tile, from any thread: a
-    /// map that is no longer wanted is filled up with zeros at once.
+    /// Method, `progress` and accuracy are those of [`compute`](Self::compute).
     ///
     /// # Panics
     ///
@@ -57,10 +56,9 @@ impl GrowthMap {
         wavelengths: &[f64],
         speeds: &[f64],
         tiles: &mut [[Complex64; TILE]],
-        wanted: impl Fn() -> bool + Sync,
         progress: impl Fn(usize) + Sync,
     ) {
-        Grid::new(wavelengths, speeds, &wanted, &progress).evaluate_into(feedback.into(), tiles);
+        Grid::new(wavelengths, speeds, &progress).evaluate_into(feedback.into(), tiles);
     }
 
     /// The map with every value multiplied by a factor.
@@ -115,7 +113,6 @@ struct Grid<'a> {
     wavelengths: &'a [f64],
     speeds: &'a [f64],
     tiles_a_row: usize,
-    wanted: &'a (dyn Fn() -> bool + Sync),
     progress: &'a (dyn Fn(usize) + Sync),
 }
 
@@ -123,14 +120,12 @@ impl<'a> Grid<'a> {
     fn new(
         wavelengths: &'a [f64],
         speeds: &'a [f64],
-        wanted: &'a (dyn Fn() -> bool + Sync),
         progress: &'a (dyn Fn(usize) + Sync),
     ) -> Self {
         Self {
             wavelengths,
             speeds,
             tiles_a_row: wavelengths.len().div_ceil(TILE),
-            wanted,
             progress,
         }
     }
@@ -166,13 +161,10 @@ impl<'a> Grid<'a> {
             );
     }
 
-    /// One tile; zeros once the map is no longer wanted.
+    /// One tile.
     fn evaluate(&self, evaluator: &mut RowEvaluator, index: usize) -> [Complex64; TILE] {
         check();
         let (row, tile) = (index / self.tiles_a_row, index % self.tiles_a_row);
-        if !(self.wanted)() {
-            return [Complex64::ZERO; TILE];
-        }
         let values = evaluator.evaluate_tile(self.speeds[row], tile);
         if tile + 1 == self.tiles_a_row {
             (self.progress)(1);
