@@ -153,6 +153,7 @@ def test_speeds_in_other_units(page, unit, size):
         words = page.text(place)
         told = [float(number) for number in re.findall(r"\d+\.\d+|\d+", words)]
         assert any(abs(number - speed / size) <= 0.051 for number in told) and unit in words and "km/h" not in words
+    assert unit in page.text("#branches") and "km/h" not in page.text("#branches")
     assert page.page.locator("#key-map-speed-max-unit").text_content() == unit
     # A bare number is in the unit beside the field.
     page.set("map.speed.max", "50")
