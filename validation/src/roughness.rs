@@ -407,7 +407,8 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
         .filter(|candidate| candidate.kind.expectation() == Expectation::Grows)
         .map(|candidate| candidate.share)
         .sum();
-    let rises = course.probability_of_rise();
+    let slope = course.slope.expect("a rail that was not ground");
+    let rises = course.probability_of_rise().unwrap_or(0.5);
     Row {
         statement: "Niederwangen diagnosed: 20 mm stands out, a grinding mark leads, and all growing corrugation \
                     together has less than a tenth of the share",
@@ -418,8 +419,8 @@ pub(crate) fn grinding_mark_is_diagnosed() -> Row {
             1e3 * peak.wavelength,
             first.kind.name(),
             first.share,
-            course.slope,
-            course.slope_scatter
+            slope.mean,
+            slope.scatter
         ),
         tolerance: "a rise no likelier than 1 %, corrugation below 0.1",
         holds: ThirdOctave::containing(peak.wavelength).is_ok_and(|found| found == band)

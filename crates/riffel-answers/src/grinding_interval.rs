@@ -15,7 +15,8 @@ use crate::{Banded, LineGrowth, wear_spread};
 pub struct GrindingInterval {
     /// None where no band is there within the longest interval, 20 years.
     pub months: Option<f64>,
-    /// The same with the bands of the wear coefficient; none where growth does not go by it.
+    /// With the bands of the wear coefficient, whose ends may lie beyond the longest interval; none where growth does not go by it, or
+    /// no band grows.
     pub months_banded: Option<Banded>,
 }
 
@@ -34,10 +35,9 @@ impl GrindingInterval {
         let risen = 10f64.powf(0.1 * USUAL_RISE);
         let passages = growing_bands(&rates, &missed).filter_map(|band| band.passages_to(risen));
         let months = passages.min_by(f64::total_cmp).map(|it| it / per_month);
-        let months = months.filter(|months| *months <= USUAL_HORIZON);
         let banded = |months| Some(Banded::by_wear(months, wear_spread(case)?));
         Some(Self {
-            months,
+            months: months.filter(|months| *months <= USUAL_HORIZON),
             months_banded: months.and_then(banded),
         })
     }
@@ -50,15 +50,20 @@ impl GrindingInterval {
 
     /// In the unit of another, so that both can be compared at a glance.
     pub(crate) fn time_beside(&self, other: &Self) -> Message {
-        let Some(months) = self.months else {
-            return say!(longer_than_years, years = number(USUAL_HORIZON / 12.0));
-        };
+        let years = || number(USUAL_HORIZON / 12.0);
         // One that has no unit of its own leaves that of this.
         let other = other.months.map_or(self, |_| other);
-        time_in_words(
-            [months, other.months.unwrap_or(months)],
-            [self, other].map(|interval| interval.months_banded),
-        )
+        let beside = other.months.unwrap_or(USUAL_HORIZON);
+        let banded = other.months_banded;
+        let band = self.months_banded.map(|banded| banded.band_80);
+        match (self.months, band) {
+            (_, Some([early, late])) if late > USUAL_HORIZON && early <= USUAL_HORIZON => {
+                let early = time_in_words([early, beside], [None, banded]);
+                say!(time_or_longer, early = early, years = years())
+            }
+            (Some(months), _) => time_in_words([months, beside], [self.months_banded, banded]),
+            (None, _) => say!(longer_than_years, years = years()),
+        }
     }
 }
 
@@ -83,8 +88,15 @@ mod tests {
         let expected = 0.3 * std::f64::consts::LN_10 / 1e-5 / 1000.0;
         // Newton's method ends at some roundings.
         assert!((slow.months.unwrap() / expected - 1.0).abs() < 1e-12);
+        // Longer than 20 years in the middle, not at the early end; no time of both is cut off.
+        let wide = interval(&mut growth, [-1e-5, 2.5e-6]);
+        let [early, late] = wide.months_banded.unwrap().band_80;
+        assert!(wide.months.is_none() && early < USUAL_HORIZON && late > USUAL_HORIZON);
+        let words = wide.time_beside(&wide).to_string();
+        let years = riffel_keys::message::significant_digits(early / 12.0, 2);
+        assert_eq!(words, format!("{years} years to more than 20 years"));
         let none = interval(&mut growth, [-1e-5, 1e-9]);
-        assert_eq!((none.months, none.months_banded), (None, None));
+        assert_eq!(none.months, None);
         assert!((none.gained_on(&slow) - (USUAL_HORIZON - expected)).abs() < 1e-9);
         assert_eq!(none.time_beside(&slow).to_string(), "more than 20 years");
         growth.passages_per_day = None;

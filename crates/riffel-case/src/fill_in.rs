@@ -79,7 +79,7 @@ impl CaseText {
             .collect();
         self.keys.invalid(
             kind.key(),
-            format!("is \"{name}\", but no {} preset has that name", kind.name()),
+            say!(is_no_preset, name = name, kind = kind.in_words()),
             say!(allowed_names, allowed = known.join(", ")),
         )
     }

@@ -90,6 +90,19 @@ impl PresetKind {
         }
     }
 
+    /// The kind, for a sentence.
+    pub(crate) fn in_words(self) -> Message {
+        match self {
+            Self::Rail => say!(rail_word),
+            Self::Track => say!(track_kind),
+            Self::Pad => say!(pad_kind),
+            Self::Sleeper => say!(sleeper_kind),
+            Self::Ballast => say!(ballast_kind),
+            Self::Wheelset => say!(wheelset),
+            Self::Vehicle => say!(vehicle_kind),
+        }
+    }
+
     /// The kind, as a word.
     pub fn name(self) -> &'static str {
         match self {

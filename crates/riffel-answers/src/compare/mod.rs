@@ -48,7 +48,7 @@ pub struct CompareAnswer {
     /// What was asked to be held.
     hold: Option<Hold>,
     /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
-    wear_spread: Option<WearSpread>,
+    pub wear_spread: Option<WearSpread>,
     /// Speeds of the traffic, or its title, in words.
     pub speeds: Message,
     /// The outcomes.

@@ -5,6 +5,7 @@ use riffel_keys::{Message, say};
 use serde::Serialize;
 
 use super::mechanism_words::{settled_by, source, validity};
+use super::reason::course_in_words;
 use super::{Diagnosis, Finding};
 use crate::capital::as_sentence;
 use crate::defect_document::DefectDocument;
@@ -45,6 +46,8 @@ struct Dominant {
     false_peaks: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     harmonic_of_m: Option<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    sideband_of_m: Option<f64>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     rails: Vec<Rail>,
     course: Option<CourseDocument>,
@@ -72,10 +75,14 @@ struct CourseDocument {
     levels_db: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
     energy_mean_levels_db: Option<Vec<f64>>,
-    slope_db: f64,
-    slope_scatter_db: f64,
+    /// The first record since the rail was ground, as it seems.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    ground_before: Option<String>,
+    slope_db: Option<f64>,
+    slope_scatter_db: Option<f64>,
     per: &'static str,
-    probability_of_rise: f64,
+    probability_of_rise: Option<f64>,
+    sentence: Message,
 }
 
 #[derive(Serialize)]
@@ -147,6 +154,7 @@ impl Dominant {
             scatter_db: peak.scatter,
             false_peaks: peak.false_peaks,
             harmonic_of_m: peak.harmonic_of.map(|harmonic| harmonic.1),
+            sideband_of_m: finding.sideband.map(|sideband| sideband.of),
             rails: rails
                 .map(|(name, level)| Rail {
                     name: name.clone(),
@@ -161,10 +169,13 @@ impl Dominant {
                     .collect(),
                 levels_db: course.points.iter().map(|point| point.level).collect(),
                 energy_mean_levels_db: finding.measured.energy_levels.clone(),
-                slope_db: course.slope,
-                slope_scatter_db: course.slope_scatter,
+                ground_before: (course.since > 0)
+                    .then(|| course.points[course.since].label.clone()),
+                slope_db: course.slope.map(|slope| slope.mean),
+                slope_scatter_db: course.slope.map(|slope| slope.scatter),
                 per: course.unit.name(),
                 probability_of_rise: course.probability_of_rise(),
+                sentence: course_in_words(course),
             }),
             summary: finding.summary(),
             candidates: finding

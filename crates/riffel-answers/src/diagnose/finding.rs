@@ -5,6 +5,7 @@ use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_rail::history::Measured;
 use riffel_rail::{name_in_words, rail_in_words};
 
+use super::Sideband;
 use super::reason::{self, course_in_words};
 use crate::ridge::mechanism_name;
 
@@ -12,6 +13,8 @@ use crate::ridge::mechanism_name;
 pub struct Finding {
     /// What stands out, and what it did in time.
     pub measured: Measured,
+    /// Whether it only comes with a higher wave.
+    pub sideband: Option<Sideband>,
     /// What may have made it, the likeliest first.
     pub candidates: Vec<Candidate>,
     /// What would tell the candidates apart.
@@ -156,6 +159,14 @@ impl Finding {
         let [first, second, ..] = &self.candidates[..] else {
             return Message::verbatim("");
         };
+        if let Some(Sideband { order, of, spacing }) = self.sideband {
+            return say!(
+                comes_with_wave,
+                wavelength = fixed(1e3 * of, 1),
+                order = number(order),
+                spacing = fixed(spacing, 2)
+            );
+        }
         let leads = say!(
             candidate_leads,
             first = self.name(first),
@@ -166,12 +177,13 @@ impl Finding {
         let is_mark = first.kind == MechanismKind::GrindingMark;
         let course = self.measured.course.as_ref();
         let says = match course.map(Course::probability_of_rise) {
-            Some(rises) if rises < 0.05 && is_mark => {
+            Some(None) => say!(one_record_since_ground),
+            Some(Some(rises)) if rises < 0.05 && is_mark => {
                 say!(level_falls_as_grinding_mark, percent = percent(1.0 - rises))
             }
-            Some(rises) if rises < 0.05 => say!(level_falls, percent = percent(1.0 - rises)),
-            Some(rises) if rises > 0.95 => say!(level_rises, percent = percent(rises)),
-            Some(rises) => say!(rise_is_open, percent = fixed(100.0 * rises, 0)),
+            Some(Some(rises)) if rises < 0.05 => say!(level_falls, percent = percent(1.0 - rises)),
+            Some(Some(rises)) if rises > 0.95 => say!(level_rises, percent = percent(rises)),
+            Some(Some(rises)) => say!(rise_is_open, percent = fixed(100.0 * rises, 0)),
             None => say!(one_record_only),
         };
         say!(two_sentences, one = leads, other = says)

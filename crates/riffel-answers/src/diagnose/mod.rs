@@ -7,6 +7,7 @@ mod figure;
 mod finding;
 pub(crate) mod mechanism_words;
 mod reason;
+mod sideband;
 mod tables;
 
 use std::io::{self, Write};
@@ -22,6 +23,7 @@ pub use candidate_row::candidate_row;
 pub use document::DiagnosisDocument;
 pub use finding::Finding;
 pub(crate) use reason::course_in_words;
+pub use sideband::Sideband;
 
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
@@ -97,7 +99,7 @@ impl Diagnosis {
         }
         let filter = ContactFilter::of(&case.hertz);
         let mut findings = Vec::new();
-        for measured in records.measured {
+        for measured in &records.measured {
             let mut mechanisms = mechanisms.clone();
             let wavelength = measured.peak.wavelength;
             let (growth, unknown) = wheels.growth(measured.rail.as_deref(), wavelength, speeds);
@@ -115,7 +117,8 @@ impl Diagnosis {
             let course = measured.course.as_ref();
             let measurements = tell_apart(&candidates, course);
             findings.push(Finding {
-                measured,
+                sideband: Sideband::new(measured, &records.measured, &mechanisms),
+                measured: measured.clone(),
                 candidates,
                 measurements,
                 wheels: wheels.names(),

@@ -1,7 +1,9 @@
 //! What speaks for a mechanism or against it, and what would tell it from others, in words.
 
-use riffel::diagnosis::{Course, Expectation, Measurement, Reason, TimeUnit, TrafficSpeeds};
-use riffel_keys::{Message, Value, fixed, number, say};
+use riffel::diagnosis::{
+    Course, CoursePoint, Expectation, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds,
+};
+use riffel_keys::{Message, Value, fixed, number, say, significant};
 
 use super::mechanism_words::settled_by;
 
@@ -19,6 +21,11 @@ pub(super) fn in_words(
             percent = fixed(100.0 * passes, 0)
         ),
         Reason::WithoutWheels => say!(trolley_measures_rail_alone),
+        Reason::HigherThanGround { rms, accepted } => say!(
+            higher_than_ground,
+            rms = significant(1e6 * rms, 2),
+            accepted = fixed(1e6 * accepted, 0)
+        ),
         Reason::Frequency {
             frequency,
             spread,
@@ -141,11 +148,33 @@ pub(super) fn measurement(
 
 /// A course: levels of the records, what they do, and how fast.
 pub(crate) fn course_in_words(course: &Course) -> Message {
-    let levels: Value = (course.points.iter())
-        .map(|point| fixed(point.level, 1))
-        .collect();
-    let slope = number(format_args!("{:+.1}", course.slope));
-    let scatter = fixed(course.slope_scatter, 1);
+    let levels = |points: &[CoursePoint]| -> Value {
+        points.iter().map(|point| fixed(point.level, 1)).collect()
+    };
+    let (all, fall) = (levels(&course.points), course.fall().unwrap_or(0.0));
+    let record = course.points[course.since].label.as_str();
+    match course.slope {
+        Some(slope) if course.since == 0 => line_in_words(course, slope, all),
+        Some(slope) => say!(
+            course_since_ground,
+            levels = all,
+            fall = fixed(fall, 1),
+            record = record,
+            since = line_in_words(course, slope, levels(course.on_line()))
+        ),
+        None => say!(
+            course_ends_ground,
+            levels = all,
+            fall = fixed(fall, 1),
+            record = record
+        ),
+    }
+}
+
+/// The line of a course, with the levels that it goes through.
+fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
+    let scatter = fixed(slope.scatter, 1);
+    let slope = number(format_args!("{:+.1}", slope.mean));
     let unit = match course.unit {
         TimeUnit::Year => say!(year),
         TimeUnit::Record => say!(record),

@@ -39,7 +39,7 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
 
 impl ForecastAnswer {
     /// Between which months the leading rail reaches its limit, by what the wear coefficient may be.
-    fn months_within(&self) -> Option<Message> {
+    pub(crate) fn months_within(&self) -> Option<Message> {
         let crossings = self.crossings(self.leading());
         let months = self.months(crossings.first()?.passages)?;
         let [early, late] = self.wear_spread?.band_80(months).map(number);

@@ -213,11 +213,12 @@ impl WearReport {
             ),
             (WearVerdict::Unexplained, _) => self.unexplained(),
             (WearVerdict::NothingGrows, _) => say!(no_coefficient_nothing_grows),
-            (WearVerdict::Against, _) if !self.moves() => say!(no_coefficient_nothing_moved),
             (WearVerdict::Against, _) => say!(no_coefficient_bands_fell),
+            (WearVerdict::Indistinct, _) if !self.moves() => say!(no_coefficient_nothing_moved),
             (WearVerdict::Indistinct, Some(bounds)) => {
                 say!(no_coefficient_indistinct, interval = self.interval(bounds))
             }
+            (WearVerdict::Indistinct, None) => say!(no_coefficient_not_grown),
             _ => say!(
                 no_coefficient_claimed,
                 coefficient = scientific(coefficient)
@@ -230,30 +231,29 @@ impl WearReport {
             let signed = |change: f64| number(format_args!("{change:+.1}"));
             let wavelength = band.band.nominal_millimetres();
             let (measured, predicted) = (signed(band.measured), signed(band.predicted));
-            let is_grown = band.measured > LARGE_CHANGE;
-            let has_faded = band.measured < -LARGE_CHANGE;
-            if band.grows && band.measured < 0.0 {
+            let by_much = band.measured < -LARGE_CHANGE;
+            if band.grows && band.has_fallen() {
                 sentences.push(say!(
                     band_fades_against_model,
                     wavelength = wavelength,
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows && is_grown {
+            } else if !band.grows && band.has_grown() {
                 sentences.push(say!(
                     band_grows_against_model,
                     wavelength = wavelength,
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows && has_faded {
+            } else if !band.grows && by_much && band.has_fallen() {
                 sentences.push(say!(
                     band_fades_as_in_model,
                     wavelength = wavelength,
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
+            } else if band.grows && fit.verdict.is_fit() && band.residual().abs() > LARGE_CHANGE {
                 sentences.push(say!(
                     band_grows_unlike_fit,
                     wavelength = wavelength,

@@ -110,13 +110,15 @@ pub(super) fn forecast(
     if wear.and_then(WearReport::fitted_coefficient).is_none() {
         warnings.push(say!(growth_is_uncertain));
     }
-    let first = findings.first();
+    // Sections are worse than the mean that is forecast.
+    let first = findings.first().map(|first| match &report.ground {
+        Some(_) => first.clone(),
+        None => say!(mean_over_the_record, sentence = first),
+    });
+    let brief = first.into_iter().chain(report.months_within());
     Ok(Outlook {
         section: Section::There(say!(forecast), html),
-        brief: first
-            .map(|first| sentence(first, language))
-            .into_iter()
-            .collect(),
+        brief: brief.map(|message| sentence(&message, language)).collect(),
         warnings,
     })
 }

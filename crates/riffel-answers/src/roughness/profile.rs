@@ -331,6 +331,9 @@ fn remarks(bands: &[BandSummary], settings: &AnalysisSettings, spacing: f64) -> 
                 true => say!(stretches_too_short_for_band, band = band, length = length),
                 false => say!(samples_too_far_for_band, band = band, step = step),
             });
+        } else if let Some(window) = settings.window.filter(|window| *window < band.to()) {
+            let (window, band) = (number(window), name(band));
+            remarks.push(say!(window_shorter_than_wave, window = window, band = band));
         }
     }
     let unlike = |band: &&BandSummary| {

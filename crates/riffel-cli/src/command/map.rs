@@ -11,7 +11,7 @@ use riffel_plot::Observation;
 
 use crate::arguments::{Map, covering};
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::observations;
 use crate::output::{Progress, json, table};
 use crate::posterior::over;
@@ -174,7 +174,7 @@ fn readable(case: &Case, answer: &MapAnswer) -> String {
     let over = answer.over_posterior.iter().flat_map(growth_in_words);
     let remarks: String = remarks
         .chain(over)
-        .map(|remark| capital(&remark.to_string()) + ".\n")
+        .map(|remark| capital(&remark.text(language())) + ".\n")
         .collect();
     format!(
         "{}\n{remarks}highest growth at each speed, {:.0}–{:.0} mm\n{table}\n{}\n{branches}\n{bay}{observations}",

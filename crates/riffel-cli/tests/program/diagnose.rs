@@ -28,9 +28,13 @@ fn noise(x: f64) -> f64 {
 }
 
 fn record(sandbox: &Sandbox, name: &str, wavelength: f64, amplitude: f64) {
+    record_of(sandbox, name, |x| amplitude * (TAU * x / wavelength).sin());
+}
+
+fn record_of(sandbox: &Sandbox, name: &str, wave: impl Fn(f64) -> f64) {
     let text = (0..40_000).fold(String::new(), |mut text, row| {
         let x = 1e-3 * f64::from(row);
-        let height = noise(x) + amplitude * (TAU * x / wavelength).sin();
+        let height = noise(x) + wave(x);
         writeln!(text, "{x:.3},{height:.4}").unwrap();
         text
     });
@@ -106,9 +110,11 @@ fn corrugation_on_the_ridge_is_led_by_it() {
         "{finding}"
     );
     assert!(share(finding, "grinding mark") < 0.05);
-    // Read the other way round it fades, and the mark leads.
+    // Read the other way round it fades from record to record, and the mark leads.
+    record(&sandbox, "between.csv", 0.0559, 6.0);
     let document = sandbox.json(
-        "diagnose cases/nominal.toml --roughness old.csv --earlier new.csv --speed \"108 km/h\" --json",
+        "diagnose cases/nominal.toml --roughness old.csv --earlier new.csv --earlier between.csv \
+         --speed \"108 km/h\" --json",
     );
     let fading = &document["dominant_wavelengths"][0];
     assert_eq!(fading["candidates"][0]["mechanism"], "grinding mark");
@@ -168,6 +174,60 @@ fn a_measured_peak_is_a_candidate() {
         "receptance cases/discrete-supports.toml {measured} -o out"
     ));
     assert!(outcome.text.contains("damping %"), "{}", outcome.text);
+}
+
+/// 45 mm that swells and fades between sleepers every 0.6 m: 1/λ ± 1/0.6 are its own, and no causes are looked for.
+#[test]
+fn what_the_supports_make_of_a_wave_is_told_with_it() {
+    let sandbox = Sandbox::new();
+    record_of(&sandbox, "swelling.csv", |x| {
+        8.0 * (1.0 + (TAU * x / 0.6).cos()) * (TAU * x / 0.045).sin()
+    });
+    let document = sandbox
+        .json("diagnose cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" --json");
+    let findings = document["dominant_wavelengths"].as_array().unwrap();
+    let of = |wavelength: f64| {
+        let near =
+            |finding: &&Value| (number(&finding["wavelength_m"]) / wavelength - 1.0).abs() < 0.01;
+        findings.iter().find(near).unwrap()
+    };
+    assert!(of(0.045)["sideband_of_m"].is_null());
+    for order in [-1.0, 1.0] {
+        let finding = of(1.0 / (1.0 / 0.045 + order / 0.6));
+        assert!((number(&finding["sideband_of_m"]) - 0.045).abs() < 1e-4);
+        let summary = finding["summary"].as_str().unwrap();
+        assert!(summary.starts_with("It comes with 45.0 mm"), "{summary}");
+    }
+}
+
+/// 45 mm that grows by 2 dB a year before it is ground and after: no mark that fades.
+#[test]
+fn a_rail_that_was_ground_grows_again() {
+    let sandbox = Sandbox::new();
+    for (year, level) in [(2022, 22.0), (2023, 24.0), (2024, 8.0), (2025, 10.0)] {
+        let amplitude = 2f64.sqrt() * 10f64.powf(level / 20.0);
+        record(&sandbox, &format!("{year}.csv"), 0.045, amplitude);
+    }
+    let earlier = "--earlier 2022.csv --earlier 2023.csv --earlier 2024.csv";
+    let dates = "--dates 2022-01-01,2023-01-01,2024-01-01,2025-01-01";
+    let document = sandbox.json(&format!(
+        "diagnose cases/main-line.toml --roughness 2025.csv {earlier} {dates} --speed \"70 km/h\" --json"
+    ));
+    let finding = &document["dominant_wavelengths"][0];
+    let course = &finding["course"];
+    assert_eq!(course["ground_before"], "2024-01-01");
+    assert!((number(&course["slope_db"]) - 2.0).abs() < 0.3, "{course}");
+    let summary = finding["summary"].as_str().unwrap();
+    assert!(!summary.contains("fading"), "{summary}");
+    assert_ne!(finding["candidates"][0]["mechanism"], "grinding mark");
+    // Of two records between which it was ground nothing is known of its growth.
+    let document = sandbox.json(
+        "diagnose cases/main-line.toml --roughness 2024.csv --earlier 2023.csv \
+         --dates 2023-01-01,2024-01-01 --speed \"70 km/h\" --json",
+    );
+    let finding = &document["dominant_wavelengths"][0];
+    assert!(finding["course"]["slope_db"].is_null(), "{finding}");
+    assert!(finding["course"]["probability_of_rise"].is_null());
 }
 
 #[test]

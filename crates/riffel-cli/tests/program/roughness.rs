@@ -53,6 +53,26 @@ fn two_columns_are_understood_and_answered_under_the_fixed_names() {
     assert_eq!(sandbox.list("."), ["cases", "wave.csv"]);
 }
 
+/// A moving RMS over a tenth of a wave goes up and down with it: each band whose waves are longer than the window is named.
+#[test]
+fn a_window_shorter_than_a_wave_is_told() {
+    let sandbox = Sandbox::new();
+    fs::write(sandbox.path("wave.csv"), wave()).unwrap();
+    let told = |window: &str| {
+        let document = sandbox.json(&format!("roughness wave.csv {window} --json"));
+        let warnings = document["warnings"].to_string();
+        warnings.matches("is shorter than waves of").count()
+    };
+    assert_eq!(
+        [
+            told("--window \"50 mm\""),
+            told("--window \"2 m\""),
+            told("")
+        ],
+        [3, 0, 0]
+    );
+}
+
 /// The section of a part is told with what lies there alone; the table keeps all of it.
 #[test]
 fn sections_are_told_with_what_lies_there() {

@@ -11,6 +11,7 @@ use riffel_keys::{CaseError, Message};
 use crate::{RailRecord, RailRoughness};
 
 /// A dominant wavelength with what goes with it.
+#[derive(Debug, Clone)]
 pub struct Measured {
     /// The rail it stands on, where rails are known one by one.
     pub rail: Option<String>,

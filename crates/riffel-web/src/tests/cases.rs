@@ -34,7 +34,8 @@ async fn a_map_is_that_of_the_program() {
         columns["speed_m_per_s"].as_array().unwrap().len(),
         columns["wavelength_m"].as_array().unwrap().len()
     );
-    let german = head["branches_in_words"]["de"].as_str().unwrap();
+    let english = head["branches_in_words"].as_str().unwrap();
+    let german = head["german"][english].as_str().unwrap();
     assert!(german.contains("bei 537 Hz"), "{german}");
     assert_eq!(head["complete"]["wear"]["density"], "7850 kg/m3");
 }

@@ -4,6 +4,7 @@ use super::{
     Course, DominantWavelength, Expectation, Mechanism, MechanismKind, Prediction, TrafficSpeeds,
 };
 use crate::contact::ContactFilter;
+use crate::roughness::mean_square;
 
 /// Wavelengths over which a mechanism that is not listed spreads \[m\].
 const ANY: (f64, f64) = (0.005, 2.0);
@@ -11,6 +12,11 @@ const ANY: (f64, f64) = (0.005, 2.0);
 const NOT_COVERED: f64 = 0.99;
 /// Share of surprises: a mechanism at work may still stand anywhere, and a level move the other way.
 const SURPRISE: f64 = 0.05;
+
+/// RMS that accepted grinding leaves at most \[m\], to longest wavelengths \[m\]; Grassie, Saxon & Smith (1999), abstract.
+const ACCEPTED: [(f64, f64); 2] = [(0.03, 3e-6), (0.1, 7e-6)];
+/// How many times as much no mark of grinding has that a railway accepted; one in ten were not. Riffel's choice.
+const NEVER_ACCEPTED: f64 = 2.0;
 
 /// What the roughness was measured from.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -70,6 +76,13 @@ pub enum Reason {
     },
     /// A trolley measures the rail alone.
     WithoutWheels,
+    /// No accepted grinding leaves so high a wave.
+    HigherThanGround {
+        /// RMS of the wave \[m\].
+        rms: f64,
+        /// The most that is accepted \[m\].
+        accepted: f64,
+    },
     /// A frequency makes wavelengths at the speeds of the traffic.
     Frequency {
         /// The frequency.
@@ -210,6 +223,15 @@ fn weigh(evidence: &Evidence, mechanism: &Mechanism) -> (f64, Candidate) {
     {
         scales.put(0.1, Reason::WithoutWheels);
     }
+    if mechanism.kind == MechanismKind::GrindingMark {
+        let rms = mean_square(evidence.peak.level).sqrt();
+        let accepted = ACCEPTED.iter().find(|(longest, _)| wavelength <= *longest);
+        if let Some(&(_, accepted)) =
+            accepted.filter(|(_, accepted)| rms > NEVER_ACCEPTED * accepted)
+        {
+            scales.put(0.1, Reason::HigherThanGround { rms, accepted });
+        }
+    }
     let candidate = Candidate {
         kind: mechanism.kind,
         of: mechanism.of.clone(),
@@ -276,7 +298,9 @@ fn weigh_course(evidence: &Evidence, kind: MechanismKind, scales: &mut Scales) {
     let Some(course) = evidence.course else {
         return;
     };
-    let rises = course.probability_of_rise();
+    let Some(rises) = course.probability_of_rise() else {
+        return;
+    };
     let expectation = kind.expectation();
     let expected = match expectation {
         Expectation::Grows => rises,
@@ -366,6 +390,40 @@ mod tests {
         assert!(
             grinding(Some(&fading)) > grinding(None) && grinding(None) > grinding(Some(&growing))
         );
+    }
+
+    /// The same wave at 5 µm RMS and at 50 µm: no accepted grinding leaves ten times as much.
+    #[test]
+    fn a_high_wave_is_no_mark_of_grinding() {
+        let speeds = TrafficSpeeds::new([(30.0, 1.0)]).unwrap();
+        let filter = ContactFilter::new(5e-3, 5e-3).unwrap();
+        let share = |rms_um: f64| {
+            let peak = DominantWavelength {
+                level: 20.0 * rms_um.log10(),
+                ..peak(0.06)
+            };
+            let evidence = Evidence {
+                peak: &peak,
+                course: None,
+                speeds: &speeds,
+                filter: &filter,
+                instrument: Instrument::Trolley,
+            };
+            let ranked = rank(&evidence, &[Mechanism::grinding_mark()]);
+            let mark = ranked
+                .into_iter()
+                .find(|it| it.kind == MechanismKind::GrindingMark);
+            let mark = mark.unwrap();
+            (mark.share, mark.reasons_against)
+        };
+        let ((low, none), (high, against)) = (share(5.0), share(50.0));
+        assert!(low > 0.5 && high < 0.5 && none.is_empty(), "{low} {high}");
+        let odds = |share: f64| share / (1.0 - share);
+        assert!((odds(low) / odds(high) - 10.0).abs() < 1e-9);
+        let [Reason::HigherThanGround { rms, accepted }] = against[..] else {
+            panic!("{against:?}");
+        };
+        assert!((rms - 50e-6).abs() < 1e-12 && accepted == 7e-6);
     }
 
     #[test]

@@ -3,6 +3,9 @@
 use super::normal;
 use crate::Error;
 
+/// Fall between two records \[dB\] that no traffic makes of corrugation: the rail was ground between them. Riffel's choice.
+const GROUND: f64 = 3.0;
+
 /// What time is counted in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimeUnit {
@@ -36,19 +39,29 @@ pub struct CoursePoint {
     pub scatter: Option<f64>,
 }
 
-/// A straight line through the levels of several records.
+/// A straight line through the levels of several records, or of those since the rail was ground.
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 #[non_exhaustive]
 pub struct Course {
     /// The records, by time.
     pub points: Vec<CoursePoint>,
+    /// Place of the first record of the line: the first of all, or the first since the rail was ground, as it seems.
+    pub since: usize,
     /// What time is counted in.
     pub unit: TimeUnit,
-    /// Change of the level in a unit of time \[dB\].
-    pub slope: f64,
-    /// Standard deviation of the slope \[dB\].
-    pub slope_scatter: f64,
+    /// The line; none where all but one record are from before the rail was ground.
+    pub slope: Option<Slope>,
+}
+
+/// Change of a level in a unit of time.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[must_use]
+pub struct Slope {
+    /// The change \[dB\].
+    pub mean: f64,
+    /// Its standard deviation \[dB\].
+    pub scatter: f64,
 }
 
 impl Course {
@@ -58,86 +71,135 @@ impl Course {
     /// which follows from their distance from the line (three records or more). A level whose scatter is
     /// unknown is taken to be good to `ASSUMED_SCATTER`.
     ///
+    /// A fall of more than 3 dB, and of more than three times its scatter, is taken for grinding, and the line goes through
+    /// the records since the last of them; unless the level falls by more than twice its scatter from every record to the next, three at
+    /// least, as that of a mark which fades.
+    ///
     /// # Errors
     /// [`Error::Measurement`] for less than two records, or where all are of one time.
     pub fn new(mut points: Vec<CoursePoint>, unit: TimeUnit) -> Result<Self, Error> {
         points.sort_by(|a, b| a.time.total_cmp(&b.time));
-        let count = points.len() as f64;
-        let mean =
-            |value: &dyn Fn(&CoursePoint) -> f64| points.iter().map(value).sum::<f64>() / count;
-        let (time, level) = (mean(&|point| point.time), mean(&|point| point.level));
-        let squares: f64 = points.iter().map(|point| (point.time - time).powi(2)).sum();
-        if points.len() < 2 || squares <= 0.0 {
-            return Err(Error::Measurement {
+        let since = since_ground(&points);
+        let slope = Slope::of(&points[since..]);
+        match slope.is_none() && since == 0 {
+            true => Err(Error::Measurement {
                 index: points.len().saturating_sub(1),
                 rule: "a course must have records of two times",
-            });
+            }),
+            false => Ok(Self {
+                points,
+                since,
+                unit,
+                slope,
+            }),
         }
-        let slope = points
-            .iter()
-            .map(|point| (point.time - time) * (point.level - level))
-            .sum::<f64>()
-            / squares;
-        let known: f64 = points
-            .iter()
-            .map(|point| {
-                let scatter = point.scatter.unwrap_or(Self::ASSUMED_SCATTER);
-                ((point.time - time) * scatter).powi(2)
-            })
-            .sum::<f64>()
-            .sqrt()
-            / squares;
-        let residual: f64 = points
-            .iter()
-            .map(|point| (point.level - level - slope * (point.time - time)).powi(2))
-            .sum();
-        let left = if points.len() > 2 {
-            (residual / (count - 2.0) / squares).sqrt()
-        } else {
-            0.0
-        };
-        Ok(Self {
-            points,
-            unit,
-            slope,
-            slope_scatter: known.max(left),
-        })
     }
 
     /// Scatter of a one-third-octave level of which there is one spectrum only \[dB\]: some dozen metres of
     /// rail at 30 mm. Riffel's choice.
     pub const ASSUMED_SCATTER: f64 = 1.0;
 
-    /// Probability that the level rises, for errors that are normal.
-    pub fn probability_of_rise(&self) -> f64 {
-        normal::above(-self.slope / self.slope_scatter.max(1e-6))
+    /// The records of the line.
+    pub fn on_line(&self) -> &[CoursePoint] {
+        &self.points[self.since..]
+    }
+
+    /// By how much the level fell when the rail was ground, if it was \[dB\].
+    pub fn fall(&self) -> Option<f64> {
+        let before = self.since.checked_sub(1)?;
+        Some(self.points[before].level - self.points[self.since].level)
+    }
+
+    /// Probability that the level rises, for errors that are normal; none where it is not known since the rail was ground.
+    pub fn probability_of_rise(&self) -> Option<f64> {
+        let Slope { mean, scatter } = self.slope?;
+        Some(normal::above(-mean / scatter.max(1e-6)))
     }
 
     /// True where each record is below the one before.
     pub fn falls_every_time(&self) -> bool {
-        self.points
-            .windows(2)
-            .all(|pair| pair[1].level < pair[0].level)
+        let mut pairs = self.on_line().windows(2);
+        pairs.all(|pair| pair[1].level < pair[0].level)
     }
 
     /// True where each record is above the one before.
     pub fn rises_every_time(&self) -> bool {
-        self.points
-            .windows(2)
-            .all(|pair| pair[1].level > pair[0].level)
+        let mut pairs = self.on_line().windows(2);
+        pairs.all(|pair| pair[1].level > pair[0].level)
     }
 
     /// Time until the level has moved by three times the scatter of one record, in the unit of the course:
     /// when to measure again. None where the slope is not known better than its own scatter.
     pub fn until_visible(&self) -> Option<f64> {
-        let scatter = self.points.last()?.scatter.unwrap_or(Self::ASSUMED_SCATTER);
-        (self.slope.abs() > self.slope_scatter).then(|| 3.0 * scatter / self.slope.abs())
+        let (last, slope) = (self.points.last()?.known_scatter(), self.slope?);
+        (slope.mean.abs() > slope.scatter).then(|| 3.0 * last / slope.mean.abs())
+    }
+}
+
+impl CoursePoint {
+    /// Its scatter, or what is taken for it \[dB\].
+    fn known_scatter(&self) -> f64 {
+        self.scatter.unwrap_or(Course::ASSUMED_SCATTER)
+    }
+}
+
+/// Place of the first record since the rail was ground; zero where it was not.
+fn since_ground(points: &[CoursePoint]) -> usize {
+    let falls: Vec<(f64, f64)> = points
+        .windows(2)
+        .map(|pair| {
+            let scatter = pair[0].known_scatter().hypot(pair[1].known_scatter());
+            (pair[0].level - pair[1].level, scatter)
+        })
+        .collect();
+    let fades = falls.len() > 1 && falls.iter().all(|(fall, scatter)| *fall > 2.0 * scatter);
+    let ground = |(fall, scatter): &(f64, f64)| *fall > GROUND.max(3.0 * scatter);
+    match falls.iter().rposition(ground) {
+        Some(last) if !fades => last + 1,
+        _ => 0,
+    }
+}
+
+impl Slope {
+    /// The line of least squares; none through less than two times.
+    fn of(points: &[CoursePoint]) -> Option<Self> {
+        let count = points.len() as f64;
+        let mean =
+            |value: &dyn Fn(&CoursePoint) -> f64| points.iter().map(value).sum::<f64>() / count;
+        let (time, level) = (mean(&|point| point.time), mean(&|point| point.level));
+        let squares: f64 = points.iter().map(|point| (point.time - time).powi(2)).sum();
+        if points.len() < 2 || squares <= 0.0 {
+            return None;
+        }
+        let products = points
+            .iter()
+            .map(|point| (point.time - time) * (point.level - level));
+        let slope = products.sum::<f64>() / squares;
+        let known = points
+            .iter()
+            .map(|point| ((point.time - time) * point.known_scatter()).powi(2));
+        let known = known.sum::<f64>().sqrt() / squares;
+        let residuals = points
+            .iter()
+            .map(|point| (point.level - level - slope * (point.time - time)).powi(2));
+        let left = match points.len() {
+            2 => 0.0,
+            _ => (residuals.sum::<f64>() / (count - 2.0) / squares).sqrt(),
+        };
+        Some(Self {
+            mean: slope,
+            scatter: known.max(left),
+        })
     }
 }
 
 #[cfg(test)]
 pub(super) mod tests {
+    use rand_xoshiro::Xoshiro256PlusPlus;
+    use rand_xoshiro::rand_core::SeedableRng;
+
     use super::*;
+    use crate::normal_numbers::normal_pair;
 
     /// Levels of one record after the other.
     pub(in crate::diagnosis) fn course(levels: &[f64], scatter: Option<f64>) -> Course {
@@ -156,17 +218,53 @@ pub(super) mod tests {
     #[test]
     fn a_line_is_found_with_its_scatter() {
         let rising = course(&[1.0, 3.0, 5.0, 7.0], Some(0.5));
-        assert!((rising.slope - 2.0).abs() < 1e-12);
+        let slope = rising.slope.unwrap();
+        assert!((slope.mean - 2.0).abs() < 1e-12);
         // σ/√Σ(t − t̄)² = 0.5/√5.
-        assert!((rising.slope_scatter - 0.5 / 5f64.sqrt()).abs() < 1e-12);
-        assert!(rising.probability_of_rise() > 0.999_999 && rising.rises_every_time());
+        assert!((slope.scatter - 0.5 / 5f64.sqrt()).abs() < 1e-12);
+        assert!(rising.probability_of_rise().unwrap() > 0.999_999 && rising.rises_every_time());
         assert!((rising.until_visible().unwrap() - 0.75).abs() < 1e-12);
         // Residuals ±1 of a flat line scatter more than 0.01 dB lets expect.
         let flat = course(&[1.0, -1.0, 1.0, -1.0], Some(0.01));
-        assert!(flat.slope_scatter > 0.3);
+        assert!(flat.slope.unwrap().scatter > 0.3);
         assert!(!flat.rises_every_time() && !flat.falls_every_time());
         let even = course(&[0.0, 0.0], None);
-        assert!((even.probability_of_rise() - 0.5).abs() < 1e-12 && even.until_visible().is_none());
+        assert!((even.probability_of_rise().unwrap() - 0.5).abs() < 1e-12);
+        assert!(even.until_visible().is_none());
+    }
+
+    /// 2 dB a record before and after it was ground; a mark that fades is not ground, and of one record since nothing is known.
+    #[test]
+    fn a_line_begins_anew_where_the_rail_was_ground() {
+        let ground = course(&[22.0, 24.0, 8.0, 10.0], Some(0.5));
+        assert_eq!((ground.since, ground.fall()), (2, Some(16.0)));
+        assert!((ground.slope.unwrap().mean - 2.0).abs() < 1e-12);
+        assert!(ground.rises_every_time() && ground.probability_of_rise().unwrap() > 0.99);
+        let mark = course(&[20.0, 12.0, 8.0, 6.0], Some(0.5));
+        assert_eq!((mark.since, mark.fall()), (0, None));
+        assert!(mark.falls_every_time() && mark.probability_of_rise().unwrap() < 0.01);
+        let unknown = course(&[24.0, 8.0], Some(0.5));
+        assert_eq!((unknown.since, unknown.slope), (1, None));
+        assert_eq!(unknown.probability_of_rise(), None);
+        assert_eq!(unknown.until_visible(), None);
+        // A fall within the scatter of single spectra is none.
+        assert_eq!(course(&[5.0, 1.5], None).since, 0);
+    }
+
+    /// Levels that do not change are taken for ground in four of a thousand courses of four records, three times the share of a
+    /// normal distribution beyond three deviations; a cut of 16 dB is seen for what it is in as many.
+    #[test]
+    fn chance_does_not_grind() {
+        const RAILS: usize = 10_000;
+        let mut random = Xoshiro256PlusPlus::seed_from_u64(1);
+        let (mut ground, mut seen) = (0, 0);
+        for _ in 0..RAILS {
+            let noise = [0.0; 4].map(|_| normal_pair(&mut random).re);
+            ground += usize::from(course(&noise, Some(1.0)).since > 0);
+            let cut = std::array::from_fn::<f64, 4, _>(|k| noise[k] - 16.0 * f64::from(k > 1));
+            seen += usize::from(course(&cut, Some(1.0)).since == 2);
+        }
+        assert!(ground < 60 && seen > RAILS - 60, "{ground} {seen}");
     }
 
     #[test]

@@ -27,9 +27,10 @@ pub struct MeasuredChange {
 pub enum WearVerdict {
     /// The model says of no band that was measured twice that it grows.
     NothingGrows,
-    /// The bands that should grow have fallen, by the sign of the best factor.
+    /// The bands that should grow have fallen: the interval of the factor lies below zero or, where there are too few records for one,
+    /// a band has fallen by 2 dB or more.
     Against,
-    /// Their growth cannot be told from none: the interval holds zero.
+    /// Their growth cannot be told from none: the interval holds zero, or the best factor without one is not above it.
     Indistinct,
     /// They grow, but there are too few records to say how surely.
     WithoutInterval,
@@ -76,6 +77,14 @@ impl FittedBand {
         self.measured >= LARGE_CHANGE && self.interval.is_none_or(|(low, _)| low > 0.0)
     }
 
+    /// Whether it has fallen on the rail by more than its scatter or, where that is unknown, by 2 dB or more.
+    pub fn has_fallen(&self) -> bool {
+        match self.interval {
+            Some((_, high)) => high < 0.0,
+            None => self.measured <= -LARGE_CHANGE,
+        }
+    }
+
     /// Whether it has grown, and the model explains less than half of it and less than its interval.
     pub fn is_unexplained(&self) -> bool {
         let beyond = self.interval.is_none_or(|(low, _)| self.fitted < low);
@@ -88,7 +97,7 @@ impl FittedBand {
 #[must_use]
 #[non_exhaustive]
 pub struct WearFit {
-    /// Factor of the wear coefficient \[-\]; not above zero where the bands have fallen.
+    /// Factor of the wear coefficient \[-\]; not above zero where the bands have not grown.
     pub factor: f64,
     /// 95 % interval of the factor by the scatter of the records; none with fewer than three on a side.
     pub interval: Option<(f64, f64)>,
@@ -272,10 +281,13 @@ impl WearFit {
         let verdict = match interval {
             _ if is_unexplained(&bands) => WearVerdict::Unexplained,
             _ if bands.iter().all(|band| !band.grows) => WearVerdict::NothingGrows,
-            _ if factor <= 0.0 => WearVerdict::Against,
-            None => WearVerdict::WithoutInterval,
-            Some((low, _)) if low <= 0.0 => WearVerdict::Indistinct,
-            Some(_) => WearVerdict::Fitted,
+            None if factor > 0.0 => WearVerdict::WithoutInterval,
+            None if bands.iter().any(|band| band.grows && band.has_fallen()) => {
+                WearVerdict::Against
+            }
+            Some((_, high)) if high < 0.0 => WearVerdict::Against,
+            Some((low, _)) if low > 0.0 => WearVerdict::Fitted,
+            _ => WearVerdict::Indistinct,
         };
         Ok(Self {
             factor,

@@ -3,7 +3,7 @@
 use riffel_answers::diagnose::{Diagnosis, Finding, candidate_row};
 use riffel_answers::sentence;
 use riffel_case::Case;
-use riffel_keys::Message;
+use riffel_keys::{Message, say};
 
 use crate::messages::language;
 use crate::output::table;
@@ -20,7 +20,7 @@ pub(super) fn readable(diagnosis: &Diagnosis, file: &str, case: &Case) -> String
         diagnosis.speeds.words()
     );
     if diagnosis.findings.is_empty() {
-        text += "no dominant wavelength: nothing stands 3 dB over the trend of its neighbours beyond chance\n";
+        text += &format!("{}\n", say!(nothing_stands_out).text(language()));
     }
     for finding in &diagnosis.findings {
         text += &format!("\n{}", of_finding(finding));

@@ -149,6 +149,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
         }
         _ => None,
     };
+    // The case goes by the coefficient that was fitted, unless it is to keep its own.
+    let fitted = wear.as_ref().and_then(|wear| wear.as_ref().ok()?.spread());
+    let fitted = fitted.filter(|_| !arguments.keep_coefficient);
     let no_roughness = || say!(no_roughness_given);
     let (mut forecast, mut compare) = (Err(no_roughness()), Err(no_roughness()));
     let mut noise = Err(no_roughness());
@@ -158,6 +161,12 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
             noise = heard(arguments, &given.case, &limits, now, draws.as_ref())?;
         }
         compare = what_if(arguments, given, &limits, now.as_ref())?;
+        if let Ok(forecast) = &mut forecast {
+            forecast.wear_spread = fitted.or(forecast.wear_spread);
+        }
+        if let Ok(compare) = &mut compare {
+            compare.wear_spread = fitted.or(compare.wear_spread);
+        }
     }
     let understood = rail.as_ref().map(|(_, rail)| rail.understood.clone());
     let inputs = inputs(arguments, given.as_ref(), understood)?;
@@ -359,12 +368,7 @@ fn outlook(
     };
     let mut answer = forecast(&given.case, &asked, Some(now.survey.clone()))?;
     match wear {
-        Some(Ok(fit)) => {
-            // The case goes by the coefficient that was fitted, unless it is to keep its own.
-            let fitted = fit.spread().filter(|_| !arguments.keep_coefficient);
-            answer = answer.with_wear(fit);
-            answer.wear_spread = fitted.or(answer.wear_spread);
-        }
+        Some(Ok(fit)) => answer = answer.with_wear(fit),
         Some(Err(why)) => answer.warnings.push(why),
         None => (),
     }

@@ -32,6 +32,8 @@ const ALL_ALONG: f64 = 0.9;
 const LASTING_WAVES: f64 = 3.0;
 /// Share of a place on which this must be a quarter of its mean or more: a single event has its power in one spot.
 const LASTING: f64 = 0.5;
+/// So many waves of that are enough, whatever the share: corrugation may stand in bursts.
+const LASTING_IN_BURSTS: f64 = 20.0;
 /// Good length between two places of one wavelength that are one \[m\].
 const APART: f64 = 10.0;
 
@@ -152,8 +154,8 @@ impl CleanRail {
     /// 25 m where the rail is 100 m long or longer, so far out that noise has such a peak in one rail of a
     /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
-    /// length. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
-    /// power over three waves is a quarter of its mean or more on half of the place, and it must stand out of a place longer than a
+    /// length, and around each other one in the same window of half that mean or more. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
+    /// power over three waves is a quarter of its mean or more on half of the place or on twenty waves, and it must stand out of a place longer than a
     /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees, at half the
     /// power there or more: edges of pits have waves of their
     /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
@@ -251,7 +253,7 @@ impl CleanRail {
         let spacing = self.on_wheel[0].spacing();
         let band = WavelengthBand::new(peak.from / WIDENED, peak.to * WIDENED)?;
         let samples = (SMOOTHING.max(SMOOTHED_WAVES * peak.wavelength) / spacing).round() as usize;
-        let waves = (LASTING_WAVES * peak.wavelength / spacing).round() as usize;
+        let wave = peak.wavelength / spacing;
         let (mut powers, mut filtered_rails) = (Vec::new(), Vec::new());
         for stretch in &self.on_wheel {
             let bank = BandPass::new(spacing, stretch.heights().len(), &[band])?;
@@ -263,9 +265,19 @@ impl CleanRail {
         for seed in seeds {
             let (power, stretch) = (&powers[seed.stretch], seed.stretch);
             let at = seed.samples.start + highest(&power[seed.samples.clone()]);
-            let known = |place: &(usize, Range<usize>)| place.0 == stretch && place.1.contains(&at);
-            if !found.iter().any(known) {
+            let first = around(power, at);
+            let enough = 0.5 * mean(&power[first.clone()]);
+            let mut next = Some(at);
+            while let Some(at) = next {
                 found.push((stretch, around(power, at)));
+                let known = |at: &usize| {
+                    let mut places = found.iter();
+                    places.any(|place| place.0 == stretch && place.1.contains(at))
+                };
+                let beside = seed.samples.clone().filter(|at| !known(at));
+                next = beside
+                    .max_by(|&a, &b| power[a].total_cmp(&power[b]))
+                    .filter(|&at| power[at] >= enough);
             }
         }
         if seeds.is_empty() {
@@ -278,7 +290,7 @@ impl CleanRail {
         }
         let mut places: Vec<Place> = joined(found, (APART / spacing) as usize)
             .into_iter()
-            .filter(|(stretch, samples)| lasts(&filtered_rails[*stretch][samples.clone()], waves))
+            .filter(|(stretch, samples)| lasts(&filtered_rails[*stretch][samples.clone()], wave))
             .map(|(stretch, samples)| {
                 let profile = &self.on_wheel[stretch];
                 let (from, to) = (
@@ -394,12 +406,17 @@ fn smoothed(heights: &[f64], window: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Whether a filtered wave lasts over a place: moving power over some samples against its mean.
-fn lasts(heights: &[f64], samples: usize) -> bool {
-    let power = smoothed(heights, samples);
-    let mean = power.iter().sum::<f64>() / power.len() as f64;
+/// Whether a filtered wave lasts over a place, or for twenty waves: moving power over three waves against its mean; a wave is so many
+/// samples.
+fn lasts(heights: &[f64], wave: f64) -> bool {
+    let power = smoothed(heights, (LASTING_WAVES * wave).round() as usize);
+    let mean = mean(&power);
     let lasting = power.iter().filter(|power| **power >= 0.25 * mean).count();
-    lasting as f64 >= LASTING * power.len() as f64
+    lasting as f64 >= (LASTING * power.len() as f64).min(LASTING_IN_BURSTS * wave)
+}
+
+fn mean(values: &[f64]) -> f64 {
+    values.iter().sum::<f64>() / values.len() as f64
 }
 
 fn highest(values: &[f64]) -> usize {
@@ -425,7 +442,7 @@ fn around(power: &[f64], at: usize) -> Range<usize> {
             break;
         }
         place = from..to;
-        mean = power[place.clone()].iter().sum::<f64>() / place.len() as f64;
+        mean = self::mean(&power[place.clone()]);
     }
     place
 }

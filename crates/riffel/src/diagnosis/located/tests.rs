@@ -193,6 +193,39 @@ fn dips_make_no_wavelength() {
     }
 }
 
+/// Bursts of 64 waves whose amplitude swells and fades, with a metre or three between them, are corrugation, whatever share of the
+/// rail they take; a single burst of a dozen waves is an event.
+#[test]
+fn corrugation_in_bursts_is_found() {
+    for (apart, bursts) in [(4.2, 20), (6.2, 13), (4.2, 1)] {
+        let profile = rail(200.0, 31, &[]).on_rail.swap_remove(0);
+        let mut heights = profile.heights().to_vec();
+        for (index, height) in heights.iter_mut().enumerate() {
+            let x = index as f64 * 2e-3 - 60.0;
+            let (burst, within) = ((x / apart).floor(), x.rem_euclid(apart));
+            let long = if bursts == 1 { 0.6 } else { 3.2 };
+            if (0.0..f64::from(bursts)).contains(&burst) && within < long {
+                let swell = (std::f64::consts::PI * within / long).sin().powi(2);
+                *height += 15e-6 * swell * (std::f64::consts::TAU * x / 0.05).sin();
+            }
+        }
+        let profile = Profile::new(5000.0, 2e-3, heights).unwrap();
+        let found = CleanRail::new(vec![profile]).dominant().unwrap();
+        if bursts == 1 {
+            assert!(found.is_empty(), "{found:?}");
+            continue;
+        }
+        let one = &found[0];
+        assert!((one.peak.wavelength / 0.05 - 1.0).abs() < 0.01, "{one:?}");
+        let (from, to) = (one.places.iter()).fold((f64::MAX, 0.0), |(from, to), place| {
+            (f64::min(from, place.from), f64::max(to, place.to))
+        });
+        assert!((from - 5060.0).abs() < 3.0, "{one:?}");
+        let end = 5060.0 + apart * f64::from(bursts);
+        assert!((to - end).abs() < 5.0, "{one:?}");
+    }
+}
+
 /// A rail too short for windows tells the place as well.
 #[test]
 fn a_short_rail_has_places() {

@@ -1,0 +1,54 @@
+//! Wavelengths that stand beside a higher one because the supports let it swell and fade.
+
+use riffel::diagnosis::{Mechanism, MechanismKind, Prediction};
+use riffel_rail::history::Measured;
+
+/// Orders that are looked for.
+const ORDERS: u32 = 3;
+/// How far a wavenumber may lie from the place of a sideband, in distances of them: twice a line of the spectrum of a window at 0.6 m.
+const NEAR: f64 = 0.1;
+
+/// A wavelength λ with 1/λ = 1/λ₀ ± n/d: a wave of λ₀ that is modulated over the distance d of the supports.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sideband {
+    /// n.
+    pub order: u32,
+    /// λ₀ \[m\].
+    pub of: f64,
+    /// d \[m\].
+    pub spacing: f64,
+}
+
+impl Sideband {
+    /// As a sideband of the nearest higher wave on the same length of rail, if it may be one.
+    pub(super) fn new(one: &Measured, all: &[Measured], mechanisms: &[Mechanism]) -> Option<Self> {
+        let spacing = mechanisms.iter().find_map(|mechanism| {
+            match (mechanism.kind, &mechanism.prediction) {
+                (MechanismKind::SupportSpacing, Prediction::Orders { length, .. }) => Some(*length),
+                _ => None,
+            }
+        })?;
+        let higher = all
+            .iter()
+            .filter(|other| other.peak.level > one.peak.level && stands_beside(one, other));
+        let sidebands = higher.filter_map(|other| {
+            let of = other.peak.wavelength;
+            let distance = (one.peak.wavelength.recip() - of.recip()).abs() * spacing;
+            let order = distance.round();
+            let near = (distance - order).abs() <= NEAR;
+            (near && (1.0..=f64::from(ORDERS)).contains(&order)).then_some(Self {
+                order: order as u32,
+                of,
+                spacing,
+            })
+        });
+        sidebands.min_by_key(|sideband| sideband.order)
+    }
+}
+
+/// Whether two wavelengths stand on a length of rail in common.
+fn stands_beside(one: &Measured, other: &Measured) -> bool {
+    let mut places = one.places.iter();
+    one.rail == other.rail
+        && places.any(|a| other.places.iter().any(|b| a.from < b.to && b.from < a.to))
+}
