@@ -33,6 +33,10 @@ impl DecideAnswer {
         if cost.is_some_and(|cost| cost.from_limit.is_none()) {
             remarks.push(say!(rise_after_grinding_assumed));
         }
+        let at_intervals = plan.file.action.iter().any(|it| it.grind_every.is_some());
+        if at_intervals && cost.is_some_and(|cost| cost.over_limit.is_none()) {
+            remarks.push(say!(over_limit_costs_nothing));
+        }
         let decision = Decision::of(plan, chains)?;
         Ok(Self {
             riffel_version: env!("CARGO_PKG_VERSION"),

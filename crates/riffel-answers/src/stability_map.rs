@@ -310,8 +310,10 @@ impl Answer for StabilityMap {
                 fastest = fastest
             )
         } else {
+            let stable = self.friction.iter().copied().filter(|it| *it < least);
             say!(
                 unstable_from,
+                stable = fixed(stable.fold(0.0, f64::max), 3),
                 least = fixed(least, 3),
                 slowest = slowest,
                 fastest = fastest

@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use riffel::LoopState;
 use riffel_case::Case;
 use riffel_case::file::LimitName;
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{CaseError, Message, fixed, say, significant};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
@@ -137,6 +137,16 @@ impl ShakedownQuestion {
         let points = || along_wave.iter().flatten();
         if points().any(|point: &OperatingPoint| point.normal_force_n == 0.0) {
             remarks.push(say!(parts_along_the_wave));
+        }
+        let most = points()
+            .map(|point| point.utilised_friction)
+            .fold(0.0, f64::max);
+        if most > case.steady.friction {
+            remarks.push(say!(
+                more_friction_than_there_is,
+                used = fixed(most, 2),
+                friction = significant(case.steady.friction, 2)
+            ));
         }
         let used = points().chain([&mean]).map(|point| point.utilised_friction);
         let is_beyond = |friction: f64| friction > Self::LARGEST;

@@ -67,3 +67,29 @@ fn operating_points() {
     }
     assert!(worst < 2e-4, "{worst}");
 }
+
+/// Half a millimetre at 300 mm asks for more than the friction of 0.35 under high traction, a hundredth of that does not.
+#[test]
+fn more_friction_than_there_is_is_told() {
+    let text = std::fs::read_to_string(concat!(
+        env!("CARGO_MANIFEST_DIR"),
+        "/../../cases/class-heavy-haul.toml"
+    ));
+    let traction = ["contact.tractive_ratio=0.9".to_owned()];
+    let case = Case::parse("case.toml", &text.unwrap(), &traction).unwrap();
+    for (amplitude, told) in [(500e-6, true), (5e-6, false)] {
+        let question = ShakedownQuestion {
+            utilised_friction: Vec::new(),
+            wave: Some([0.3, 50.0 / 3.6]),
+            amplitude: Some(amplitude),
+        };
+        let answer = question.answer(&case).unwrap();
+        let remarks = answer.remarks.iter();
+        let ids: Vec<&str> = remarks.map(|remark| remark.id()).collect();
+        assert_eq!(
+            ids.contains(&"more-friction-than-there-is"),
+            told,
+            "{ids:?}"
+        );
+    }
+}

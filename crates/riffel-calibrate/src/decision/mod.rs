@@ -35,7 +35,7 @@ pub struct Decision {
     pub evpi_per_year: f64,
     /// What it is worth a year to know one value, the most first.
     pub evppi_per_year: Vec<Worth>,
-    /// What measurements are worth, the most first by what is left of it over the horizon.
+    /// What measurements are worth, the most first by what is left of it over the horizon, at the rate of interest.
     pub measurements: Vec<Worth>,
 }
 
@@ -204,14 +204,15 @@ impl Decision {
         let costs = if allowed.is_empty() { costs } else { allowed };
         let places: Vec<Vec<f64>> = draws.into_iter().map(|draw| draw.place).collect();
         let told = Told::of(&places, &costs);
+        let values = worth_of_values(plan, &places, &costs);
         Ok(Self {
             rise_db: choices.rise,
             horizon_months: choices.horizon,
             draws: places.len(),
             actions,
             evpi_per_year: of_everything(&costs),
-            evppi_per_year: worth_of_values(plan, &places, &costs),
-            measurements: worth_of_measurements(plan, &choices, &told)?,
+            measurements: worth_of_measurements(plan, &choices, &told, &values)?,
+            evppi_per_year: values,
             currency: choices.currency,
         })
     }

@@ -6,7 +6,7 @@ use crate::information::{mean, of_a_measurement};
 use crate::linear::{Known, Normal};
 use crate::matrix::Matrix;
 use crate::plan::Plan;
-use crate::plan::decision::{Choices, MONTHS, Planned, PlannedData};
+use crate::plan::decision::{Choices, Planned, PlannedData};
 
 /// Mean, covariance and costs of draws, linear in the parameters.
 pub(super) struct Told {
@@ -133,11 +133,12 @@ fn fit(columns: &[Vec<f64>], values: &[f64]) -> Option<Vec<f64>> {
     Some((0..values.len()).map(row).collect())
 }
 
-/// What measurements are worth: Σ′ = (Σ⁻¹ + JᵀR⁻¹J)⁻¹ at the mean of the posterior.
+/// What measurements are worth, beside the worth of knowing each value: Σ′ = (Σ⁻¹ + JᵀR⁻¹J)⁻¹ at the mean of the posterior.
 pub(super) fn worth_of_measurements(
     plan: &Plan,
     choices: &Choices,
     told: &Told,
+    values: &[Worth],
 ) -> Result<Vec<Worth>, CalibrationError> {
     let before = inverse(&told.covariance);
     let mut worth = Vec::new();
@@ -149,11 +150,20 @@ pub(super) fn worth_of_measurements(
         let after = inverse(&sum);
         let difference = Matrix::of(size, |i, j| told.covariance.at(i, j) - after.at(i, j));
         let per_year = of_a_measurement(&told.means, &told.slopes, &difference);
+        // To measure one value cannot be worth more than to know it, which is told without costs that are linear in it.
+        let known = match measurement.of {
+            PlannedData::Parameter(index, _) => {
+                let name = &plan.posterior.parameters()[index].name;
+                values.iter().find(|value| value.title == *name)
+            }
+            PlannedData::Block(_) => None,
+        };
+        let per_year = known.map_or(per_year, |known| per_year.min(known.per_year));
         worth.push(Worth {
             title: measurement.title.clone(),
             per_year,
             price: Some(measurement.price),
-            net: Some(per_year * choices.horizon / MONTHS - measurement.price),
+            net: Some(per_year * choices.present - measurement.price),
         });
     }
     let net = |worth: &Worth| worth.net.unwrap_or(0.0);

@@ -1,5 +1,6 @@
 //! What a plan says of actions, measurements and costs.
 
+use riffel::error::readable;
 use riffel_case::Variant;
 use riffel_case::traffic::DAYS_PER_MONTH;
 use riffel_keys::CaseError;
@@ -67,6 +68,8 @@ pub(crate) struct Choices {
     pub(crate) rise: f64,
     /// \[months\]
     pub(crate) horizon: f64,
+    /// What one a year over the horizon is worth now.
+    pub(crate) present: f64,
     /// Hours for which grinding once closes the line.
     pub(crate) grinding_hours: f64,
     pub(crate) constraints: Constraints,
@@ -216,6 +219,16 @@ impl Plan {
         }];
         for (index, written) in self.file.action.iter().enumerate() {
             let action = self.action(index, written, &purse, rate)?;
+            if let (Some(every), Some(value)) = (action.every, &written.grind_every)
+                && every > horizon
+            {
+                let rule = format!(
+                    "is {value}, but must not be longer than cost.horizon, {} months",
+                    readable(horizon)
+                );
+                let key = format!("action[{index}].grind_every");
+                return Err(self.source.invalid(&key, &rule, ""));
+            }
             if actions.iter().any(|other| other.title == action.title) {
                 let rule = format!("is \"{}\" a second time", action.title);
                 let key = format!("action[{index}].title");
@@ -237,6 +250,7 @@ impl Plan {
                 .unwrap_or(0.0),
             constraints: self.constraints(cost, &purse)?,
             growth_discrepancy: cost.growth_discrepancy,
+            present: annuity(1.0, rate, horizon / MONTHS).recip(),
             horizon,
             currency: purse.currency,
         })

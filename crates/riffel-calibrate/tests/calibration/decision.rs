@@ -220,6 +220,10 @@ fn a_decision_is_that_of_brute_force_on_a_grid() {
     // There is but one value to know, and a measurement is worth less than to know it.
     let value = found.evppi_per_year[0].per_year;
     assert!((value - found.evpi_per_year).abs() < 0.2 * worth, "{value}");
+    // Its worth of 25 months at 3 %, less the price.
+    let present = (1.0 - 1.03f64.powf(-25.0 / 12.0)) / 0.03;
+    let first = &found.measurements[0];
+    assert!((first.net.unwrap() - (present * first.per_year - 100.0)).abs() < 1e-9);
     let measured = found.measurements[0].per_year;
     assert!(
         measured > 0.0 && measured < found.evpi_per_year,
@@ -343,4 +347,36 @@ fn a_forecast_finds_the_levels_that_were_made() {
     assert_eq!(far(50.0).quantiles, [None; 5]);
     assert_eq!(far(50.0).probability_never, 1.0);
     assert_eq!(far(-50.0).quantiles, [Some(0.0); 5]);
+}
+
+/// To measure a value well is worth as much as to know it and no more; an interval beyond the horizon is refused.
+#[test]
+fn a_measured_value_is_worth_no_more_than_a_known_one() {
+    let rows = "0,158,0.0,0.5\n0,126,0.0,0.5\n0,100,0.0,0.5\n\
+        2000000,158,2.2,0.5\n2000000,126,2.9,0.5\n2000000,100,1.4,0.5\n";
+    let costs = |every: &str| {
+        format!(
+            "[cost]\ngrinding = \"9000 EUR\"\nover_limit = \"2000 EUR\"\nhorizon = \"25 months\"\n\
+             [[action]]\ntitle = \"often\"\ngrind_every = \"{every}\"\n\
+             [[measurement]]\nkey = \"wear.coefficient\"\nfactor = 1.0001\nprice = \"100 EUR\"\n"
+        )
+    };
+    let copy = one_value(rows, &costs("12 months"));
+    let plan = Plan::read(&copy.path().join("plan.toml")).unwrap();
+    let run = Folder::begin(&plan, &copy.path().join("out"), false).unwrap();
+    let chains = run.run(&|_| {}, &Stop::default()).unwrap().unwrap();
+    let found = Decision::of(&plan, &chains).unwrap();
+    let (known, measured) = (&found.evppi_per_year[0], &found.measurements[0]);
+    assert!(
+        measured.per_year <= known.per_year,
+        "{known:?} {measured:?}"
+    );
+    assert!(measured.per_year > 0.0, "{measured:?}");
+    let copy = one_value(rows, &costs("48 months"));
+    let refused = Plan::read(&copy.path().join("plan.toml")).map(|_| ());
+    let refused = refused.unwrap_err().to_string();
+    assert!(
+        refused.contains("`action[0].grind_every` is \"48 months\", but must not be longer than cost.horizon, 25 months"),
+        "{refused}"
+    );
 }

@@ -154,7 +154,7 @@ impl CleanRail {
     /// 25 m where the rail is 100 m long or longer, so far out that noise has such a peak in one rail of a
     /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
-    /// length, and around each other one in the same window of half that mean or more. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
+    /// length, and each other length with half of the highest such mean or more. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
     /// power over three waves is a quarter of its mean or more on half of the place or on twenty waves, and it must stand out of a place longer than a
     /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees, at half the
     /// power there or more: edges of pits have waves of their
@@ -262,23 +262,18 @@ impl CleanRail {
             filtered_rails.push(filtered);
         }
         let mut found: Vec<(usize, Range<usize>)> = Vec::new();
+        let mut highest_mean = 0.0;
         for seed in seeds {
             let (power, stretch) = (&powers[seed.stretch], seed.stretch);
             let at = seed.samples.start + highest(&power[seed.samples.clone()]);
-            let first = around(power, at);
-            let enough = 0.5 * mean(&power[first.clone()]);
-            let mut next = Some(at);
-            while let Some(at) = next {
-                found.push((stretch, around(power, at)));
-                let known = |at: &usize| {
-                    let mut places = found.iter();
-                    places.any(|place| place.0 == stretch && place.1.contains(at))
-                };
-                let beside = seed.samples.clone().filter(|at| !known(at));
-                next = beside
-                    .max_by(|&a, &b| power[a].total_cmp(&power[b]))
-                    .filter(|&at| power[at] >= enough);
-            }
+            let place = around(power, at);
+            highest_mean = f64::max(highest_mean, mean(&power[place.clone()]));
+            found.push((stretch, place));
+        }
+        for seed in seeds {
+            let window = seed.samples.clone();
+            let more = runs(&powers[seed.stretch], window, 0.5 * highest_mean);
+            found.extend(more.into_iter().map(|run| (seed.stretch, run)));
         }
         if seeds.is_empty() {
             let tops = powers.iter().enumerate().map(|(stretch, power)| {
@@ -445,6 +440,24 @@ fn around(power: &[f64], at: usize) -> Range<usize> {
         mean = self::mean(&power[place.clone()]);
     }
     place
+}
+
+/// The runs of samples of some power and more that begin or go on in a window, whole.
+fn runs(power: &[f64], window: Range<usize>, enough: f64) -> Vec<Range<usize>> {
+    let is_low = |value: &f64| *value < enough;
+    let mut runs = Vec::new();
+    let mut next = window.start;
+    while let Some(at) = (next..window.end).find(|&at| !is_low(&power[at])) {
+        let from = power[..at]
+            .iter()
+            .rposition(is_low)
+            .map_or(0, |low| low + 1);
+        let low = power[at..].iter().position(is_low);
+        let to = low.map_or(power.len(), |low| at + low);
+        runs.push(from..to);
+        next = to;
+    }
+    runs
 }
 
 /// Places of one stretch that lie no further apart than some samples as one.

@@ -260,6 +260,10 @@ fn a_place_ends_where_the_power_is_halved() {
     let place = around(&power, highest(&power));
     assert_eq!(place, 40..60);
     assert_eq!(
+        runs(&[1.0, 2.0, 0.0, 3.0, 0.0, 1.0], 1..5, 1.0),
+        [0..2, 3..4]
+    );
+    assert_eq!(
         joined(vec![(0, 70..80), (0, 40..60), (1, 0..5)], 10),
         [(0, 40..80), (1, 0..5)]
     );
