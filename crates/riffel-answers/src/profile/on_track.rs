@@ -127,18 +127,44 @@ side! { Left, 0:
     left_second_y_wheel = |on| on.second.map(|second| second.1), "left_second_y_wheel_mm", 1e3;
 }
 
+/// The results around that in the middle which are right; that alone where it is not.
+fn around_the_middle<T, E>(mut results: Vec<Result<T, E>>) -> Vec<Result<T, E>> {
+    let middle = results.len() / 2;
+    let before = results[..middle].iter().rposition(Result::is_err);
+    let after = results[middle + 1..].iter().position(Result::is_err);
+    let to = after.map_or(results.len(), |after| middle + 1 + after);
+    let from = before.map_or(0, |before| before + 1);
+    match results[middle].is_ok() {
+        true => results.drain(from..to).collect(),
+        false => results.drain(middle..=middle).collect(),
+    }
+}
+
+/// Lateral shifts where none are asked for \[mm\]: to either side, in tenths.
+const USUAL_TENTHS: i32 = 100;
+
 impl OnTrackAnswer {
-    /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\].
+    /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\]; without shifts, at those from -10 mm to 10 mm, every tenth
+    /// of a millimetre, as far as both wheels touch their rails.
     ///
     /// # Errors
     /// [`AnswerError`] for profiles that cannot be read or do not fit, and where a wheel has left its rail.
     pub fn new(case: &CurvingCase, shifts: &[f64], yaw: f64) -> Result<Self, AnswerError> {
         let wheelset = case.wheelset_on_track()?;
-        let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();
-        let contacts = wheelset
-            .contacts(&places)
+        let at = |shifts: &[f64]| {
+            let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();
+            wheelset.contacts(&places).into_iter()
+        };
+        let usual: Vec<f64> = (-USUAL_TENTHS..=USUAL_TENTHS)
+            .map(|tenth| 1e-4 * f64::from(tenth))
+            .collect();
+        let found: Vec<_> = match shifts {
+            [] => around_the_middle(at(&usual).collect()),
+            listed => at(listed).collect(),
+        };
+        let contacts: Vec<WheelsetContact> = found
             .into_iter()
-            .collect::<Result<Vec<_>, _>>()
+            .collect::<Result<_, _>>()
             .map_err(|error| AnswerError::Profile(error.to_string()))?;
         let [level, rolling] = case.radius_differences(&wheelset)?;
         let spacing = wheelset.wheels.spacing();

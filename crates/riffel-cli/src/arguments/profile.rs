@@ -74,7 +74,8 @@ pub(crate) struct Profile {
     #[arg(long, value_name = "ANGLE", requires = "wheelset")]
     pub(crate) yaw: Option<Quantity<Angle>>,
 
-    /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm every 0.1 mm].
+    /// Lateral shifts, separated by commas, in metres or with their unit [default: from -10 mm to 10 mm
+    /// every 0.1 mm, as far as both wheels touch their rails].
     #[arg(
         long,
         value_name = "LIST",

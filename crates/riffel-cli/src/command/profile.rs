@@ -13,9 +13,6 @@ use crate::messages::print_remarks;
 use crate::output::{json, table};
 use crate::results::Results;
 
-/// Lateral shifts where none are listed \[mm\]: to either side, in tenths.
-const TENTHS: i32 = 100;
-
 /// Largest yaw \[rad\], far beyond any curve.
 const LARGEST_YAW: f64 = 0.1;
 
@@ -185,12 +182,9 @@ fn on_track(arguments: &Profile, named: &CaseArguments, results: &Results) -> mi
     if let Some(load) = arguments.load {
         return under_load(arguments, &case, yaw, positive("--load", load)?, results);
     }
-    let shifts: Vec<f64> = match &arguments.lateral_shift[..] {
-        [] => (-TENTHS..=TENTHS)
-            .map(|tenth| 1e-4 * f64::from(tenth))
-            .collect(),
-        listed => listed.iter().map(|shift| shift.si()).collect(),
-    };
+    let shifts: Vec<f64> = (arguments.lateral_shift.iter())
+        .map(|shift| shift.si())
+        .collect();
     let answer = OnTrackAnswer::new(&case, &shifts, yaw)?;
     results.hand_out(
         || json(&answer.document()),

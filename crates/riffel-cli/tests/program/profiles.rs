@@ -57,6 +57,31 @@ fn wear_is_that_of_the_polygons() {
     assert!((1e-3 * deepest - number(&worn["greatest_depth_m"])).abs() < 1e-12);
 }
 
+/// Measured points end before the nominal flange does: the shifts that nobody listed go as far as both wheels touch, in one piece;
+/// one that was listed is refused.
+#[test]
+fn the_usual_shifts_go_as_far_as_both_wheels_touch() {
+    let sandbox = sandbox();
+    let worn = "profile cases/profiles.toml --wheelset --set profiles.wheel=worn-wheel.csv";
+    let document = sandbox.json(&format!("{worn} --json"));
+    let shifts: Vec<f64> = document["lateral_shift"]
+        .as_array()
+        .unwrap()
+        .iter()
+        .map(number)
+        .collect();
+    assert!((100..201).contains(&shifts.len()), "{}", shifts.len());
+    let steps = shifts.windows(2).map(|pair| pair[1] - pair[0]);
+    assert!(steps.into_iter().all(|step| (step - 1e-4).abs() < 1e-12));
+    let refused = sandbox.riffel(&format!("{worn} --lateral-shift=-9.4mm"));
+    assert_eq!(refused.status, Some(2), "{}", refused.text);
+    assert!(
+        refused.text.contains("does not touch its rail"),
+        "{}",
+        refused.text
+    );
+}
+
 /// A wheel in the format of a device runs on a rail in another, as the nominal ones do.
 #[test]
 fn files_of_devices_run_in_a_curve() {

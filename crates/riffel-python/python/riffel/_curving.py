@@ -77,7 +77,7 @@ def contact_geometry(
     overrides : mapping, optional
         Values by dotted key.
     lateral_shift : quantities, optional
-        To the right positive; by default from -10 to 10 mm every 0.1 mm.
+        To the right positive; by default from -10 to 10 mm every 0.1 mm, as far as both wheels touch their rails.
     yaw : float, optional
         In rad, nose to the right positive.
 
@@ -99,9 +99,9 @@ def contact_geometry(
     >>> float(on_track["klingel"].sel(amplitude=0.003).round(4))
     0.1771
     """
-    shifts = np.linspace(-0.01, 0.01, 201) if lateral_shift is None else signed(lateral_shift, "lateral_shift", "length")
+    shifts = [] if lateral_shift is None else signed(lateral_shift, "lateral_shift", "length").tolist()
     angle = float(signed(yaw, "yaw", "ratio")[0])
-    title, found = _riffel.contact_geometry(_given(case), dict(overrides or {}), shifts.tolist(), angle)
+    title, found = _riffel.contact_geometry(_given(case), dict(overrides or {}), shifts, angle)
     sides = {
         "rolling_radius": ("m", "rolling radius"),
         "contact_angle": ("rad", "contact angle"),
