@@ -667,6 +667,7 @@ by-chance-in-a-million = zufällig in weniger als einem von einer Million Spektr
 by-chance = zufällig in einem von { $spectra } Spektren
 harmonic-of = Harmonische { $order } von { $wavelength } mm
 means-of-energies = Mittel der Energien { $levels }
+beside-wave = kommt mit { $wavelength } mm
 comes-with-wave = Sie kommt mit { $wavelength } mm, die von Stützpunkt zu Stützpunkt an- und abschwillt: 1/λ liegt { $order }-mal 1/{ $spacing } m neben dem der höheren Welle. Zu suchen ist deren Ursache.
 candidate-leads = { $first } führt mit einem Anteil von { $share }, dann folgt { $second } mit { $other }.
 level-falls-as-grinding-mark = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Schleifspur tut und eine wachsende Riffel nicht. Am ehesten eine abklingende Schleifspur und keine wachsende Riffel.

@@ -675,6 +675,7 @@ by-chance-in-a-million = by chance in less than one spectrum of a million
 by-chance = by chance in one spectrum of { $spectra }
 harmonic-of = harmonic { $order } of { $wavelength } mm
 means-of-energies = means of energies { $levels }
+beside-wave = comes with { $wavelength } mm
 comes-with-wave = It comes with { $wavelength } mm, which swells and fades from support to support: 1/λ lies { $order } times 1/{ $spacing } m beside that of the higher wave. Look for the cause of that one.
 candidate-leads = { $first } leads with a share of { $share }, next is { $second } with { $other }.
 level-falls-as-grinding-mark = The level falls with a probability of { $percent }, as a fading grinding mark does and growing corrugation does not. Best read as a fading grinding mark and not growing corrugation.

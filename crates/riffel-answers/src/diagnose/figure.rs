@@ -64,8 +64,11 @@ pub(super) fn of(file: &str, diagnosis: &Diagnosis, language: Language) -> LineF
     };
     let marks = diagnosis.findings.iter().map(|finding| {
         let wavelength = 1e3 * finding.measured.peak.wavelength;
-        let leads = finding.candidates.first();
-        let leads = leads.map_or_else(|| Message::verbatim(""), |leads| finding.name(leads));
+        let leads = match (finding.sideband, finding.candidates.first()) {
+            (Some(sideband), _) => say!(beside_wave, wavelength = fixed(1e3 * sideband.of, 1)),
+            (None, Some(leads)) => finding.name(leads),
+            (None, None) => Message::verbatim(""),
+        };
         let label = say!(
             perhaps_made_by,
             wavelength = fixed(wavelength, 1),
