@@ -466,7 +466,7 @@ below-the-limit-of-flow = die mittlere Beanspruchung ist { $demand }, unter eins
 fatigue-loses-nothing = { KEY("damage.fatigue.loss") } ist null: Ermüdung wird genannt, hat aber keinen Anteil am Wachstum
 shear-yield-assumed = die Schubfließgrenze der Schiene ist mit { $shear } MPa angenommen; { KEY("damage.shear_yield") } oder { KEY("damage.grade") } sagen sie
 parts-along-the-wave = Rad und Schiene trennen sich entlang der Welle: Kräfte im Verhältnis zum Profil gelten nur unterhalb der Amplitude dafür
-more-friction-than-there-is = der lineare Kreis verlangt entlang der Welle eine Reibung von { $used }, und es gibt { $friction }: dort gleitet das Rad, und wo die Beanspruchung am größten ist und wie groß, gilt für das wirkliche Rad nicht; ein Lauf in der Zeit hält sich an die Reibung (riffel simulate --sinusoid)
+more-friction-than-there-is = der lineare Kreis verlangt entlang der Welle eine Reibung von { $used }, wo es { $friction } gibt: ein wirkliches Rad gleitet dort, und seine größte Beanspruchung ist kleiner und an anderer Stelle; ein Lauf in der Zeit hält sich an die Reibung
 shakedown-beyond-friction = über einem ausgenutzten Kraftschluss von 0,6 sind diese Grenzen mit nichts verglichen
 shakedown-of-mean = mittlerer Zustand: p₀/k = { $pressure } bei k = { $shear } MPa, ausgenutzter Kraftschluss { $friction }, Beanspruchung { $demand }, Oberflächenermüdungsindex { $index }
 utilised-friction = ausgenutzter Kraftschluss
@@ -668,7 +668,7 @@ by-chance = zufällig in einem von { $spectra } Spektren
 harmonic-of = Harmonische { $order } von { $wavelength } mm
 means-of-energies = Mittel der Energien { $levels }
 beside-wave = kommt mit { $wavelength } mm
-comes-with-wave = Sie kommt mit { $wavelength } mm, die von Stützpunkt zu Stützpunkt an- und abschwillt: 1/λ liegt { $order }-mal 1/{ $spacing } m neben dem der höheren Welle. Zu suchen ist deren Ursache.
+comes-with-wave = Sie kommt mit { $wavelength } mm, die von Stützpunkt zu Stützpunkt an- und abschwillt (Seitenband { $order } von Stützpunkten im Abstand von { $spacing } m). Zu suchen ist die Ursache jener Welle.
 candidate-leads = { $first } führt mit einem Anteil von { $share }, dann folgt { $second } mit { $other }.
 level-falls-as-grinding-mark = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Schleifspur tut und eine wachsende Riffel nicht. Am ehesten eine abklingende Schleifspur und keine wachsende Riffel.
 level-falls = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Spur tut und eine wachsende Riffel nicht.

@@ -474,7 +474,7 @@ below-the-limit-of-flow = the mean demand is { $demand }, below one: by the law 
 fatigue-loses-nothing = { KEY("damage.fatigue.loss") } is zero: fatigue is told, but takes no part in growth
 shear-yield-assumed = the shear yield of the rail is taken as { $shear } MPa; { KEY("damage.shear_yield") } or { KEY("damage.grade") } say it
 parts-along-the-wave = wheel and rail part along the wave: forces in proportion to the profile hold only below its amplitude there
-more-friction-than-there-is = the linear loop asks for a friction of { $used } along the wave, and there is { $friction }: the wheel slides there, and where the demand is largest, and how large, is not what the real wheel has; a march in time holds to the friction (riffel simulate --sinusoid)
+more-friction-than-there-is = the linear loop asks for a friction of { $used } along the wave where there is { $friction }: a real wheel slides there, and its largest demand is smaller and at another place; a march in time holds to the friction
 shakedown-beyond-friction = above a utilised friction of 0.6 these limits have not been compared with anything
 shakedown-of-mean = mean state: p₀/k = { $pressure } at k = { $shear } MPa, utilised friction { $friction }, demand { $demand }, surface fatigue index { $index }
 utilised-friction = utilised friction
@@ -676,7 +676,7 @@ by-chance = by chance in one spectrum of { $spectra }
 harmonic-of = harmonic { $order } of { $wavelength } mm
 means-of-energies = means of energies { $levels }
 beside-wave = comes with { $wavelength } mm
-comes-with-wave = It comes with { $wavelength } mm, which swells and fades from support to support: 1/λ lies { $order } times 1/{ $spacing } m beside that of the higher wave. Look for the cause of that one.
+comes-with-wave = It comes with { $wavelength } mm, which swells and fades from support to support (sideband { $order } of supports { $spacing } m apart). Look for the cause of that wave.
 candidate-leads = { $first } leads with a share of { $share }, next is { $second } with { $other }.
 level-falls-as-grinding-mark = The level falls with a probability of { $percent }, as a fading grinding mark does and growing corrugation does not. Best read as a fading grinding mark and not growing corrugation.
 level-falls = The level falls with a probability of { $percent }, as a fading mark does and growing corrugation does not.

@@ -1,7 +1,7 @@
 //! Straight lines through the levels of a section over its surveys.
 
-/// Fall of a level that no wear makes between surveys: the rail was ground \[dB\].
-pub(crate) const GROUND: f64 = -3.0;
+use riffel::diagnosis::FALL_BY_GRINDING;
+
 /// Two surveys no farther apart are repeats \[years\]: in a week no rail grows by what a survey shows.
 const REPEATED: f64 = 7.0 / 365.2425;
 /// Scatter of a level that is taken at least \[dB\]: repeats of one instrument on one day differ by some tenths.
@@ -27,7 +27,7 @@ impl Trend {
     pub(crate) fn new(points: &[(f64, f64)]) -> Option<Self> {
         let ground = points
             .windows(2)
-            .rposition(|pair| pair[1].1 - pair[0].1 < GROUND);
+            .rposition(|pair| pair[0].1 - pair[1].1 > FALL_BY_GRINDING);
         let from = ground.map_or(0, |pair| pair + 1);
         (!points.is_empty()).then(|| Self {
             points: points[from..].to_vec(),

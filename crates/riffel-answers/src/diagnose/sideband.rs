@@ -1,11 +1,11 @@
 //! Wavelengths that stand beside a higher one because the supports let it swell and fade.
 
-use riffel::diagnosis::{Mechanism, MechanismKind, Prediction};
+use riffel::diagnosis::{Mechanism, MechanismKind, Place, Prediction};
 use riffel_rail::history::Measured;
 
 /// Orders that are looked for.
 const ORDERS: u32 = 3;
-/// How far a wavenumber may lie from the place of a sideband, in distances of them: twice a line of the spectrum of a window at 0.6 m.
+/// How far a wavenumber may lie from a sideband, as a part of 1/d: at 0.6 m less than two lines of the spectrum of a window.
 const NEAR: f64 = 0.1;
 
 /// A wavelength λ with 1/λ = 1/λ₀ ± n/d: a wave of λ₀ that is modulated over the distance d of the supports.
@@ -28,9 +28,11 @@ impl Sideband {
                 _ => None,
             }
         })?;
-        let higher = all
-            .iter()
-            .filter(|other| other.peak.level > one.peak.level && stands_beside(one, other));
+        let higher = all.iter().filter(|other| {
+            other.peak.level > one.peak.level
+                && other.rail == one.rail
+                && Place::any_shared(&other.places, &one.places)
+        });
         let sidebands = higher.filter_map(|other| {
             let of = other.peak.wavelength;
             let distance = (one.peak.wavelength.recip() - of.recip()).abs() * spacing;
@@ -44,11 +46,4 @@ impl Sideband {
         });
         sidebands.min_by_key(|sideband| sideband.order)
     }
-}
-
-/// Whether two wavelengths stand on a length of rail in common.
-fn stands_beside(one: &Measured, other: &Measured) -> bool {
-    let mut places = one.places.iter();
-    one.rail == other.rail
-        && places.any(|a| other.places.iter().any(|b| a.from < b.to && b.from < a.to))
 }

@@ -231,7 +231,6 @@ impl WearReport {
             let signed = |change: f64| number(format_args!("{change:+.1}"));
             let wavelength = band.band.nominal_millimetres();
             let (measured, predicted) = (signed(band.measured), signed(band.predicted));
-            let by_much = band.measured < -LARGE_CHANGE;
             if band.grows && band.has_fallen() {
                 sentences.push(say!(
                     band_fades_against_model,
@@ -246,7 +245,7 @@ impl WearReport {
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows && by_much && band.has_fallen() {
+            } else if !band.grows && band.measured < -LARGE_CHANGE && band.has_fallen() {
                 sentences.push(say!(
                     band_fades_as_in_model,
                     wavelength = wavelength,

@@ -12,6 +12,9 @@ use crate::AnswerError;
 /// Amplitudes of the equivalent conicity \[mm\].
 const AMPLITUDES: [f64; 7] = [1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0];
 
+/// Lateral shifts where none are asked for \[mm\]: to either side, in tenths.
+const USUAL_TENTHS: i32 = 100;
+
 /// A wheelset on its track.
 pub struct OnTrackAnswer {
     /// By lateral shift.
@@ -127,7 +130,7 @@ side! { Left, 0:
     left_second_y_wheel = |on| on.second.map(|second| second.1), "left_second_y_wheel_mm", 1e3;
 }
 
-/// The results around that in the middle which are right; that alone where it is not.
+/// The results without errors around that in the middle; that one alone where it is an error.
 fn around_the_middle<T, E>(mut results: Vec<Result<T, E>>) -> Vec<Result<T, E>> {
     let middle = results.len() / 2;
     let before = results[..middle].iter().rposition(Result::is_err);
@@ -139,9 +142,6 @@ fn around_the_middle<T, E>(mut results: Vec<Result<T, E>>) -> Vec<Result<T, E>> 
         false => results.drain(middle..=middle).collect(),
     }
 }
-
-/// Lateral shifts where none are asked for \[mm\]: to either side, in tenths.
-const USUAL_TENTHS: i32 = 100;
 
 impl OnTrackAnswer {
     /// The wheelset of a case at lateral shifts \[m\] and a yaw \[rad\]; without shifts, at those from -10 mm to 10 mm, every tenth
@@ -155,11 +155,12 @@ impl OnTrackAnswer {
             let places: Vec<(f64, f64)> = shifts.iter().map(|shift| (*shift, yaw)).collect();
             wheelset.contacts(&places).into_iter()
         };
-        let usual: Vec<f64> = (-USUAL_TENTHS..=USUAL_TENTHS)
-            .map(|tenth| 1e-4 * f64::from(tenth))
-            .collect();
         let found: Vec<_> = match shifts {
-            [] => around_the_middle(at(&usual).collect()),
+            [] => {
+                let tenths = -USUAL_TENTHS..=USUAL_TENTHS;
+                let usual: Vec<f64> = tenths.map(|tenth| 1e-4 * f64::from(tenth)).collect();
+                around_the_middle(at(&usual).collect())
+            }
             listed => at(listed).collect(),
         };
         let contacts: Vec<WheelsetContact> = found

@@ -15,7 +15,7 @@ const SURPRISE: f64 = 0.05;
 
 /// RMS that accepted grinding leaves at most \[m\], to longest wavelengths \[m\]; Grassie, Saxon & Smith (1999), abstract.
 const ACCEPTED: [(f64, f64); 2] = [(0.03, 3e-6), (0.1, 7e-6)];
-/// How many times as much no mark of grinding has that a railway accepted; one in ten were not. Riffel's choice.
+/// A wave of so many times as much is no mark of accepted grinding. Riffel's choice.
 const NEVER_ACCEPTED: f64 = 2.0;
 
 /// What the roughness was measured from.

@@ -3,8 +3,8 @@
 use super::normal;
 use crate::Error;
 
-/// Fall between two records \[dB\] that no traffic makes of corrugation: the rail was ground between them. Riffel's choice.
-const GROUND: f64 = 3.0;
+/// Fall of a level between two records \[dB\] that no wear makes: the rail was ground between them. Riffel's choice.
+pub const FALL_BY_GRINDING: f64 = 3.0;
 
 /// What time is counted in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -153,7 +153,7 @@ fn since_ground(points: &[CoursePoint]) -> usize {
         })
         .collect();
     let fades = falls.len() > 1 && falls.iter().all(|(fall, scatter)| *fall > 2.0 * scatter);
-    let ground = |(fall, scatter): &(f64, f64)| *fall > GROUND.max(3.0 * scatter);
+    let ground = |(fall, scatter): &(f64, f64)| *fall > FALL_BY_GRINDING.max(3.0 * scatter);
     match falls.iter().rposition(ground) {
         Some(last) if !fades => last + 1,
         _ => 0,
@@ -251,8 +251,8 @@ pub(super) mod tests {
         assert_eq!(course(&[5.0, 1.5], None).since, 0);
     }
 
-    /// Levels that do not change are taken for ground in four of a thousand courses of four records, three times the share of a
-    /// normal distribution beyond three deviations; a cut of 16 dB is seen for what it is in as many.
+    /// Of courses of four records that do not change, four in a thousand are taken for ground: three steps, each with the share of a
+    /// normal distribution beyond three deviations. A cut of 16 dB is missed or misplaced as rarely.
     #[test]
     fn chance_does_not_grind() {
         const RAILS: usize = 10_000;

@@ -220,14 +220,15 @@ mod tests {
             }
         }
 
-        /// At ν = 0 the tractions do not couple: C₁₁ = C₂₂, and both grow with ν and a/b; of a line contact, C₂₂ across its rolling
-        /// direction and C₁₁ along it do not depend on ν, so that growth is seen to the error of the interpolation, 3e-4.
+        /// At ν = 0 the tractions do not couple: C₁₁ = C₂₂, and both grow with ν and a/b. Of a very slender ellipse C₂₂ (a ≪ b)
+        /// or C₁₁ (a ≫ b) hardly depends on ν: there growth is held to the error of the interpolation, 3e-4.
         #[test]
         fn order_of_the_coefficients(axis_ratio in 0.01..100.0f64, poisson_ratio in 0.01..0.5f64) {
             let [c11, c22, ..] = all(0.0, axis_ratio);
             assert_relative_eq!(c11, c22, max_relative = 1e-12);
             let [with_c11, with_c22, ..] = all(poisson_ratio, axis_ratio);
-            let least = 1.0 - 3e-4;
+            let is_slender = !(0.1..=10.0).contains(&axis_ratio);
+            let least = if is_slender { 1.0 - 3e-4 } else { 1.0 };
             prop_assert!(with_c11 > least * c11 && with_c22 > least * c22);
             let [_, longer_c22, longer_c23, longer_c33] = all(poisson_ratio, 1.01 * axis_ratio);
             let [_, c22, c23, c33] = all(poisson_ratio, axis_ratio);

@@ -32,7 +32,7 @@ const ALL_ALONG: f64 = 0.9;
 const LASTING_WAVES: f64 = 3.0;
 /// Share of a place on which this must be a quarter of its mean or more: a single event has its power in one spot.
 const LASTING: f64 = 0.5;
-/// So many waves of that are enough, whatever the share: corrugation may stand in bursts.
+/// Waves with that power that are enough on a place of any length: corrugation may stand in bursts.
 const LASTING_IN_BURSTS: f64 = 20.0;
 /// Good length between two places of one wavelength that are one \[m\].
 const APART: f64 = 10.0;
@@ -46,6 +46,14 @@ pub struct Place {
     pub to: f64,
     /// Level of the wavelength there \[dB re 1 µm\].
     pub level: f64,
+}
+
+impl Place {
+    /// Whether two lists of places have a length of rail in common.
+    pub fn any_shared(some: &[Self], others: &[Self]) -> bool {
+        let shares = |a: &Self| others.iter().any(|b| a.from < b.to && b.from < a.to);
+        some.iter().any(shares)
+    }
 }
 
 /// A dominant wavelength with where it stands.
@@ -154,9 +162,9 @@ impl CleanRail {
     /// 25 m where the rail is 100 m long or longer, so far out that noise has such a peak in one rail of a
     /// hundred. Where one stands follows from the profile, filtered about its wavelengths: the length around the
     /// highest mean square, over 5 m or fifty waves, on which this is more than half of its own mean over that
-    /// length, and each other length with half of the highest such mean or more. A wavelength is told by its places unless these are nine tenths of the rail. It must last there: its
-    /// power over three waves is a quarter of its mean or more on half of the place or on twenty waves, and it must stand out of a place longer than a
-    /// window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees, at half the
+    /// length, and each other length with half of the highest such mean or more. A wavelength is told by its places
+    /// unless these are nine tenths of the rail. It must last there: its power over three waves is a quarter of its
+    /// mean or more on half of the place or on twenty waves, and it must stand out of a place longer than a window as well as of the window that showed it. A peak must stand out of the rail as well as of what the wheel sees, at half the
     /// power there or more: edges of pits have waves of their
     /// own, which the wheel bridges, and the wheel rounds the troughs of corrugation, which makes harmonics of its
     /// own. Ends of a place are found to a metre or so, and places shorter than 5 m are shown as long as that.
@@ -182,7 +190,7 @@ impl CleanRail {
         found.truncate(MOST);
         let all = found.clone();
         for one in &mut found {
-            let beside = all.iter().filter(|other| other.beside(one));
+            let beside = (all.iter()).filter(|other| Place::any_shared(&other.places, &one.places));
             let peaks: Vec<DominantWavelength> = beside.map(|other| other.peak.clone()).collect();
             one.peak.harmonic_of = harmonic(&one.peak, &peaks);
         }
@@ -355,17 +363,6 @@ impl CleanRail {
     }
 }
 
-impl LocatedWavelength {
-    /// Whether it stands where another does.
-    fn beside(&self, other: &Self) -> bool {
-        let shares = |a: &Place| {
-            let mut places = other.places.iter();
-            places.any(|b| a.from < b.to && b.from < a.to)
-        };
-        self.places.iter().any(shares)
-    }
-}
-
 /// The peak of a spectrum at the wavelengths of another.
 fn peak_near(spectrum: &FineSpectrum, peak: &DominantWavelength) -> Option<DominantWavelength> {
     let peaks = spectrum.dominant();
@@ -401,8 +398,8 @@ fn smoothed(heights: &[f64], window: usize) -> Vec<f64> {
         .collect()
 }
 
-/// Whether a filtered wave lasts over a place, or for twenty waves: moving power over three waves against its mean; a wave is so many
-/// samples.
+/// Whether a filtered wave lasts over a place, or for twenty waves: moving power over three waves against its mean. `wave` is its length
+/// in samples.
 fn lasts(heights: &[f64], wave: f64) -> bool {
     let power = smoothed(heights, (LASTING_WAVES * wave).round() as usize);
     let mean = mean(&power);
@@ -442,7 +439,7 @@ fn around(power: &[f64], at: usize) -> Range<usize> {
     place
 }
 
-/// The runs of samples of some power and more that begin or go on in a window, whole.
+/// Runs of samples with enough power that have a sample in a window; told from end to end, also beyond the window.
 fn runs(power: &[f64], window: Range<usize>, enough: f64) -> Vec<Range<usize>> {
     let is_low = |value: &f64| *value < enough;
     let mut runs = Vec::new();
