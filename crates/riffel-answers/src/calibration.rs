@@ -32,7 +32,7 @@ pub struct Calibration {
     pub far_from_others: Vec<Message>,
     /// Why the chains allow no conclusion.
     pub doubts: Vec<Message>,
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
 }
 
 /// How the posterior was sampled.

@@ -2,6 +2,7 @@
 
 use riffel_calibrate::file::DataFile;
 use riffel_calibrate::{Plan, Uncertain};
+use riffel_keys::Message;
 use serde::Serialize;
 
 use crate::calibration::Sampler;
@@ -16,7 +17,7 @@ pub struct PlanDocument {
     data: Vec<Measurement>,
     /// Numbers that were measured.
     numbers: usize,
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
     /// The plan itself.
     text: String,
 }

@@ -103,9 +103,7 @@ impl Step {
         let growth = variant.and_then(|mut variant| {
             if key == "contact.friction" && keeps_force(case) {
                 variant.hold = Some(Hold::Force);
-                let value = case.steady.tractive_ratio() * case.file.contact.friction.si() / value;
-                let key = "contact.tractive_ratio";
-                changes.push(Change { key, value });
+                changes.extend(kept_ratio(case, traffic, value));
             }
             LineGrowth::under(case, traffic, &variant)
         });
@@ -114,6 +112,16 @@ impl Step {
             Err(_) => Err(say!(remedy_is_refused)),
         }
     }
+}
+
+/// The tractive ratio with which trains pull as before on another friction, where they all have one.
+fn kept_ratio(case: &Case, traffic: &Traffic, treated: f64) -> Option<Change> {
+    let common = |key, of_case| traffic.common_value(key, Some(of_case)).ok().flatten();
+    let key = "contact.tractive_ratio";
+    let friction = common("contact.friction", case.file.contact.friction.si())?;
+    let ratio = common(key, case.steady.tractive_ratio())?;
+    let value = ratio * friction / treated;
+    Some(Change { key, value })
 }
 
 /// Trains pull and brake as before on another friction, unless a curve or the case itself sets the creepage.
@@ -201,10 +209,10 @@ impl RemediesAnswer {
     }
 
     /// The same with costs by the ids of remedies: what lengthens the grinding interval and has a cost comes first, by the months that
-    /// it gains for that; all else follows by its effect. A cost of what is no remedy here is left aside.
+    /// it gains for that; all else follows by its effect. The cost of a remedy that is left out here stands aside.
     ///
     /// # Errors
-    /// [`AnswerError::Argument`] for a cost that is not above zero.
+    /// [`AnswerError::Argument`] for a cost that is not above zero, or of what no remedy is called.
     pub fn with_costs(mut self, costs: &BTreeMap<String, f64>) -> Result<Self, AnswerError> {
         if let Some((id, cost)) = costs
             .iter()
@@ -214,6 +222,16 @@ impl RemediesAnswer {
                 argument: "cost",
                 value: format!("{id} = {cost}"),
                 rule: "finite and above zero".to_owned(),
+            });
+        }
+        let left_out = self.left_out.iter().map(|it| it.title.id());
+        let known = self.remedies.iter().map(|it| it.id).chain(left_out);
+        let known: Vec<&str> = known.collect();
+        if let Some(id) = costs.keys().find(|id| !known.contains(&id.as_str())) {
+            return Err(AnswerError::Argument {
+                argument: "cost",
+                value: format!("that of \"{id}\""),
+                rule: format!("that of one of {}", known.join(", ")),
             });
         }
         for remedy in &mut self.remedies {
@@ -281,12 +299,14 @@ fn in_words(changes: &[Change]) -> String {
 /// What is changed, one key at a time.
 fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
     let file = &case.file;
-    let times = |title: Message, key: &'static str, value: Option<f64>, factor: f64| Step {
+    let common = |key: &'static str, of_case: Option<f64>| {
+        let value = traffic.common_value(key, of_case)?;
+        value.ok_or_else(|| say!(remedy_lacks_key, key = key))
+    };
+    let times = |title: Message, key: &'static str, of_case: Option<f64>, factor: f64| Step {
         title,
         key,
-        value: value
-            .map(|value| factor * value)
-            .ok_or_else(|| say!(remedy_lacks_key, key = key)),
+        value: common(key, of_case).map(|value| factor * value),
     };
     let stiffness = |support: &Option<riffel_case::file::Support>| {
         support.as_ref()?.stiffness.map(|stiffness| stiffness.si())
@@ -297,17 +317,7 @@ fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
         None => ("wheel.mass", file.wheel.mass),
     };
     let loss = file.rail.loss_factor.map_or(0.0, |loss| loss.si());
-    let friction = file.contact.friction.si();
-    let speeds = traffic.speeds().iter();
-    let widest = speeds
-        .clone()
-        .map(SpeedDistribution::deviation)
-        .fold(0.0, f64::max);
-    let slowest = speeds
-        .map(SpeedDistribution::mean)
-        .fold(f64::INFINITY, f64::min);
-    let wider = (WIDER * widest).clamp(0.1 * slowest, WIDEST * slowest);
-    let own = |title: Message, key: &'static str, value: f64| times(title, key, Some(value), 1.0);
+    let friction = common("contact.friction", Some(file.contact.friction.si()));
     vec![
         times(say!(softer_pads), "track.pad.stiffness", pad, 0.5),
         times(say!(stiffer_pads), "track.pad.stiffness", pad, 2.0),
@@ -317,18 +327,18 @@ fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
             stiffness(&file.track.ballast),
             0.5,
         ),
-        own(
-            say!(more_rail_loss, loss = number(RAIL_DAMPERS)),
-            "rail.loss_factor",
-            loss + RAIL_DAMPERS,
-        ),
+        Step {
+            title: say!(more_rail_loss, loss = number(RAIL_DAMPERS)),
+            key: "rail.loss_factor",
+            value: common("rail.loss_factor", Some(loss)).map(|loss| loss + RAIL_DAMPERS),
+        },
         Step {
             title: say!(friction_treatment, friction = number(TREATED_FRICTION)),
             key: "contact.friction",
-            value: match friction > TREATED_FRICTION {
+            value: friction.and_then(|friction| match friction > TREATED_FRICTION {
                 true => Ok(TREATED_FRICTION),
                 false => Err(say!(friction_is_low, friction = number(friction))),
-            },
+            }),
         },
         times(
             say!(lighter_wheel),
@@ -336,16 +346,37 @@ fn steps(case: &Case, traffic: &Traffic) -> Vec<Step> {
             mass.map(|mass| mass.si()),
             0.8,
         ),
+        wider_speeds(traffic),
         Step {
-            title: say!(wider_speeds),
-            key: "speed.standard_deviation",
-            value: match wider > 1.05 * widest {
-                true => Ok(wider),
-                false => Err(say!(speeds_are_wide)),
-            },
+            title: say!(slower_trains),
+            key: "speed.factor",
+            value: Ok(0.8),
         },
-        own(say!(slower_trains), "speed.factor", 0.8),
     ]
+}
+
+/// All speeds spread by one factor, as far as the widest can be; where none are spread, by one deviation.
+fn wider_speeds(traffic: &Traffic) -> Step {
+    let speeds = traffic.speeds();
+    let slowest = speeds.iter().map(SpeedDistribution::mean);
+    let slowest = slowest.fold(f64::INFINITY, f64::min);
+    let widths = speeds.iter().map(|it| it.deviation() / it.mean());
+    let factor = WIDER.min(WIDEST / widths.fold(0.0, f64::max));
+    let deviation = speeds[0].deviation();
+    let all_alike = speeds.iter().all(|it| it.deviation() == deviation);
+    let (key, value) = match all_alike {
+        true if deviation == 0.0 => ("speed.standard_deviation", 0.1 * slowest),
+        true => ("speed.standard_deviation", factor * deviation),
+        false => ("speed.standard_deviation_factor", factor),
+    };
+    Step {
+        title: say!(wider_speeds),
+        key,
+        value: match factor > 1.05 {
+            true => Ok(value),
+            false => Err(say!(speeds_are_wide)),
+        },
+    }
 }
 
 impl Answer for RemediesAnswer {
@@ -364,9 +395,15 @@ impl Answer for RemediesAnswer {
         let grinding = numbers(|it| it.grinding_interval?.months).collect();
         let unknown = || Message::verbatim("");
         let ground_after = |it: &Remedy| it.ground_after.clone().unwrap_or_else(unknown);
+        let mut costs = Vec::new();
+        if self.remedies.iter().any(|it| it.cost.is_some()) {
+            let by_cost = numbers(Remedy::months_per_cost).collect();
+            costs.push(Column::optional("cost", numbers(|it| it.cost).collect()));
+            costs.push(Column::optional("months_per_cost", by_cost));
+        }
         vec![Table {
             name: "remedies",
-            columns: vec![
+            columns: [
                 Column::words("remedy", say!(remedy_column), of(&|it| it.title.clone())),
                 Column::words(
                     "change",
@@ -384,7 +421,10 @@ impl Answer for RemediesAnswer {
                 Column::optional("grinding_interval_months", grinding),
                 Column::optional("doubling_months", months),
                 Column::optional("growth_rate_per_passage", rates),
-            ],
+            ]
+            .into_iter()
+            .chain(costs)
+            .collect(),
         }]
     }
 
@@ -457,7 +497,8 @@ mod tests {
             ("b", 3.0),
             ("d", 1.0),
             ("e", 1.0),
-            ("other", 1.0),
+            // Left out in this case.
+            ("softer-pads", 1.0),
         ]);
         let answer = answer.with_costs(&given).unwrap();
         let ids: Vec<&str> = answer.remedies.iter().map(|remedy| remedy.id).collect();
@@ -470,6 +511,13 @@ mod tests {
         assert_eq!(
             refused.to_string(),
             "cost is a = 0, but must be finite and above zero"
+        );
+        let answer = RemediesAnswer::new(&case, None, &|_| ()).unwrap();
+        let refused = answer.with_costs(&costs(&[("soft-pads", 1.0)])).err();
+        let said = refused.unwrap().to_string();
+        assert!(
+            said.contains("\"soft-pads\"") && said.contains("softer-pads"),
+            "{said}"
         );
     }
 }

@@ -338,13 +338,18 @@ impl Case {
             return Ok(());
         };
         let asked = if lowest == highest {
-            format!("{lowest:.4} Hz is")
+            format!("{lowest:.4}")
         } else {
-            format!("{lowest:.4} to {highest:.4} Hz are")
+            format!("{lowest:.4}–{highest:.4}")
         };
         Err(self.keys.text.keys.invalid(
             key,
-            format!("is known from {low:.4} to {high:.4} Hz and is not extrapolated, but {asked} asked for"),
+            say!(
+                is_known_between,
+                low = fixed(low, 4),
+                high = fixed(high, 4),
+                asked = riffel_keys::message::number(asked),
+            ),
             say!(narrow_the_window_or_measure_further),
         ))
     }

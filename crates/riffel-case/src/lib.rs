@@ -70,7 +70,7 @@ pub use description::descriptions;
 pub use discrete_supports::DrawnSupports;
 pub use hold::Hold;
 pub use key::CaseKey;
-pub use measurement::UniversalFunction;
+pub use measurement::{UniversalFunction, doubts_about_rail};
 pub use numbers::LoopOnTrack;
 pub use own_values::OwnValue;
 pub use point::{AllAxes, ContactPoint, Point, PointQuantity, PointValue, WaveCreepage, WavePoint};

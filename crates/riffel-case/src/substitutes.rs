@@ -53,6 +53,15 @@ impl GivenReceptance {
         Self::of_table(receptance, remarks.into_iter().collect())
     }
 
+    /// A table that was measured on a rail, with remarks where it is not passive or not like a rail.
+    ///
+    /// # Errors
+    /// The sentence for one that no rail has.
+    pub fn measured_on_rail(receptance: MeasuredReceptance) -> Result<Self, String> {
+        let remarks = measurement::doubts_about_rail(&receptance)?;
+        Ok(Self::of_table(receptance, remarks))
+    }
+
     fn of_table(receptance: MeasuredReceptance, remarks: Vec<Message>) -> Self {
         let table = Arc::new(receptance);
         Self {

@@ -45,6 +45,8 @@ pub struct SpeedChange {
     pub factor: Option<Quantity<Ratio>>,
     /// Standard deviation in place of its own: a normal distribution about the mean.
     pub standard_deviation: Option<Quantity<Speed>>,
+    /// Factor of its own standard deviation, that of each vehicle: a normal distribution about the mean.
+    pub standard_deviation_factor: Option<Quantity<Ratio>>,
 }
 
 /// The keys that are not of the case.
@@ -96,7 +98,14 @@ impl Variant {
         if change.mean.is_some() && change.factor.is_some() {
             return Err(source.invalid(
                 "speed.factor",
-                "and `speed.mean` exclude each other",
+                say!(and_exclude_each_other, other = "speed.mean"),
+                say!(give_one_of_the_two),
+            ));
+        }
+        if change.standard_deviation.is_some() && change.standard_deviation_factor.is_some() {
+            return Err(source.invalid(
+                "speed.standard_deviation_factor",
+                say!(and_exclude_each_other, other = "speed.standard_deviation"),
                 say!(give_one_of_the_two),
             ));
         }
@@ -171,8 +180,10 @@ impl SpeedChange {
             (None, Some(mean)) => speeds.scaled(mean.si() / speeds.mean())?,
             (None, None) => speeds.clone(),
         };
-        match self.standard_deviation {
-            Some(deviation) => SpeedDistribution::normal(scaled.mean(), deviation.si()),
+        let own = self.standard_deviation.map(|deviation| deviation.si());
+        let factor = self.standard_deviation_factor;
+        match own.or(factor.map(|factor| factor.si() * scaled.deviation())) {
+            Some(deviation) => SpeedDistribution::normal(scaled.mean(), deviation),
             None => Ok(scaled),
         }
     }

@@ -301,6 +301,7 @@ helps-most = am meisten hilft: { $title }; das Wachstum fällt um { $percent } %
 helps-most-of-all = am meisten hilft: { $title }; dann wächst nichts
 helps-nothing = keine dieser Maßnahmen bremst das Wachstum
 left-out-for = ausgelassen: { $title }; { $reason }
+vehicles-differ = { $key } unterscheidet sich zwischen den Fahrzeugen oder streut über ihre Räder: in der Verkehrsdatei ändern
 remedy-lacks-key = der Fall hat keinen Wert von { $key }
 remedy-has-no-effect = { $key } ändert in diesem Fall nichts
 remedy-is-refused = damit lässt sich dieser Fall nicht berechnen
@@ -362,6 +363,10 @@ ringing-wheel = das Rad klingt, wie seine Moden und die Schiene es zulassen: üb
 modes-of-other-wheel = die Moden sind die eines Rades von { $of_modes } mm, das Rad des Falls hat { $of_case } mm: ein kleineres Rad klingt höher
 far-away = in { $distance } m nehmen Boden und Luft, die hier fehlen, etwas davon weg: Pegel jenseits von { $far } m sind zu hoch
 smooth-wheels = die Räder gelten als glatt: sind sie rauer als die Schiene, steigen alle Pegel, und Schleifen spart weniger
+over-common-bands = { $count ->
+        [one] über das eine Band, das beide haben: { $said }
+       *[other] über die { $count } Bänder, die beide haben: { $said }
+    }
 noise-before-and-after = vorher { $before } dB(A), jetzt { $after } dB(A): { $change } dB
 noise-on-mean-of-rails = auf dem energetischen Mittel der Schienen { $rails }, da Räder auf beiden laufen; eine davon allein gewählt ({ KEY("--rail") }) gibt den Lärm eines Zugs auf Schienen wie dieser
 noise-beyond-linear-range = außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀, Rad und Schiene trennen sich also, was die Kraft begrenzt; die Pegel sind die eines Kontakts, der hält
@@ -523,7 +528,7 @@ without-possession-percent = über den Stunden der Sperrpausen, %
 rank-of-action = Rang
 actions-break = { $count } der Maßnahmen verletzen den Etat, die Lärmgrenze oder die Stunden der Sperrpausen in mehr als 5 % der Ziehungen; sie stehen hinter denen, die sie einhalten
 all-actions-break = jede Maßnahme verletzt den Etat, die Lärmgrenze oder die Stunden der Sperrpausen in mehr als 5 % der Ziehungen; die Reihenfolge folgt allein den Kosten
-posterior-forecast-is-linear = die Pegel sind die des linearen Wachstums; wo das Rad die Schiene verlässt, wird über eine Posteriorverteilung nicht gesagt, wohl aber von riffel forecast ohne { KEY("--posterior") }
+posterior-forecast-is-linear = die Pegel sind die des linearen Wachstums, und was im Modell abklingt, sinkt, während riffel forecast ohne { KEY("--posterior") } es hält; wo das Rad die Schiene verlässt, wird über eine Posteriorverteilung nicht gesagt
 forecast-on-doubtful-chains = die Ketten lassen { $doubts } Zweifel, die riffel calibrate nennt: mit mehr Ziehungen können sich die Bänder ändern
 posterior-forecast-is-over = { $draws } Ziehungen der Posteriorverteilung, vom letzten Datum { $months } Monate weit; Mediane mit Bereichen von 90 %
 wavelength-of-band = Wellenlänge mm
@@ -652,7 +657,7 @@ dominant-wavelength-at = vorherrschende Wellenlänge { $wavelength } mm ({ $from
 dominant-wavelength = vorherrschende Wellenlänge { $wavelength } mm ({ $from }–{ $to } mm), { $frequency } Hz bei { $speeds }
 rail-all-along = { $rail }, durchgehend
 rail-from-to = { $rail }, { $from }–{ $to } m
-and-more-places = { $count ->
+more-places = { $count ->
         [one] { $place } und an einem weiteren Ort
        *[other] { $place } und an { $count } weiteren Orten
     }
@@ -1199,7 +1204,7 @@ key-of-many-parts = ein Schlüssel hat höchstens { $most } Teile, dieser { $cou
 value-not-table = `{ $parent }` ist ein Wert und keine Tabelle, in `{ $path }`
 is-outside = ist { $value }, muss aber zwischen { $low } und { $high } liegen
 is-unknown-key = ist kein Schlüssel, den Riffel kennt
-is-no-choice = "{ $variant }" steht nicht zur Wahl
+no-choice = "{ $variant }" steht nicht zur Wahl
 is-no-table = ist keine Tabelle, wie es sein muss
 is-no-list = ist keine Liste, wie es sein muss
 is-but-must-be = ist { $value }, muss aber { $rule } sein
@@ -1303,13 +1308,13 @@ is-an-empty-list = ist eine leere Liste
 give-both-keys-of-one-of = gib beide Schlüssel von einem der beiden an
 goes-down-to-but-every-value = geht hinunter bis { $value }, jeder Wert muss aber größer als null sein
 is-no-spread-give-mean-and = ist keine Streuung: mean und standard_deviation, min und max oder eine Liste aus value und share angeben, mit { $name } wie in "{ $example }"
-is-below-one-but-axles-that = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von { KEY("damage.laws") }: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
+axles-that-roll-free = `{ $key }` ist unter eins, aber auch frei rollende Achsen schädigen die Schiene nach den Gesetzen von { KEY("damage.laws") }: Achsen mit Zugkraft und solche ohne als zwei Fahrzeuge nennen
 the-shares-of-sum-to-but = die Anteile von `{ $key }` ergeben zusammen { $sum }, müssen aber 1 ergeben
 vehicle = Fahrzeug "{ $vehicle }": { $error }
 variant-changes-friction-or-load-under = Variante "{ $title }" ändert Reibung oder Last unter "{ $vehicle }"; { $why }
 speeds-and-bands-of-vehicle = Geschwindigkeiten und Bänder von Fahrzeug "{ $name }": { $message }
 line-measured-line-needs-profiles-of = `line.measured_line` braucht Profile von Rad und Schiene, die sich unter dem Kontaktwinkel des Gleichgewichts berühren, und das Fahrzeug "{ $name }" hat keine
-and-wear-band-width-of-the = `{ $key }` und { KEY("wear.band_width") } des Falls schließen einander aus; gib eines von beiden an
+width-excludes-that-of-the-case = `{ $key }` und { KEY("wear.band_width") } des Falls schließen einander aus; gib eines von beiden an
 write-one-vehicle-or-more = ein [[vehicle]] oder mehr schreiben
 is-empty-but-tables-need-a = ist leer, Tabellen brauchen aber einen Namen
 is-a-second-time = ist zum zweiten Mal "{ $text }"
@@ -1375,6 +1380,115 @@ contacts-at-rest-in-time = eine Überrollung in der Zeit nimmt Kontakte, die auf
 no-spring-dashpot-in-time = `{ KEY("contact.response") }` ist "spring-dashpot", das nur für kleine Schwingungen bekannt ist; für eine Überrollung in der Zeit "quasi-static" oder "non-steady" wählen
 quasi-static-in-time = in allen Richtungen nimmt eine Überrollung in der Zeit einen Kontakt, der sofort antwortet, `{ KEY("contact.response") }` = "quasi-static"
 no-constant-force-in-time = `{ KEY("wheel.rotation") }` ist "constant-tangential-force", doch wo das Rad die Schiene verlässt, hält kein Schlupf die Kraft; "inertia" oder "constant-creepage" wählen
+
+## Plans that are refused
+
+is-name-but-must-be = ist "{ $name }", muss aber { $rule } sein
+is-but-for-kind = ist "{ $value }", muss aber bei { $kind } "{ $only }" sein
+this-or-that = "{ $this }" oder "{ $that }"
+one-of = eines von { $names }
+a-file-or-one-of = eine Datei oder eines von { $names }
+zero-or-more = null oder mehr
+greater-than-zero = größer als null
+more-than-one = größer als eins
+finite-and-above-zero = endlich und größer als null
+rate-in-per-cent = { $rate } %
+rate-of-interest = mindestens null und kleiner als 100 %
+sum-of-zero-or-more = eine Summe von null oder mehr in { $currency } wie cost.grinding
+sum-with-currency = eine Summe mit ihrer Währung wie "9000 EUR"
+hours-of-zero-or-more = eine Zahl von Stunden ab null wie "6 h"
+time-above-zero = eine Zeit über null wie "18 months" oder "25 a"
+level-above-limit = ein Pegel von null oder mehr über der Grenze wie "3 dB"
+level-below-zero = ein Pegel unter null wie "-6 dB"
+level-of-zero-or-more = ein Pegel von null oder mehr wie "0.3 dB"
+at-most-the-horizon = höchstens so lang wie cost.horizon, { $months } Monate,
+say-for-how-long-grinding-closes = angeben, wie lange einmal Schleifen die Strecke sperrt, wie in grinding_hours = "6 h"
+give-cost-of-grinding = [cost] grinding = "9000 EUR" und ein [[action]] oder mehr angeben
+write-one-action-or-more = ein [[action]] oder mehr schreiben; alles zu lassen, wie es ist, gehört von selbst dazu
+write-one-parameter-or-more = ein [[parameter]] oder mehr schreiben
+give-what-an-action-does = changes = "soft-pads.toml", multiplies = {"{"} … {"}"} oder grind_every = "12 months" angeben
+say-how-long-the-investment-lasts = angeben, wie lange die Anschaffung hält, wie in life = "25 a"
+name-the-action = die Maßnahme benennen
+give-each-its-title = jedem einen eigenen Titel geben
+give-each-its-name = jedem einen eigenen Namen geben
+is-no-parameter = ist kein [[parameter]] des Plans; es gibt { $names }
+names-no-parameter = nennt "{ $name }", das kein [[parameter]] des Plans ist; es gibt { $names }
+is-name-of-no-parameter = ist "{ $name }", aber kein [[parameter]] heißt so
+is-name-of-no-data = ist "{ $name }", aber kein [[data]] heißt so oder ist von dieser Art
+is-name-of-none-of-the-data = ist "{ $name }", aber kein [[data]] heißt so; es gibt { $names }
+is-name-of-no-vehicle = ist "{ $name }", aber kein Fahrzeug des Verkehrs heißt so
+give-what-is-measured = kind = "dated-levels" angeben, um noch einmal zu messen, oder key = "…" mit factor = 1.1
+is-no-data-to-repeat = ist "{ $kind }", aber der Plan hat kein solches [[data]], dessen Stellen und Fehler sich wiederholen ließen
+weigh-one-value = eine Achslagermessung lässt sich noch nicht abwägen; ein einzelner Wert schon, mit key und factor
+say-how-good-it-is = angeben, wie gut gemessen wird: factor = 1.1 für 10 %
+factor-of-ten-per-cent = 1.1 steht für 10 %
+no-discrepancy = "{ $data }" hat kein `discrepancy`: das Modell gilt als genau, und die Intervalle werden zu eng
+or-leave-it-out = oder weglassen
+size-of-discrepancy = muss eine Zahl von null oder mehr sein oder {"{"} half_normal = … {"}"} über null
+is-kind-that-needs-levels = ist "{ $kind }" und braucht genau ein [[data]] der Art "dated-levels" derselben Schiene
+pass-by-without-levels = ohne Pegel eines Messwagens sagt nichts, welche ihrer Bänder zu hören sind
+axle-box-without-levels = ohne Pegel eines Messwagens zeigt ein Achslager nur die Form eines Spektrums
+is-kind-without-traffic = ist "{ $kind }", aber der Plan nennt keinen Verkehr, unter dem sie gewachsen sind
+give-traffic = traffic = "traffic.toml" angeben
+give-traffic-of-the-program = { KEY("--traffic") } TRAFFIC angeben
+errors-are-zero = die Fehler der Daten sind im Rahmen der Rundung null
+is-set-but-belongs-to-kinds = ist gesetzt, gehört aber zu { $kinds } und nicht zu { $kind }
+no-coherence = { $file } hat keine Spalte `coherence`: jede Linie gilt als auf 5 % genau
+is-kind-but-decay-rates-take-bands = ist "{ $kind }", aber für Abklingraten gilt "band": ihre Bänder sind unabhängig
+give-the-speed-of-the-run = die Geschwindigkeit der Fahrt angeben, wie in speed = "100 km/h"
+date-of-a-run = "first", "last" oder die Zahl der Überrollungen seit dem ersten Zeitpunkt
+date-that-is-there = "first", "last" oder einer der Zeitpunkte, { $dates } Überrollungen nach dem ersten,
+is-date-of-too-few = ist { $date }, aber der Plan hat keine Pegel von drei Zeitpunkten oder mehr: ohne einen von zweien sagt nichts etwas über das Wachstum
+is-place-of-too-few = ist { $place }, aber der Plan hat keine Frequenzgänge an zwei Stellen oder mehr
+place-of-the-hammer = eine der Stellen des Hammers, { $places } m,
+is-left-out-by-date = ist "{ $name }", aber Achslagerfahrten und Pegel ihrer Schiene werden nach Zeitpunkten weggelassen
+is-the-only-data = ist "{ $name }", die einzigen Daten des Plans: es bleibt nichts, was sie vorhersagt
+hold-out-names-one = `hold_out` muss eines von `date`, `position` und `data` nennen
+data-cannot-be-parted = die Daten lassen sich nicht in solche teilen, die weggelassen werden, und solche, die sie vorhersagen; drei Zeitpunkte, zwei Stellen des Hammers oder zwei Arten von Daten angeben
+say-what-differs = angeben, was anders ist: set = {"{"} key = value {"}"} oder without = ["…"]
+changes-what-is-uncertain = `{ $place }` ändert `{ $key }`, im Plan ist das aber unsicher: auch weglassen, without = ["{ $name }"]
+model-of-the-plan-says = Modell "{ $title }": { $error }
+give-a-prior = eines von lognormal, normal, uniform und triangular angeben
+leaves-nothing = lässt nichts von dem Bereich übrig, der sich rechnen lässt, { $low } bis { $high }
+give-key-or-factor = den Schlüssel des Falls angeben oder multiplies = "…" mit einem Namen
+name-the-factor = den Faktor benennen, wie "preload_stiffening"
+is-no-key-of-a-vehicle = ist "{ $name }", was ein Fahrzeug nicht hat oder was nicht unsicher sein kann
+keys-of-a-vehicle = nach vehicle. gehören speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius oder set.…
+excludes-value-of-the-case = schließt { $value } aus, den Wert des Falls für `{ $key }`: er liegt jenseits der Enden oder von vier Standardabweichungen der Vorverteilung
+widen-the-prior = die Vorverteilung weiter fassen oder den Fall berichtigen
+is-key-of-a-vehicle-without-traffic = ist ein Schlüssel eines Fahrzeugs, aber der Plan nennt keinen Verkehr
+traffic-has-several-vehicles = der Verkehr hat mehrere Fahrzeuge: { $names }
+is-no-key-of-the-case = ist "{ $name }", aber die Falldatei hat keinen solchen Schlüssel
+is-key-of-no-quantity = ist "{ $name }", wo eine Wahl, ein Name oder eine ganze Zahl steht
+only-quantities-are-uncertain = nur Größen können unsicher sein
+is-pass-by-but = ist "pass-by", aber { $why }
+give-data-another-model = diesen Daten ein anderes Modell geben: set = {"{"} "track.model" = … {"}"}
+silent-bands = { $file }: zu { $bands } ist kein Rauheitspegel bekannt, sie gelten als still; `roughness` gibt die anderen Bänder der Schiene an
+wheels-taken-as-smooth = { $file }: ohne `wheel_roughness` gelten die Räder als glatt
+not-for-calibration = vehicle[{ $index }] hat `{ $key }`, was eine Kalibrierung nicht nimmt; ein Rad mit einer Verteilung der Geschwindigkeit angeben
+left-out-with-smc = bei sampler.kind = "smc", das keine Einlaufphase hat, weggelassen
+middle-of-the-priors = in der Mitte der Vorverteilungen sagt der Fall: { $reason }
+columns-of-no-kind = hat die Spalten { $columns }, aus denen keine Art von Messung folgt
+is-run-without-speed = ist eine Fahrt mit Achslagermessung, deren Geschwindigkeit in keiner Spalte steht
+write-run-into-a-plan = sie gehört in einen Plan: [[data]] mit kind = "axle-box" und speed
+dates-without-traffic = hat Pegel oder Profile mehrerer Zeitpunkte, aber es gibt keinen Verkehr, unter dem sie gewachsen sind
+averages-are-assumed = averages gilt als { $averages }, denn keine Spalte sagt, wie viele Schläge im Mittel einer Linie stecken
+is-another-plan = steht schon da und ist nicht der Plan mit üblichen Vorverteilungen für diese Dateien
+run-the-other-plan = riffel calibrate mit diesem Plan an Stelle des Falls rechnet ihn; ein anderer Ordner beginnt von neuem
+lines-left-out = { $lost } von { $all } Linien haben zu wenig mit dem ersten Zeitpunkt gemein und bleiben weg
+one-or-more = eins oder mehr
+above-the-min = größer als min, { $min },
+is-for-quantities = ist für Größen, bei `{ $key }` steht aber eine Wahl, ein Name oder eine ganze Zahl
+needs-moments-or-median = braucht mean und standard_deviation oder median und factor
+is-other-rail-in-this-curve = ist "{ $name }", aber contact.from.rail = "{ $of }" ist in einem Bogen von { $radius } m die Schiene "{ $rail }"
+is-known-between = ist von { $low } bis { $high } Hz bekannt und wird nicht extrapoliert, gefragt ist aber nach { $asked } Hz
+distance-of-the-bogies = der Abstand der Drehgestelle
+wheelbase-of-the-bogie = der Achsstand
+distance-of-the-contacts = der Abstand der Kontakte
+leaves-nothing-between-its-ends = lässt nichts zwischen seinen Enden übrig: sie liegen mehr als 30 Standardabweichungen entfernt
+larger-than = größer als { $what }, { $length } m,
+kind-as-in-example = { $kind } wie "{ $example }"
+is-no-number = ist keine Zahl, muss aber { $rule } sein
 
 ## Faults of the page
 

@@ -309,6 +309,7 @@ helps-most = what helps most is { $title }: growth falls by { $percent } % and d
 helps-most-of-all = what helps most is { $title }: nothing grows then
 helps-nothing = none of these remedies slows growth
 left-out-for = left out: { $title }; { $reason }
+vehicles-differ = { $key } differs between the vehicles, or is spread over their wheels: change it in the traffic file
 remedy-lacks-key = the case has no value of { $key }
 remedy-has-no-effect = { $key } changes nothing in this case
 remedy-is-refused = this case cannot be computed with it
@@ -370,6 +371,10 @@ ringing-wheel = the wheel rings as its modes and the rail let it: above 2 kHz su
 modes-of-other-wheel = the modes are those of a wheel of { $of_modes } mm, the wheel of the case has { $of_case } mm: a smaller wheel rings higher
 far-away = { $distance } m away ground and air take some of it, which are left out: levels beyond { $far } m are too high
 smooth-wheels = the wheels are taken to be smooth: rougher ones than the rail raise every level and lower what grinding saves
+over-common-bands = { $count ->
+        [one] over the one band that both have, { $said }
+       *[other] over the { $count } bands that both have, { $said }
+    }
 noise-before-and-after = { $before } dB(A) before, { $after } dB(A) now: { $change } dB
 noise-on-mean-of-rails = on the energy mean of the rails { $rails }, as wheels run on both; choose one by { KEY("--rail") } for the noise of a train on rails like it
 noise-beyond-linear-range = beyond the linear range: |P₁| is { $ratio } P₀, so that wheel and rail part, which bounds the force; the levels are those of a contact that holds
@@ -531,7 +536,7 @@ without-possession-percent = over hours of possession, %
 rank-of-action = rank
 actions-break = { $count } of the actions break the budget, the noise limit or the hours of possession in more than 5 % of the draws; they rank behind those that hold
 all-actions-break = every action breaks the budget, the noise limit or the hours of possession in more than 5 % of the draws; they are ranked by cost alone
-posterior-forecast-is-linear = levels are what linear growth says; where the wheel leaves the rail is not told over a posterior, riffel forecast without { KEY("--posterior") } does
+posterior-forecast-is-linear = levels are what linear growth says, and what decays in the model falls, while riffel forecast without { KEY("--posterior") } keeps it; where the wheel leaves the rail is not told over a posterior
 forecast-on-doubtful-chains = the chains leave { $doubts } doubts, which riffel calibrate tells: bands may change with more draws
 posterior-forecast-is-over = { $draws } draws of the posterior, from the last date { $months } months on; medians with bands of 90 %
 wavelength-of-band = wavelength mm
@@ -660,7 +665,7 @@ dominant-wavelength-at = dominant wavelength { $wavelength } mm ({ $from }–{ $
 dominant-wavelength = dominant wavelength { $wavelength } mm ({ $from }–{ $to } mm), { $frequency } Hz at { $speeds }
 rail-all-along = { $rail }, all along
 rail-from-to = { $rail }, { $from }–{ $to } m
-and-more-places = { $count ->
+more-places = { $count ->
         [one] { $place } and one more place
        *[other] { $place } and { $count } more places
     }
@@ -1207,7 +1212,7 @@ key-of-many-parts = a key has at most { $most } parts, and this one { $count }
 value-not-table = `{ $parent }` is a value, not a table of keys, in `{ $path }`
 is-outside = is { $value }, but must be between { $low } and { $high }
 is-unknown-key = is not a key Riffel knows
-is-no-choice = "{ $variant }" is not one of its choices
+no-choice = "{ $variant }" is not one of its choices
 is-no-table = is not a table of keys, as it must be
 is-no-list = is not a list, as it must be
 is-but-must-be = is { $value }, but must be { $rule }
@@ -1311,13 +1316,13 @@ is-an-empty-list = is an empty list
 give-both-keys-of-one-of = give both keys of one of the two
 goes-down-to-but-every-value = goes down to { $value }, but every value must be greater than zero
 is-no-spread-give-mean-and = is no spread: give mean and standard_deviation, min and max, or a list of value and share, with { $name } as in "{ $example }"
-is-below-one-but-axles-that = `{ $key }` is below one, but axles that roll free damage the rail by the laws of { KEY("damage.laws") }, too: name the axles with traction and those without as two vehicles
+axles-that-roll-free = `{ $key }` is below one, but axles that roll free damage the rail by the laws of { KEY("damage.laws") }, too: name the axles with traction and those without as two vehicles
 the-shares-of-sum-to-but = the shares of `{ $key }` sum to { $sum }, but must sum to 1
 vehicle = vehicle "{ $vehicle }": { $error }
 variant-changes-friction-or-load-under = variant "{ $title }" changes friction or load under "{ $vehicle }"; { $why }
 speeds-and-bands-of-vehicle = speeds and bands of vehicle "{ $name }": { $message }
 line-measured-line-needs-profiles-of = `line.measured_line` needs profiles of wheel and rail that touch at the contact angle of the equilibrium, and vehicle "{ $name }" has none
-and-wear-band-width-of-the = `{ $key }` and { KEY("wear.band_width") } of the case exclude each other; give one of the two
+width-excludes-that-of-the-case = `{ $key }` and { KEY("wear.band_width") } of the case exclude each other; give one of the two
 write-one-vehicle-or-more = write one [[vehicle]] or more
 is-empty-but-tables-need-a = is empty, but tables need a name
 is-a-second-time = is "{ $text }" a second time
@@ -1383,6 +1388,115 @@ contacts-at-rest-in-time = a passage in time takes contacts that stay where they
 no-spring-dashpot-in-time = `{ KEY("contact.response") }` is "spring-dashpot", which is known for small oscillations only; for a passage in time choose "quasi-static" or "non-steady"
 quasi-static-in-time = on all axes a passage in time takes a contact that answers at once, `{ KEY("contact.response") }` = "quasi-static"
 no-constant-force-in-time = `{ KEY("wheel.rotation") }` is "constant-tangential-force", but where the wheel leaves the rail no creepage keeps the force; choose "inertia" or "constant-creepage"
+
+## Plans that are refused
+
+is-name-but-must-be = is "{ $name }", but must be { $rule }
+is-but-for-kind = is "{ $value }", but must be "{ $only }" for { $kind }
+this-or-that = "{ $this }" or "{ $that }"
+one-of = one of { $names }
+a-file-or-one-of = a file or one of { $names }
+zero-or-more = zero or more
+greater-than-zero = greater than zero
+more-than-one = greater than one
+finite-and-above-zero = finite and greater than zero
+rate-in-per-cent = { $rate } %
+rate-of-interest = zero or more and below 100 %
+sum-of-zero-or-more = a sum of zero or more in { $currency }, as cost.grinding is
+sum-with-currency = a sum with its currency, as in "9000 EUR"
+hours-of-zero-or-more = hours, zero or more, as in "6 h"
+time-above-zero = a time above zero, as in "18 months" or "25 a"
+level-above-limit = a level above the limit of zero or more, as in "3 dB"
+level-below-zero = a level below zero, as in "-6 dB"
+level-of-zero-or-more = a level of zero or more, as in "0.3 dB"
+at-most-the-horizon = at most as long as cost.horizon, { $months } months
+say-for-how-long-grinding-closes = say for how long grinding once closes the line, as in grinding_hours = "6 h"
+give-cost-of-grinding = give [cost] grinding = "9000 EUR", and one [[action]] or more
+write-one-action-or-more = write one [[action]] or more; to leave all as it is is there by itself
+write-one-parameter-or-more = write one [[parameter]] or more
+give-what-an-action-does = give changes = "soft-pads.toml", multiplies = {"{"} … {"}"} or grind_every = "12 months"
+say-how-long-the-investment-lasts = say how long the investment lasts, as in life = "25 a"
+name-the-action = name the action
+give-each-its-title = give each its title
+give-each-its-name = give each its name
+is-no-parameter = is no [[parameter]] of the plan; those are { $names }
+names-no-parameter = has "{ $name }", which is no [[parameter]] of the plan; those are { $names }
+is-name-of-no-parameter = is "{ $name }", but no [[parameter]] has this name
+is-name-of-no-data = is "{ $name }", but no [[data]] has this name or kind
+is-name-of-none-of-the-data = is "{ $name }", but no [[data]] has this name; there are { $names }
+is-name-of-no-vehicle = is "{ $name }", but no vehicle of the traffic has this name
+give-what-is-measured = give kind = "dated-levels" to measure once more, or key = "…" with factor = 1.1
+is-no-data-to-repeat = is "{ $kind }", but the plan has no such [[data]] whose places and errors it could repeat
+weigh-one-value = an axle box cannot be weighed yet; one value can, by key and factor
+say-how-good-it-is = say how good it is: factor = 1.1 for 10 %
+factor-of-ten-per-cent = 1.1 stands for 10 %
+no-discrepancy = "{ $data }" has no `discrepancy`: the model is taken as exact, and intervals will be too narrow
+or-leave-it-out = or leave it out
+size-of-discrepancy = must be a number of zero or more, or {"{"} half_normal = … {"}"} above zero
+is-kind-that-needs-levels = is "{ $kind }", which needs just one [[data]] of kind "dated-levels" of the same rail
+pass-by-without-levels = without levels of a trolley nothing says which of its bands are heard
+axle-box-without-levels = without levels of a trolley an axle box tells the shape of a spectrum only
+is-kind-without-traffic = is "{ $kind }", but the plan names no traffic that made them grow
+give-traffic = give traffic = "traffic.toml"
+give-traffic-of-the-program = give { KEY("--traffic") } TRAFFIC
+errors-are-zero = the errors of the data are zero within rounding
+is-set-but-belongs-to-kinds = is set, but belongs to { $kinds }, not to { $kind }
+no-coherence = { $file } has no column `coherence`: every line is taken as good to 5 %
+is-kind-but-decay-rates-take-bands = is "{ $kind }", but decay rates take "band": their bands are independent
+give-the-speed-of-the-run = give the speed of the run, as in speed = "100 km/h"
+date-of-a-run = "first", "last" or the passages since the first date
+date-that-is-there = "first", "last" or one of the dates, { $dates } passages since the first
+is-date-of-too-few = is { $date }, but the plan has no dated levels of three dates or more: without one of two nothing tells of growth
+is-place-of-too-few = is { $place }, but the plan has no frequency responses at two places or more
+place-of-the-hammer = one of the places of the hammer, { $places } m
+is-left-out-by-date = is "{ $name }", but runs of axle boxes and levels of their rail are left out by date
+is-the-only-data = is "{ $name }", the only data of the plan: nothing is left to predict them by
+hold-out-names-one = `hold_out` must name one of `date`, `position` and `data`
+data-cannot-be-parted = the data cannot be parted into some that are left out and some that predict them; give three dates, two places of the hammer or two kinds of data
+say-what-differs = say what differs: set = {"{"} key = value {"}"} or without = ["…"]
+changes-what-is-uncertain = `{ $place }` changes `{ $key }`, but the plan has it as uncertain: leave it out as well, without = ["{ $name }"]
+model-of-the-plan-says = model "{ $title }": { $error }
+give-a-prior = give one of lognormal, normal, uniform and triangular
+leaves-nothing = leaves nothing of the range that can be computed, { $low } to { $high }
+give-key-or-factor = give the key of the case, or multiplies = "…" with a name
+name-the-factor = name the factor, as in "preload_stiffening"
+is-no-key-of-a-vehicle = is "{ $name }", which a vehicle does not have or which cannot be uncertain
+keys-of-a-vehicle = take speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius or set.… after vehicle.
+excludes-value-of-the-case = excludes { $value }, the value of the case for `{ $key }`: it lies beyond the ends or four standard deviations of the prior
+widen-the-prior = widen the prior, or correct the case
+is-key-of-a-vehicle-without-traffic = is a key of a vehicle, but the plan names no traffic
+traffic-has-several-vehicles = the traffic has several vehicles: { $names }
+is-no-key-of-the-case = is "{ $name }", but the case file has no such key
+is-key-of-no-quantity = is "{ $name }", which takes a choice, a name or a whole number
+only-quantities-are-uncertain = only quantities can be uncertain
+is-pass-by-but = is "pass-by", but { $why }
+give-data-another-model = give these data another model: set = {"{"} "track.model" = … {"}"}
+silent-bands = { $file }: of { $bands } no level of roughness is known, and they are taken as silent; `roughness` gives the other bands of the rail
+wheels-taken-as-smooth = { $file }: without `wheel_roughness` the wheels are taken as smooth
+not-for-calibration = vehicle[{ $index }] has `{ $key }`, which calibration does not take; give one wheel at a distribution of speeds
+left-out-with-smc = left out with sampler.kind = "smc", which has no warm-up
+middle-of-the-priors = in the middle of the priors the case says: { $reason }
+columns-of-no-kind = has the columns { $columns }, from which no kind of measurement follows
+is-run-without-speed = is a run of an axle box, whose speed no column says
+write-run-into-a-plan = write it into a plan: [[data]] with kind = "axle-box" and speed
+dates-without-traffic = has levels or profiles of several dates, but there is no traffic that made them grow
+averages-are-assumed = averages is taken as { $averages }, for no column says how many blows are in the mean of a line
+is-another-plan = is there already and is not the plan with usual priors of these files
+run-the-other-plan = riffel calibrate with this plan in place of the case runs it; another folder begins anew
+lines-left-out = { $lost } of { $all } lines have too little in common with the first date and are left out
+one-or-more = one or more
+above-the-min = above the min of { $min }
+is-for-quantities = is for quantities, but `{ $key }` takes a choice, a name or a whole number
+needs-moments-or-median = needs mean and standard_deviation, or median and factor
+is-other-rail-in-this-curve = is "{ $name }", but contact.from.rail = "{ $of }" is the { $rail } rail in a curve of { $radius } m
+is-known-between = is known from { $low } to { $high } Hz and is not extrapolated, but { $asked } Hz is asked for
+distance-of-the-bogies = distance of the bogies
+wheelbase-of-the-bogie = wheelbase
+distance-of-the-contacts = distance of the contacts
+leaves-nothing-between-its-ends = leaves nothing between its ends: they are more than 30 standard deviations away
+larger-than = larger than the { $what } of { $length } m
+kind-as-in-example = { $kind }, as in "{ $example }"
+is-no-number = is no number, but must be { $rule }
 
 ## Faults of the page
 

@@ -59,9 +59,9 @@ pub(crate) fn calibrate(
             true => CompetingModels::new(&plan, &chains, (&*folder, restart), &sample)?,
             false => None,
         };
-        let mut remarks = plan.remarks;
         let of_models = models.as_ref().map_or(&[][..], Answer::remarks);
-        remarks.extend(of_models.iter().map(ToString::to_string));
+        let remarks = plan.remarks.iter().chain(of_models);
+        let remarks = remarks.map(ToString::to_string).collect();
         let doubts = summary.doubts().iter().map(ToString::to_string).collect();
         Ok((remarks, doubts, models))
     };

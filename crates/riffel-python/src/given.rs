@@ -15,7 +15,7 @@ use riffel_case::file::VerticalAxis;
 use riffel_case::{GivenReceptance, UniversalFunction};
 
 use crate::array::owned;
-use crate::errors::{ReceptanceError, of_case, of_physics};
+use crate::errors::{ReceptanceError, of_case, of_physics, wrong};
 
 /// A Python callable of an array of frequencies \[Hz\] that returns receptances \[m/N\].
 ///
@@ -242,5 +242,9 @@ pub(crate) fn extract(
         })?;
     let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
     let measured = MeasuredReceptance::new(&angular, owned(&table.1)).map_err(of_physics)?;
-    Ok((GivenReceptance::measured(measured), None))
+    let given = match what {
+        "track" => GivenReceptance::measured_on_rail(measured).map_err(wrong)?,
+        _ => GivenReceptance::measured(measured),
+    };
+    Ok((given, None))
 }

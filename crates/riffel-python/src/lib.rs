@@ -54,7 +54,7 @@ mod _riffel {
     #[pymodule_export]
     use crate::given::Universal;
     #[pymodule_export]
-    use crate::line_growth::line_growth;
+    use crate::line_growth::{line_growth, remedies};
     #[pymodule_export]
     use crate::models::compare_models;
     #[pymodule_export]

@@ -53,7 +53,7 @@ mod unit_remark;
 mod wheel_modes_table;
 mod wheel_roughness;
 
-pub use axle_box::{AxleBoxFile, AxleBoxLayout, AxleBoxPlace, AxleBoxReading};
+pub use axle_box::{AxleBoxFile, AxleBoxLayout, AxleBoxPlace, AxleBoxReading, RunEnd};
 pub use date::{read_date, read_dates};
 pub use decay_rate_file::read_decay_rates;
 pub use defects::{DefectsAre, defects_in_words};

@@ -6,7 +6,7 @@ use std::path::Path;
 use riffel::roughness::{ColouredNoise, Dropout, Irregularity, Recipe, Sinusoid};
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::text_file::read_keys;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, say};
 use serde::Deserialize;
 
 /// `cases/roughness-recipe.toml`, commented: what `--synthesise` makes when it is given no recipe.
@@ -195,8 +195,12 @@ impl RecipeKeys {
         }
         for (key, length) in lengths {
             if length.si() <= 0.0 {
-                let rule = format!("is {length}, but must be greater than zero");
-                return Err(source.invalid(&key, &rule, ""));
+                let rule = say!(
+                    is_but_must_be,
+                    value = length,
+                    rule = say!(greater_than_zero)
+                );
+                return Err(source.invalid(&key, rule, ""));
             }
         }
         Ok(())

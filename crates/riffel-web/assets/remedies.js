@@ -110,7 +110,8 @@ export class Remedies {
   /** A key with its value [SI] as the form has it. */
   #inUnit(key, value) {
     const [unit, size] = shownUnit(key, this.unitOf(key));
-    const shown = key === 'speed.standard_deviation' ? `± ${speed(value)}` : `${key === 'speed.factor' ? '×' : labelOf(key)} ${number(value / size)} ${unit}`.trim();
+    const ofSpeeds = { 'speed.standard_deviation': () => `± ${speed(value)}`, 'speed.standard_deviation_factor': () => `± × ${number(value)}`, 'speed.factor': () => `× ${number(value)}` };
+    const shown = ofSpeeds[key]?.() ?? `${labelOf(key)} ${number(value / size)} ${unit}`.trim();
     return { key, text: shown, given: inUnit(key, value, this.unitOf(key)) };
   }
 }

@@ -1,12 +1,12 @@
 //! A file of accelerations, heard piece by piece.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::CaseError;
-use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable};
+use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable, RunEnd};
 
 use super::AxleBoxRequest;
 use crate::AnswerError;
@@ -113,16 +113,16 @@ impl Longest {
     }
 }
 
-/// Hear a file; what was found wrong in it, and its longest piece.
+/// Hear a file, which may go on where another ended; what was found wrong in it, its longest piece, and its end.
 pub(super) fn listen(
     case: &Case,
-    path: &Path,
-    file: &AxleBoxFile,
+    (path, file): &(PathBuf, AxleBoxFile),
     limits: &[LimitTable],
     request: &AxleBoxRequest,
     progress: &dyn Fn(usize),
+    before: Option<RunEnd>,
     heard: &mut Vec<Heard>,
-) -> Result<(Vec<String>, Longest), AnswerError> {
+) -> Result<(Vec<String>, Longest, RunEnd), AnswerError> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
         block: request.block,
@@ -171,9 +171,9 @@ pub(super) fn listen(
         }
         Ok(())
     };
-    let warnings = file.read(&mut visit, progress)?;
+    let (warnings, end) = file.read(before, &mut visit, progress)?;
     visit(AxleBoxReading::Gap)?;
     // The end is none.
     longest.gaps -= 1;
-    Ok((warnings, longest))
+    Ok((warnings, longest, end))
 }

@@ -15,7 +15,7 @@ use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_plot::LineFigure;
 use riffel_rail::{
-    AxleBoxFile, DefectsAre, LimitTable, check_felt, defects_in_words, rail_in_words,
+    AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, rail_in_words,
 };
 
 pub use document::AxleBoxDocument;
@@ -107,7 +107,8 @@ pub struct AxleBoxAnswer {
 impl AxleBoxAnswer {
     /// Runs over a line on the track and under the wheel of a case; `progress` is told of bytes read.
     ///
-    /// Channels of one name are one rail, whatever file they are in. Memory does not grow with the length of the files but by
+    /// Channels of one name are one rail, whatever file they are in; a file without an odometer goes on where the one before of the
+    /// same channels ended, if its times do. Memory does not grow with the length of the files but by
     /// a row for each block.
     ///
     /// # Errors
@@ -123,9 +124,16 @@ impl AxleBoxAnswer {
     ) -> Result<Self, AnswerError> {
         let mut heard: Vec<Heard> = Vec::new();
         let mut remarks = Vec::new();
-        for (path, file) in files {
-            let (warnings, longest) =
-                listen(case, path, file, limits, request, progress, &mut heard)?;
+        let mut ends: Vec<(&[String], RunEnd)> = Vec::new();
+        for given in files {
+            let (path, file) = given;
+            let is_same = |(names, _): &&(&[String], RunEnd)| {
+                names.iter().any(|name| file.channels().contains(name))
+            };
+            let before = ends.iter().rev().find(is_same).map(|(_, end)| *end);
+            let heard_of = listen(case, given, limits, request, progress, before, &mut heard)?;
+            let (warnings, longest, end) = heard_of;
+            ends.push((file.channels(), end));
             if longest.gaps > 0 && heard.iter().all(Heard::is_empty) {
                 let message = too_short(&longest, &request.run(case, file.rate()), &warnings);
                 return Err(CaseError::data(path, message).into());

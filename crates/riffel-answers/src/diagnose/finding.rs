@@ -84,7 +84,7 @@ impl Finding {
         };
         Some(match places.len() {
             0 | 1 => place,
-            count => say!(and_more_places, place = place, count = count - 1),
+            count => say!(more_places, place = place, count = count - 1),
         })
     }
 

@@ -174,6 +174,19 @@ impl NoiseQuestion {
         let powers = train.powers(&radiation, &self.roughness)?;
         let levels = train.heard(&powers);
         if levels.bands.is_empty() {
+            // With smooth bands all there are the rates alone can lack.
+            if let Some(rates) = &self.radiator.decay_rate
+                && self.fills_a_band()
+            {
+                let known = rates.iter().map(|(band, _)| band.nominal().to_string());
+                let known: Vec<String> = known.collect();
+                return Err(AnswerError::Argument {
+                    argument: "--decay-rate",
+                    value: format!("known at {} Hz", known.join(", ")),
+                    rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
+                        .to_owned(),
+                });
+            }
             return Err(AnswerError::Argument {
                 argument: "--speed",
                 value: format!("{:.1} km/h", 3.6 * self.speed),
@@ -208,21 +221,16 @@ impl NoiseQuestion {
             None => None,
         };
         let before = match &self.before {
-            Some(before) => Some(Levels::from(&train.levels(&radiation, before)?)),
+            Some(before) => Some(train.levels(&radiation, before)?),
             None => None,
         };
+        remarks.extend(
+            before
+                .as_ref()
+                .and_then(|before| change_since(before, &levels)),
+        );
+        let before = before.as_ref().map(Levels::from);
         let level = Levels::from(&levels);
-        if let Some((before, after)) = before
-            .as_ref()
-            .and_then(|before| before.total_dba.zip(level.total_dba))
-        {
-            remarks.push(say!(
-                noise_before_and_after,
-                before = fixed(before, 1),
-                after = fixed(after, 1),
-                change = number(format_args!("{:+.1}", after - before))
-            ));
-        }
         let total = level.total_dba.unwrap_or(f64::NEG_INFINITY);
         let duration = self.length() / self.speed;
         let name = |(name, _): &(String, Spectrum)| name.clone();
@@ -249,6 +257,12 @@ impl NoiseQuestion {
             title: case.file.title.clone(),
             parameters: parameters(case),
         })
+    }
+
+    /// Whether the roughness fills a one-third octave that is heard.
+    fn fills_a_band(&self) -> bool {
+        let mut bands = self.roughness.levels().iter();
+        bands.any(|level| (100.0..=5000.0).contains(&(self.speed / level.band.wavelength())))
     }
 
     /// The answers on the cases of draws, under the traffic of the calibration if the question has one or looks ahead.
@@ -322,6 +336,25 @@ impl<'a> Train<'a> {
     fn wheel_modes(&self) -> Option<&WheelModes> {
         self.modes.as_ref().map(|table| &table.modes)
     }
+}
+
+/// What has changed since, over the bands that are known of both.
+fn change_since(before: &Energies, now: &Energies) -> Option<Message> {
+    let common = [before.within(now), now.within(before)];
+    let [then, after] = common.each_ref().map(|it| it.a_weighted(Part::Total));
+    let (then, after) = then.zip(after)?;
+    let said = say!(
+        noise_before_and_after,
+        before = fixed(then, 1),
+        after = fixed(after, 1),
+        change = number(format_args!("{:+.1}", after - then))
+    );
+    let bands = nominal(&common[0]);
+    let is_all = bands == nominal(before) && bands == nominal(now);
+    Some(match is_all {
+        true => said,
+        false => say!(over_common_bands, count = bands.len(), said = said),
+    })
 }
 
 /// Levels beside the track, and what would lower them. Levels of pressure in dB re 20 µPa, of power in dB re 1 pW.

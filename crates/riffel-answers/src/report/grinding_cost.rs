@@ -36,8 +36,12 @@ impl GrindingCost {
         ];
         for (key, value, written, help) in values {
             if !(value > 0.0 && value.is_finite()) {
-                let rule = format!("is {written}, but must be above 0");
-                return Err(file.invalid(&format!("cost.{key}"), &rule, help));
+                let rule = say!(
+                    is_but_must_be,
+                    value = written,
+                    rule = say!(greater_than_zero)
+                );
+                return Err(file.invalid(&format!("cost.{key}"), rule, help));
             }
         }
         Ok(())

@@ -107,7 +107,7 @@ mod tests {
         );
         let wrong = cost("-3").unwrap_err().to_string();
         assert!(
-            wrong.contains("`cost.grinding_shift` is -3, but must be above 0"),
+            wrong.contains("`cost.grinding_shift` is -3, but must be greater than zero"),
             "{wrong}"
         );
     }

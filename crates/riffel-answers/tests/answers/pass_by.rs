@@ -46,7 +46,7 @@ fn a_calibration_hears_what_the_answer_on_noise_hears() {
     let plan = Plan::read(&path).unwrap();
     let remarks = &plan.remarks;
     assert!(
-        !remarks.iter().any(|it| it.contains("silent")),
+        !remarks.iter().any(|it| it.to_string().contains("silent")),
         "{remarks:?}"
     );
 

@@ -100,6 +100,47 @@ fn speeds_are_changed_as_a_traffic_file_would() {
     }
 }
 
+/// "A fifth less" is of what the vehicles have, not of the case; where they differ there is no one value.
+#[test]
+fn remedies_change_what_the_vehicles_have() {
+    let own = coarse(METRO_CASE, &[]);
+    let traffic = |masses: [f64; 2], deviations: [f64; 2], friction: f64| {
+        let vehicle = |(index, (mass, deviation)): (usize, (f64, f64))| {
+            format!(
+                "[[vehicle]]\nname = \"{index}\"\nshare = 0.5\nwheel_mass = {mass}\nset = {{ contact.friction = {friction} }}\n\
+                 speed = {{ mean = 15, standard_deviation = {deviation} }}\n"
+            )
+        };
+        let vehicles = masses.into_iter().zip(deviations).enumerate();
+        let vehicles: String = vehicles.map(vehicle).collect();
+        Traffic::parse("t", &format!("line.passages_per_day = 4000\n{vehicles}")).unwrap()
+    };
+    let change = |before: &Traffic, after: &Traffic| rate(&own, after) / rate(&own, before) - 1.0;
+    let light = traffic([500.0; 2], [2.0; 2], 0.35);
+    let answer = remedies(&own, &light);
+    let ranked = of(&answer, "wheel.mass", 400.0).change_of_fastest_growth;
+    let direct = change(&light, &traffic([400.0; 2], [2.0; 2], 0.35));
+    assert!((ranked - direct).abs() < 1e-9, "{ranked} {direct}");
+    // Each spread by half as much again.
+    let spread = traffic([500.0; 2], [1.0, 2.0], 0.35);
+    let answer = remedies(&own, &spread);
+    let ranked = of(&answer, "speed.standard_deviation_factor", 1.5).change_of_fastest_growth;
+    let direct = change(&spread, &traffic([500.0; 2], [1.5, 3.0], 0.35));
+    assert!((ranked - direct).abs() < 1e-9, "{ranked} {direct}");
+    let reasons = |traffic: &Traffic| {
+        let left_out = remedies(&own, traffic).left_out.into_iter();
+        let reasons = left_out.map(|it| format!("{}: {}", it.title, it.reason));
+        reasons.collect::<Vec<_>>().join("\n")
+    };
+    let mixed = reasons(&traffic([500.0, 700.0], [2.0; 2], 0.35));
+    assert!(
+        mixed.contains("wheel.mass differs between the vehicles"),
+        "{mixed}"
+    );
+    let slippery = reasons(&traffic([500.0; 2], [2.0; 2], 0.15));
+    assert!(slippery.contains("friction is 0.15 already"), "{slippery}");
+}
+
 /// What a case has no number for is left out with the reason; a curve that sets the creepage leaves it to friction.
 #[test]
 fn what_a_case_has_no_key_for_is_left_out() {

@@ -5,8 +5,9 @@ use std::path::Path;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::Complex64;
-use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel::receptance::MeasuredReceptance;
+use riffel_case::{Case, doubts_about_rail};
+use riffel_keys::{CaseError, Message};
 
 use super::{Block, Group, Held, Observable, Place, differences, sums, table};
 use crate::file::Kind;
@@ -16,6 +17,8 @@ use crate::matrix::Matrix;
 use crate::model::Trial;
 use crate::nuts::normal;
 
+/// Highest frequency of a hammer test at least \[Hz\]: below it a rail rests on its bed, and no hammer is so soft.
+const LEAST_HIGHEST: f64 = 20.0;
 /// Relative error of a line of which nothing is said.
 const USUAL_ERROR: f64 = 0.05;
 
@@ -32,6 +35,8 @@ pub(crate) struct FrequencyResponses {
     parts: [Gaussian; 2],
     /// Whether nothing is said of the errors of the lines.
     pub(crate) usual_errors: bool,
+    /// What is to be asked of the responses.
+    pub(crate) doubts: Vec<Message>,
 }
 
 impl FrequencyResponses {
@@ -53,6 +58,13 @@ impl FrequencyResponses {
         let [frequency, real, imaginary] = [0, 1, 2].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "frequency_hz", frequency, rule, |f| f > 0.0)?;
+        let highest = frequency.iter().copied().fold(0.0, f64::max);
+        if highest < LEAST_HIGHEST {
+            let message = format!(
+                "`frequency_hz` goes up to {highest}, but a hammer goes beyond {LEAST_HIGHEST} Hz; are they kHz?"
+            );
+            return Err(numbers.refuse(path, 0, &message));
+        }
         let response: Vec<Complex64> = real
             .iter()
             .zip(imaginary)
@@ -66,6 +78,8 @@ impl FrequencyResponses {
             ));
         }
         let position = numbers.others[0].clone();
+        let doubts = doubts(frequency, &response, position.as_deref());
+        let doubts = doubts.map_err(|message| numbers.refuse(path, 0, &message))?;
         let coherence = numbers.others[1].as_ref();
         if let Some(coherence) = coherence {
             let rule = "must be above 0 and below 1";
@@ -117,8 +131,38 @@ impl FrequencyResponses {
             response,
             parts: [real, imaginary],
             usual_errors: coherence.is_none(),
+            doubts,
         })
     }
+}
+
+/// What is to be asked of the responses of each place: unit and phase. Lines of which two have one frequency are not looked at.
+fn doubts(
+    frequency: &[f64],
+    response: &[Complex64],
+    position: Option<&[f64]>,
+) -> Result<Vec<Message>, String> {
+    let place = |row: usize| position.map_or(0.0, |position| position[row]);
+    let mut rows: Vec<usize> = (0..frequency.len()).collect();
+    rows.sort_by(|a, b| {
+        let of = |row: usize| (place(row), frequency[row]);
+        let ((at, f), (other, g)) = (of(*a), of(*b));
+        at.total_cmp(&other).then(f.total_cmp(&g))
+    });
+    let mut doubts: Vec<Message> = Vec::new();
+    for rows in rows.chunk_by(|a, b| place(*a) == place(*b)) {
+        let angular: Vec<f64> = rows.iter().map(|row| TAU * frequency[*row]).collect();
+        let values = rows.iter().map(|row| response[*row]).collect();
+        let Ok(measured) = MeasuredReceptance::new(&angular, values) else {
+            continue;
+        };
+        let new = doubts_about_rail(&measured)?.into_iter();
+        let new: Vec<Message> = new
+            .filter(|doubt| doubts.iter().all(|known| known.id() != doubt.id()))
+            .collect();
+        doubts.extend(new);
+    }
+    Ok(doubts)
 }
 
 impl Block for FrequencyResponses {
@@ -186,6 +230,7 @@ impl Block for FrequencyResponses {
                 .map(|(ln, phase)| Complex64::from_polar(ln.exp(), *phase))
                 .collect(),
             parts: self.parts.clone(),
+            doubts: Vec::new(),
             ..*self
         }))
     }
@@ -247,6 +292,7 @@ impl Block for FrequencyResponses {
             position: self.position.as_deref().map(picked),
             response: rest.iter().map(|row| self.response[*row]).collect(),
             parts: [real?, imaginary?],
+            doubts: Vec::new(),
             ..*self
         }))
     }

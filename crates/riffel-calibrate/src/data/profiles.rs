@@ -6,7 +6,7 @@ use std::path::{Component, Path, PathBuf};
 use riffel::Complex64;
 use riffel::roughness::{Profile, WaveGrowth, WaveGrowths};
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 use riffel_rail::{Layout, RoughnessFile};
 
 use super::{Block, Observable, Place, UNIT, table};
@@ -77,7 +77,7 @@ impl DatedProfiles {
         path: &Path,
         (view, case): (usize, &Case),
         comparison: &Comparison<'_>,
-    ) -> Result<(Self, Vec<String>, Vec<PathBuf>), CaseError> {
+    ) -> Result<(Self, Vec<Message>, Vec<PathBuf>), CaseError> {
         let dated = profiles(path, comparison.rail)?;
         let [first, later @ ..] = &dated[..] else {
             return Err(CaseError::data(path, "has no rows"));
@@ -88,12 +88,9 @@ impl DatedProfiles {
             let found = WaveGrowths::between(&first.profile, &date.profile, window);
             let found = found.map_err(|error| CaseError::data(&date.path, error.to_string()))?;
             if found.lost > 0 {
-                remarks.push(format!(
-                    "{}: {} of {} lines have too little in common with the first date and are left out",
-                    date.path.display(),
-                    found.lost,
-                    found.lost + found.waves.len()
-                ));
+                let all = found.lost + found.waves.len();
+                let remark = say!(lines_left_out, lost = found.lost as f64, all = all as f64);
+                remarks.push(remark.about(date.path.display()));
             }
             lines.extend(found.waves.iter().map(|wave| Line {
                 passages: date.passages,

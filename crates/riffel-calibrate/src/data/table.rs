@@ -125,7 +125,13 @@ pub(crate) fn named(path: &Path, columns: &[&str]) -> Result<Vec<(f64, String)>,
 }
 
 fn without_head(path: &Path, columns: &[&str], text: &str) -> CaseError {
-    let is_head = |line: &&str| columns.iter().all(|column| line.contains(column));
+    let is_head = |line: &&str| {
+        let names: Vec<&str> = line
+            .split([',', ';', '\t'])
+            .map(|name| name.trim().trim_matches('"'))
+            .collect();
+        columns.iter().all(|column| names.contains(column))
+    };
     if text.lines().any(|line| is_head(&line)) {
         let rule = format!(
             "has a head with the columns {}, but below it no row with a number in `{}`",

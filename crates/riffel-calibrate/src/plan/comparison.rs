@@ -1,7 +1,7 @@
 //! What a plan says of other models, and of what is left out to compare them.
 
 use riffel_case::settings;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 use toml::{Table, Value};
 
 use super::{OF_OTHERS, Plan, name_of};
@@ -38,14 +38,15 @@ impl Plan {
     /// The plan with another model.
     pub(super) fn compared(&self, index: usize, written: &CompareFile) -> Result<Self, CaseError> {
         let key = |key: &str| format!("compare[{index}].{key}");
-        let wrong = |at: &str, rule: &str, help: &str| self.source.invalid(&key(at), rule, help);
+        let wrong =
+            |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
         let others = &self.file.compare[..index];
         if others.iter().any(|other| other.title == written.title) {
-            let rule = format!("is \"{}\" a second time", written.title);
-            return Err(wrong("title", &rule, "give each model its title"));
+            let rule = say!(is_a_second_time, text = &written.title);
+            return Err(wrong("title", rule, say!(give_each_its_title)));
         }
         if written.set.is_empty() && written.without.is_empty() {
-            let help = "say what differs: set = { key = value } or without = [\"…\"]";
+            let help = say!(say_what_differs);
             return Err(self.source.missing(&key("set"), help));
         }
         let uncertain = &self.posterior.parameters()[..self.file.parameter.len()];
@@ -54,11 +55,8 @@ impl Plan {
             let place = uncertain.iter().position(|it| it.name == *name);
             left_out.push(place.ok_or_else(|| {
                 let names: Vec<&str> = uncertain.iter().map(|it| &*it.name).collect();
-                let rule = format!(
-                    "has \"{name}\", which is no [[parameter]] of the plan; those are {}",
-                    names.join(", ")
-                );
-                wrong("without", &rule, "")
+                let rule = say!(names_no_parameter, name = name, names = names.join(", "));
+                wrong("without", rule, Message::verbatim(""))
             })?);
         }
         let set = settings(&written.set);
@@ -75,12 +73,13 @@ impl Plan {
                 _ => None,
             });
             if let Some((place, _)) = keys.find(|it| is_changed(*it)) {
-                let message = format!(
-                    "`{}` changes `{changed}`, but the plan has it as uncertain: leave it out as well, without = [\"{}\"]",
-                    key("set"),
-                    uncertain[place].name
+                let message = say!(
+                    changes_what_is_uncertain,
+                    place = key("set"),
+                    key = changed,
+                    name = &uncertain[place].name,
                 );
-                return Err(self.source.refuse(&key("set"), &message));
+                return Err(self.source.refuse(&key("set"), message));
             }
         }
         let differs = |table: &mut Table, adds: bool| {
@@ -110,8 +109,12 @@ impl Plan {
             });
         });
         plan.map_err(|error| {
-            let message = format!("model \"{}\": {error}", written.title);
-            self.source.refuse(&format!("compare[{index}]"), &message)
+            let message = say!(
+                model_of_the_plan_says,
+                title = &written.title,
+                error = error.message()
+            );
+            self.source.refuse(&format!("compare[{index}]"), message)
         })
     }
 
@@ -125,10 +128,7 @@ impl Plan {
         let all: Vec<(usize, Group)> = all.collect();
         let Some(written) = &self.file.hold_out else {
             return match all.len() {
-                1 => {
-                    let message = "the data cannot be parted into some that are left out and some that predict them; give three dates, two places of the hammer or two kinds of data";
-                    Err(self.source.refuse("compare", message))
-                }
+                1 => Err(self.source.refuse("compare", say!(data_cannot_be_parted))),
                 _ => Ok(all),
             };
         };
@@ -153,11 +153,8 @@ impl Plan {
         all: &[(usize, Group)],
     ) -> Result<(usize, Group), CaseError> {
         let wrong =
-            |key: &str, rule: &str| self.source.invalid(&format!("hold_out.{key}"), rule, "");
-        let among = |numbers: Vec<f64>, unit: &str| {
-            let numbers: Vec<String> = numbers.iter().map(f64::to_string).collect();
-            format!("{} {unit}", numbers.join(", "))
-        };
+            |key: &str, rule: Message| self.source.invalid(&format!("hold_out.{key}"), rule, "");
+        let among = |numbers: Vec<f64>| numbers.into_iter().collect::<riffel_keys::Value>();
         let of_kind = |wanted: fn(Held) -> Option<f64>| -> Vec<f64> {
             all.iter()
                 .filter_map(|(_, group)| wanted(group.held))
@@ -174,10 +171,10 @@ impl Plan {
                     _ => None,
                 });
                 let Some(last) = dates.last() else {
-                    let rule = format!(
-                        "is {date}, but the plan has no dated levels of three dates or more: without one of two nothing tells of growth"
-                    );
-                    return Err(wrong("date", &rule));
+                    return Err(wrong(
+                        "date",
+                        say!(is_date_of_too_few, date = date.to_string()),
+                    ));
                 };
                 let passages = match date {
                     Value::String(text) if text == "last" => Some(*last),
@@ -188,11 +185,11 @@ impl Plan {
                 };
                 let group = passages.and_then(|passages| found(Held::Date(passages)));
                 group.ok_or_else(|| {
-                    let rule = format!(
-                        "is {date}, but must be \"first\", \"last\" or one of the dates, {} since the first",
-                        among(dates, "passages")
-                    );
-                    wrong("date", &rule)
+                    let rule = say!(date_that_is_there, dates = among(dates));
+                    wrong(
+                        "date",
+                        say!(is_but_must_be, value = date.to_string(), rule = rule),
+                    )
                 })
             }
             (None, Some(position), None) => found(Held::Place(position.si())).ok_or_else(|| {
@@ -202,15 +199,13 @@ impl Plan {
                 });
                 let shown = position.to_string();
                 let rule = match &places[..] {
-                    [] => format!(
-                        "is {shown}, but the plan has no frequency responses at two places or more"
-                    ),
-                    _ => format!(
-                        "is {shown}, but must be one of the places of the hammer, {}",
-                        among(places, "m")
-                    ),
+                    [] => say!(is_place_of_too_few, place = shown),
+                    _ => {
+                        let rule = say!(place_of_the_hammer, places = among(places));
+                        say!(is_but_must_be, value = shown, rule = rule)
+                    }
                 };
-                wrong("position", &rule)
+                wrong("position", rule)
             }),
             (None, None, Some(name)) => {
                 let mut blocks = self.posterior.blocks.iter();
@@ -219,24 +214,21 @@ impl Plan {
                     let names = self.file.data.iter().map(name_of);
                     let is_run = names.clone().any(|own| own == name);
                     let rule = match is_run {
-                        true => format!("is \"{name}\", but runs of axle boxes and levels of their rail are left out by date"),
-                        false => format!("is \"{name}\", but no [[data]] has this name; there are {}", names.collect::<Vec<&str>>().join(", ")),
+                        true => say!(is_left_out_by_date, name = name),
+                        false => {
+                            let names = names.collect::<riffel_keys::Value>();
+                            say!(is_name_of_none_of_the_data, name = name, names = names)
+                        }
                     };
-                    wrong("data", &rule)
+                    wrong("data", rule)
                 })?;
                 if self.posterior.blocks.len() == 1 {
-                    let rule = format!(
-                        "is \"{name}\", the only data of the plan: nothing is left to predict them by"
-                    );
-                    return Err(wrong("data", &rule));
+                    return Err(wrong("data", say!(is_the_only_data, name = name)));
                 }
                 let count = self.posterior.blocks[block].block.observed().len();
                 Ok((block, Group::all(count)))
             }
-            _ => {
-                let message = "`hold_out` must name one of `date`, `position` and `data`";
-                Err(self.source.refuse("hold_out", message))
-            }
+            _ => Err(self.source.refuse("hold_out", say!(hold_out_names_one))),
         }
     }
 }

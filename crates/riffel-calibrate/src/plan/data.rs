@@ -1,7 +1,7 @@
 //! What a plan says of data.
 
 use riffel_case::{Case, settings};
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 use statrs::distribution::StudentsT;
 use toml::Value;
 
@@ -47,8 +47,9 @@ impl Reading<'_> {
         let wheels = self.vehicles.iter().map(|vehicle| {
             let wheel = case.with_settings(&vehicle.settings);
             wheel.map_err(|error| {
-                let message = format!("vehicle \"{}\": {error}", vehicle.name);
-                self.source.refuse("traffic", &message)
+                let error = error.message();
+                let message = say!(vehicle, vehicle = &vehicle.name, error = error);
+                self.source.refuse("traffic", message)
             })
         });
         let wheels = wheels.collect::<Result<Vec<Case>, CaseError>>()?;
@@ -78,12 +79,9 @@ impl Reading<'_> {
         for (index, data) in self.file.data.iter().enumerate() {
             let same = |other: &DataFile| name_of(other) == name_of(data);
             if self.file.data[..index].iter().any(same) {
-                let rule = format!("is \"{}\" a second time", name_of(data));
-                return Err(self.source.invalid(
-                    &format!("data[{index}].name"),
-                    &rule,
-                    "give each its name",
-                ));
+                let rule = say!(is_a_second_time, text = name_of(data));
+                let help = say!(give_each_its_name);
+                return Err(self.invalid(index, "name", rule, help));
             }
             self.check_keys(index, data)?;
         }
@@ -97,31 +95,18 @@ impl Reading<'_> {
         let (pass_bys, profiles) = (of_kind(Kind::PassBy), of_kind(Kind::DatedProfiles));
         if let (Some(own), true) = (runs.iter().chain(&pass_bys).min(), dated.len() != 1) {
             let kind = self.file.data[*own].kind;
-            let rule = format!(
-                "is \"{}\", which needs just one [[data]] of kind \"dated-levels\" of the same rail",
-                kind.name()
-            );
+            let rule = say!(is_kind_that_needs_levels, kind = kind.name());
             let help = match kind {
-                Kind::PassBy => {
-                    "without levels of a trolley nothing says which of its bands are heard"
-                }
-                _ => "without levels of a trolley an axle box tells the shape of a spectrum only",
+                Kind::PassBy => say!(pass_by_without_levels),
+                _ => say!(axle_box_without_levels),
             };
-            return Err(self
-                .source
-                .invalid(&format!("data[{own}].kind"), &rule, help));
+            return Err(self.invalid(*own, "kind", rule, help));
         }
         let growing = dated.iter().chain(&profiles).min();
         if let (Some(index), true) = (growing, self.vehicles.is_empty()) {
-            let rule = format!(
-                "is \"{}\", but the plan names no traffic that made them grow",
-                self.file.data[*index].kind.name()
-            );
-            return Err(self.source.invalid(
-                &format!("data[{index}].kind"),
-                &rule,
-                "give traffic = \"traffic.toml\"",
-            ));
+            let kind = self.file.data[*index].kind.name();
+            let rule = say!(is_kind_without_traffic, kind = kind);
+            return Err(self.invalid(*index, "kind", rule, say!(give_traffic)));
         }
         let mut blocks = Vec::new();
         for index in 0..self.file.data.len() {
@@ -138,10 +123,8 @@ impl Reading<'_> {
                 }
             };
             let block = block.ok_or_else(|| {
-                self.source.refuse(
-                    &format!("data[{index}].file"),
-                    "the errors of the data are zero within rounding",
-                )
+                self.source
+                    .refuse(&format!("data[{index}].file"), say!(errors_are_zero))
             })?;
             let names: Vec<String> = indices
                 .iter()
@@ -231,15 +214,14 @@ impl Reading<'_> {
         ];
         for (key, given, kinds) in keys {
             if given && !kinds.contains(&data.kind) {
-                let kinds: Vec<&str> = kinds.iter().map(|kind| kind.name()).collect();
-                let rule = format!(
-                    "belongs to {}, not to {}",
-                    kinds.join(" and "),
-                    data.kind.name()
+                let kinds = kinds.iter().map(|kind| kind.name());
+                let kinds: riffel_keys::Value = kinds.collect();
+                let rule = say!(
+                    is_set_but_belongs_to_kinds,
+                    kinds = kinds,
+                    kind = data.kind.name()
                 );
-                return Err(self
-                    .source
-                    .invalid(&format!("data[{index}].{key}"), &rule, ""));
+                return Err(self.invalid(index, key, rule, say!(leave_it_out)));
             }
         }
         Ok(())
@@ -249,10 +231,24 @@ impl Reading<'_> {
         if value.is_finite() && value > 0.0 {
             return Ok(value);
         }
-        let rule = format!("is {value}, but must be finite and greater than zero");
-        Err(self
-            .source
-            .invalid(&format!("data[{index}].{key}"), &rule, ""))
+        let rule = say!(
+            is_but_must_be,
+            value = value,
+            rule = say!(finite_and_above_zero)
+        );
+        Err(self.invalid(index, key, rule, ""))
+    }
+
+    /// A key of some data whose value is not allowed, as [`KeyFile::invalid`](riffel_keys::KeyFile::invalid).
+    pub(super) fn invalid(
+        &self,
+        index: usize,
+        key: &str,
+        rule: Message,
+        help: impl Into<Message>,
+    ) -> CaseError {
+        self.source
+            .invalid(&format!("data[{index}].{key}"), rule, help)
     }
 
     fn frequency_response(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {
@@ -262,10 +258,12 @@ impl Reading<'_> {
         }
         let gain_error = data.gain_error.unwrap_or(0.03);
         if !(gain_error.is_finite() && gain_error >= 0.0) {
-            let rule = format!("is {gain_error}, but must be zero or more");
-            return Err(self
-                .source
-                .invalid(&format!("data[{index}].gain_error"), &rule, ""));
+            let rule = say!(
+                is_but_must_be,
+                value = gain_error,
+                rule = say!(zero_or_more)
+            );
+            return Err(self.invalid(index, "gain_error", rule, ""));
         }
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
@@ -273,11 +271,11 @@ impl Reading<'_> {
         let of_view = (view, &self.views[view].case);
         let block = FrequencyResponses::read(&path, of_view, data.averages, gain_error, missed)?;
         if block.usual_errors {
-            self.remarks.push(format!(
-                "{} has no column `coherence`: every line is taken as good to 5 %",
-                data.file
-            ));
+            self.remarks.push(say!(no_coherence, file = &data.file));
         }
+        let doubts = block.doubts.iter().cloned();
+        self.remarks
+            .extend(doubts.map(|doubt| doubt.about(&data.file)));
         Ok(Box::new(block))
     }
 
@@ -296,13 +294,8 @@ impl Reading<'_> {
         if let Some(discrepancy) = &data.discrepancy
             && discrepancy.kind != "band"
         {
-            let rule = format!(
-                "is \"{}\", but decay rates take \"band\": their bands are independent",
-                discrepancy.kind
-            );
-            return Err(self
-                .source
-                .invalid(&format!("data[{index}].discrepancy.kind"), &rule, ""));
+            let rule = say!(is_kind_but_decay_rates_take_bands, kind = &discrepancy.kind);
+            return Err(self.invalid(index, "discrepancy.kind", rule, ""));
         }
         self.discrepancy(index)?;
         let view = self.view(index)?;
@@ -317,9 +310,9 @@ impl Reading<'_> {
             Some("rising") => Some(Travel::Rising),
             Some("falling") => Some(Travel::Falling),
             Some(other) => {
-                let rule = format!("is \"{other}\", but must be \"rising\" or \"falling\"");
-                let key = format!("data[{index}].travel");
-                return Err(self.source.invalid(&key, &rule, ""));
+                let rule = say!(this_or_that, this = "rising", that = "falling");
+                let rule = say!(is_name_but_must_be, name = other, rule = rule);
+                return Err(self.invalid(index, "travel", rule, ""));
             }
         };
         let common_error = self.decibels(index, 0.3)?;
@@ -350,10 +343,8 @@ impl Reading<'_> {
         if let Some(first) = &data.first_level
             && first != "flat"
         {
-            let rule = format!("is \"{first}\", but must be \"flat\"");
-            return Err(self
-                .source
-                .invalid(&format!("data[{index}].first_level"), &rule, ""));
+            let rule = say!(is_name_but_must_be, name = first, rule = "\"flat\"");
+            return Err(self.invalid(index, "first_level", rule, ""));
         }
         let common_error = self.decibels(index, 0.3)?;
         let missed = self.discrepancy(index)?;
@@ -387,7 +378,7 @@ impl Reading<'_> {
         let speed = data.speed.ok_or_else(|| {
             self.source.missing(
                 &format!("data[{index}].speed"),
-                "give the speed of the run, as in speed = \"100 km/h\"",
+                say!(give_the_speed_of_the_run),
             )
         })?;
         let speed = self.positive(index, "speed", speed.si())?;
@@ -400,12 +391,9 @@ impl Reading<'_> {
             Some(Value::Integer(passages)) if *passages >= 0 => *passages as f64,
             Some(Value::Float(passages)) if *passages >= 0.0 => *passages,
             Some(other) => {
-                let rule = format!(
-                    "is {other}, but must be \"first\", \"last\" or the passages since the first date"
-                );
-                return Err(self
-                    .source
-                    .invalid(&format!("data[{index}].at_date"), &rule, ""));
+                let rule = say!(date_of_a_run);
+                let rule = say!(is_but_must_be, value = other.to_string(), rule = rule);
+                return Err(self.invalid(index, "at_date", rule, ""));
             }
         };
         let common_error = self.decibels(index, 0.5)?;
@@ -438,10 +426,9 @@ impl Reading<'_> {
         number
             .filter(|number: &f64| number.is_finite() && *number >= 0.0)
             .ok_or_else(|| {
-                let rule =
-                    format!("is {value}, but must be a level of zero or more, as in \"0.3 dB\"");
-                self.source
-                    .invalid(&format!("data[{index}].common_error"), &rule, "")
+                let rule = say!(level_of_zero_or_more);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                self.invalid(index, "common_error", rule, "")
             })
     }
 }

@@ -3,7 +3,8 @@
 use riffel::error::readable;
 use riffel_case::Variant;
 use riffel_case::traffic::DAYS_PER_MONTH;
-use riffel_keys::CaseError;
+use riffel_keys::message::number;
+use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
 use super::{Plan, name_of};
@@ -110,11 +111,9 @@ impl Purse<'_> {
         amount(value, &units)
             .filter(|sum| *sum >= 0.0)
             .ok_or_else(|| {
-                let rule = format!(
-                    "is {value}, but must be a sum of zero or more in {}, as cost.grinding is",
-                    self.currency
-                );
-                self.plan.source.invalid(key, &rule, "")
+                let rule = say!(sum_of_zero_or_more, currency = &self.currency);
+                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                self.plan.source.invalid(key, rule, "")
             })
     }
 }
@@ -124,8 +123,12 @@ impl Plan {
         let Some(value) = value else { return Ok(None) };
         let hours = amount(value, &[("h", 1.0)]).filter(|hours| *hours >= 0.0);
         hours.map(Some).ok_or_else(|| {
-            let rule = format!("is {value}, but must be hours, zero or more, as in \"6 h\"");
-            self.source.invalid(key, &rule, "")
+            let rule = say!(
+                is_but_must_be,
+                value = value.to_string(),
+                rule = say!(hours_of_zero_or_more)
+            );
+            self.source.invalid(key, rule, "")
         })
     }
 
@@ -133,8 +136,7 @@ impl Plan {
         let possession_hours =
             self.hours("cost.possession_hours", cost.possession_hours.as_ref())?;
         if possession_hours.is_some() && cost.grinding_hours.is_none() {
-            let help =
-                "say for how long grinding once closes the line, as in grinding_hours = \"6 h\"";
+            let help = say!(say_for_how_long_grinding_closes);
             return Err(self.source.missing("cost.grinding_hours", help));
         }
         let noise_limit = match &cost.noise_limit {
@@ -143,10 +145,9 @@ impl Plan {
                 amount(value, &[("dB", 1.0)])
                     .filter(|level| *level >= 0.0)
                     .ok_or_else(|| {
-                        let rule = format!(
-                            "is {value}, but must be a level above the limit of zero or more, as in \"3 dB\""
-                        );
-                        self.source.invalid("cost.noise_limit", &rule, "")
+                        let rule = say!(level_above_limit);
+                        let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                        self.source.invalid("cost.noise_limit", rule, "")
                     })?,
             ),
         };
@@ -164,10 +165,12 @@ impl Plan {
     fn duration(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
         let months = amount(value, &DURATIONS).filter(|months| *months > 0.0);
         months.ok_or_else(|| {
-            let rule = format!(
-                "is {value}, but must be a time above zero, as in \"18 months\" or \"25 a\""
+            let rule = say!(
+                is_but_must_be,
+                value = value.to_string(),
+                rule = say!(time_above_zero)
             );
-            self.source.invalid(key, &rule, "")
+            self.source.invalid(key, rule, "")
         })
     }
 
@@ -177,32 +180,38 @@ impl Plan {
     /// [`CaseError`] with the key of the plan or of a file of changes, the value and the rule.
     pub(crate) fn choices(&self) -> Result<Choices, CaseError> {
         let Some(cost) = &self.file.cost else {
-            let help = "give [cost] grinding = \"9000 EUR\", and one [[action]] or more";
+            let help = say!(give_cost_of_grinding);
             return Err(self.source.missing("cost", help));
         };
         if self.file.action.is_empty() {
-            let help = "write one [[action]] or more; to leave all as it is is there by itself";
+            let help = say!(write_one_action_or_more);
             return Err(self.source.missing("action", help));
         }
         let purse = self.purse(cost)?;
         let grinding = purse.sum("cost.grinding", Some(&cost.grinding))?;
         if grinding == 0.0 {
-            let rule = format!("is {}, but must cost something", cost.grinding);
-            return Err(self.source.invalid("cost.grinding", &rule, ""));
+            let value = cost.grinding.to_string();
+            let rule = say!(
+                is_but_must_be,
+                value = value,
+                rule = say!(greater_than_zero)
+            );
+            return Err(self.source.invalid("cost.grinding", rule, ""));
         }
         let rate = cost.discount_rate.map_or(0.03, |rate| rate.si());
         if !(0.0..1.0).contains(&rate) {
-            let rule = format!("is {rate}, but must be from 0 to below 100 %");
-            return Err(self.source.invalid("cost.discount_rate", &rule, ""));
+            let value = say!(rate_in_per_cent, rate = number(readable(100.0 * rate)));
+            let rule = say!(is_but_must_be, value = value, rule = say!(rate_of_interest));
+            return Err(self.source.invalid("cost.discount_rate", rule, ""));
         }
         let below = match &cost.from_limit {
             None => -USUAL_RISE,
             Some(value) => amount(value, &[("dB", 1.0)])
                 .filter(|it| *it < 0.0)
                 .ok_or_else(|| {
-                    let rule =
-                        format!("is {value}, but must be a level below zero, as in \"-6 dB\"");
-                    self.source.invalid("cost.from_limit", &rule, "")
+                    let rule = say!(level_below_zero);
+                    let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+                    self.source.invalid("cost.from_limit", rule, "")
                 })?,
         };
         let horizon = match &cost.horizon {
@@ -222,17 +231,15 @@ impl Plan {
             if let (Some(every), Some(value)) = (action.every, &written.grind_every)
                 && every > horizon
             {
-                let rule = format!(
-                    "is {value}, but must not be longer than cost.horizon, {} months",
-                    readable(horizon)
-                );
+                let rule = say!(at_most_the_horizon, months = number(readable(horizon)));
+                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
                 let key = format!("action[{index}].grind_every");
-                return Err(self.source.invalid(&key, &rule, ""));
+                return Err(self.source.invalid(&key, rule, ""));
             }
             if actions.iter().any(|other| other.title == action.title) {
-                let rule = format!("is \"{}\" a second time", action.title);
+                let rule = say!(is_a_second_time, text = action.title);
                 let key = format!("action[{index}].title");
-                return Err(self.source.invalid(&key, &rule, "give each its title"));
+                return Err(self.source.invalid(&key, rule, say!(give_each_its_title)));
             }
             actions.push(action);
         }
@@ -261,11 +268,13 @@ impl Plan {
         let text = cost.grinding.as_str().map(str::trim);
         let currency = text.and_then(|text| Some(text.split_once(char::is_whitespace)?.1.trim()));
         let currency = currency.ok_or_else(|| {
-            let rule = format!(
-                "is {}, but must be a sum with its currency, as in \"9000 EUR\"",
-                cost.grinding
+            let value = cost.grinding.to_string();
+            let rule = say!(
+                is_but_must_be,
+                value = value,
+                rule = say!(sum_with_currency)
             );
-            self.source.invalid("cost.grinding", &rule, "")
+            self.source.invalid("cost.grinding", rule, "")
         })?;
         Ok(Purse {
             plan: self,
@@ -285,7 +294,7 @@ impl Plan {
             && written.multiplies.is_empty()
             && written.grind_every.is_none()
         {
-            let help = "give changes = \"soft-pads.toml\", multiplies = { … } or grind_every = \"12 months\"";
+            let help = say!(give_what_an_action_does);
             return Err(self.source.missing(&key("changes"), help));
         }
         let folder = self.inputs[0]
@@ -304,16 +313,18 @@ impl Plan {
             let at = key(&format!("multiplies.\"{name}\""));
             let place = place.ok_or_else(|| {
                 let names: Vec<&str> = parameters.iter().map(|it| &*it.name).collect();
-                let message = format!(
-                    "`{at}` is no [[parameter]] of the plan; those are {}",
-                    names.join(", ")
-                );
-                self.source.refuse(&key("multiplies"), &message)
+                let rule = say!(is_no_parameter, names = names.join(", "));
+                let message = say!(key_as_subject, key = &at, rule = rule);
+                self.source.refuse(&key("multiplies"), message)
             })?;
             if !(factor.is_finite() && *factor > 0.0) {
-                let message =
-                    format!("`{at}` is {factor}, but must be finite and greater than zero");
-                return Err(self.source.refuse(&key("multiplies"), &message));
+                let rule = say!(
+                    is_but_must_be,
+                    value = *factor,
+                    rule = say!(finite_and_above_zero)
+                );
+                let message = say!(key_as_subject, key = at, rule = rule);
+                return Err(self.source.refuse(&key("multiplies"), message));
             }
             factors.push((place, *factor));
         }
@@ -322,7 +333,7 @@ impl Plan {
         let a_year = match (&written.life, investment > 0.0) {
             (None, false) => 0.0,
             (None, true) => {
-                let help = "say how long the investment lasts, as in life = \"25 a\"";
+                let help = say!(say_how_long_the_investment_lasts);
                 return Err(self.source.missing(&key("life"), help));
             }
             (Some(life), _) => annuity(
@@ -338,7 +349,7 @@ impl Plan {
         let title = match (&written.title, &changes) {
             (Some(title), _) => title.clone(),
             (None, Some(changes)) => changes.title.clone(),
-            (None, None) => return Err(self.source.missing(&key("title"), "name the action")),
+            (None, None) => return Err(self.source.missing(&key("title"), say!(name_the_action))),
         };
         Ok(Action {
             title,
@@ -360,17 +371,15 @@ impl Plan {
     ) -> Result<Planned, CaseError> {
         let key = |key: &str| format!("measurement[{index}].{key}");
         let price = purse.sum(&key("price"), Some(&written.price))?;
-        let wrong = |at: &str, rule: &str, help: &str| self.source.invalid(&key(at), rule, help);
+        let wrong =
+            |at: &str, rule: Message, help: Message| self.source.invalid(&key(at), rule, help);
         let (of, name) = match (written.kind, &written.key) {
             (Some(_), Some(_)) => {
-                return Err(wrong(
-                    "key",
-                    "and `kind` exclude each other",
-                    "give one of the two",
-                ));
+                let rule = say!(and_exclude_each_other, other = "kind");
+                return Err(wrong("key", rule, say!(give_one_of_the_two)));
             }
             (None, None) => {
-                let help = "give kind = \"dated-levels\" to measure once more, or key = \"…\" with factor = 1.1";
+                let help = say!(give_what_is_measured);
                 return Err(self.source.missing(&key("kind"), help));
             }
             (Some(kind), None) => {
@@ -387,9 +396,8 @@ impl Plan {
                     blocks.position(|block| block.names[0] == name_of(data))
                 });
                 let block = block.ok_or_else(|| {
-                    let rule = format!("is \"{}\", but the plan has no such [[data]] whose places and errors it could repeat", kind.name());
-                    let help = "an axle box cannot be weighed yet; one value can, by key and factor";
-                    wrong("kind", &rule, help)
+                    let rule = say!(is_no_data_to_repeat, kind = kind.name());
+                    wrong("kind", rule, say!(weigh_one_value))
                 })?;
                 (PlannedData::Block(block), kind.name().to_owned())
             }
@@ -401,17 +409,17 @@ impl Plan {
                 let place = place.ok_or_else(|| {
                     wrong(
                         "key",
-                        &format!("is \"{name}\", but no [[parameter]] has this name"),
-                        "",
+                        say!(is_name_of_no_parameter, name = name),
+                        Message::verbatim(""),
                     )
                 })?;
                 let factor = written.factor.ok_or_else(|| {
                     self.source
-                        .missing(&key("factor"), "say how good it is: factor = 1.1 for 10 %")
+                        .missing(&key("factor"), say!(say_how_good_it_is))
                 })?;
                 if !(factor.is_finite() && factor > 1.0) {
-                    let rule = format!("is {factor}, but must be greater than one");
-                    return Err(wrong("factor", &rule, "1.1 stands for 10 %"));
+                    let rule = say!(is_but_must_be, value = factor, rule = say!(more_than_one));
+                    return Err(wrong("factor", rule, say!(factor_of_ten_per_cent)));
                 }
                 (PlannedData::Parameter(place, factor.ln()), name.clone())
             }

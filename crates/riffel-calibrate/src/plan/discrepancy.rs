@@ -1,6 +1,6 @@
 //! What a plan says of what the model misses.
 
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, say};
 
 use super::{Reading, name_of};
 use crate::file::{DiscrepancyFile, Kind, SizeFile};
@@ -13,10 +13,8 @@ impl Reading<'_> {
     pub(super) fn discrepancy(&mut self, index: usize) -> Result<Option<Kernel>, CaseError> {
         let data = &self.file.data[index];
         let Some(written) = &data.discrepancy else {
-            self.remarks.push(format!(
-                "\"{}\" has no `discrepancy`: the model is taken as exact, and intervals will be too narrow",
-                name_of(data)
-            ));
+            self.remarks
+                .push(say!(no_discrepancy, data = name_of(data)));
             return Ok(None);
         };
         let place = |key: &str| format!("data[{index}].discrepancy.{key}");
@@ -34,11 +32,15 @@ impl Reading<'_> {
             if let Some(given) = given
                 && (given != only || key == "grows" && unit != "dB per 1e6 passages")
             {
-                let rule = format!(
-                    "is \"{given}\", but must be \"{only}\" for {}",
-                    data.kind.name()
+                let rule = say!(
+                    is_but_for_kind,
+                    value = given,
+                    only = only,
+                    kind = data.kind.name()
                 );
-                return Err(self.source.invalid(&place(key), &rule, "or left out"));
+                return Err(self
+                    .source
+                    .invalid(&place(key), rule, say!(or_leave_it_out)));
             }
         }
         match written.standard_deviation {
@@ -56,7 +58,7 @@ impl Reading<'_> {
                 });
             }
             _ => {
-                let rule = "must be a number of zero or more, or { half_normal = … } above zero";
+                let rule = say!(size_of_discrepancy);
                 return Err(self.source.invalid(&place("standard_deviation"), rule, ""));
             }
         }
@@ -69,13 +71,17 @@ impl Reading<'_> {
         kind: Kind,
         place: &impl Fn(&str) -> String,
     ) -> Result<Kernel, CaseError> {
-        let wrong = |key: &str, rule: String| self.source.invalid(&place(key), &rule, "");
+        let wrong = |key: &str, rule: Message| self.source.invalid(&place(key), rule, "");
+
         match &*written.kind {
             "band" => return Ok(Kernel::Band),
             "gaussian-process" => {}
             other => {
-                let rule = format!("is \"{other}\", but must be \"band\" or \"gaussian-process\"");
-                return Err(wrong("kind", rule));
+                let rule = say!(this_or_that, this = "band", that = "gaussian-process");
+                return Err(wrong(
+                    "kind",
+                    say!(is_name_but_must_be, name = other, rule = rule),
+                ));
             }
         }
         let over = match kind {
@@ -87,7 +93,12 @@ impl Reading<'_> {
         if let Some(given) = &written.over
             && given != over
         {
-            let rule = format!("is \"{given}\", but must be \"{over}\" for {}", kind.name());
+            let rule = say!(
+                is_but_for_kind,
+                value = given,
+                only = over,
+                kind = kind.name()
+            );
             return Err(wrong("over", rule));
         }
         let usual = match kind {
@@ -98,18 +109,20 @@ impl Reading<'_> {
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {
-            return Err(wrong(
-                "length",
-                format!("is {length}, but must be greater than zero"),
-            ));
+            let rule = say!(
+                is_but_must_be,
+                value = length,
+                rule = say!(greater_than_zero)
+            );
+            return Err(wrong("length", rule));
         }
         let name = written.kernel.as_deref().unwrap_or(usual.0);
         Kernel::of(name, length).ok_or_else(|| {
-            let rule = format!(
-                "is \"{name}\", but must be one of {}",
-                Kernel::NAMES.join(", ")
-            );
-            wrong("kernel", rule)
+            let rule = say!(one_of, names = Kernel::NAMES.join(", "));
+            wrong(
+                "kernel",
+                say!(is_name_but_must_be, name = name, rule = rule),
+            )
         })
     }
 }

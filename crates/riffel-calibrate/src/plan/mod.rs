@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 use riffel::STANDARD_GRAVITY;
 use riffel_case::traffic::{DAYS_PER_YEAR, Line, Traffic};
 use riffel_case::{Case, settings};
-use riffel_keys::{CaseError, KeyFile, text_file};
+use riffel_keys::{CaseError, KeyFile, Message, say, text_file};
 use riffel_study::Distribution;
 
 use crate::file::{DataFile, PlanFile, SamplerKind};
@@ -38,7 +38,7 @@ pub struct Plan {
     /// What it asks for.
     pub posterior: Posterior,
     /// What the reader should know.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
     /// The text of the plan.
     pub text: String,
     /// Every file that the numbers follow from, the plan first.
@@ -65,7 +65,7 @@ struct Reading<'a> {
     vehicles: &'a [Vehicle],
     parameters: Vec<Parameter>,
     views: Vec<View>,
-    remarks: Vec<String>,
+    remarks: Vec<Message>,
     inputs: Vec<PathBuf>,
 }
 
@@ -116,10 +116,8 @@ impl Plan {
                 inputs.push(beside(folder, name));
                 let read = traffic.insert(Traffic::read(&beside(folder, name))?);
                 Vehicle::all(read).map_err(|(index, key)| {
-                    let message = format!(
-                        "vehicle[{index}] of {name} has `{key}`, which calibration does not take; give one wheel at a distribution of speeds"
-                    );
-                    source.refuse("traffic", &message)
+                    let message = say!(not_for_calibration, index = index, key = key);
+                    source.refuse("traffic", message.about(name))
                 })?
             }
         };
@@ -147,14 +145,14 @@ impl Plan {
                 .iter()
                 .any(|other| other.name == parameter.name)
             {
-                let rule = format!("is \"{}\" a second time", parameter.name);
-                return Err(source.invalid(&format!("parameter[{index}]"), &rule, ""));
+                let rule = say!(is_a_second_time, text = parameter.name);
+                return Err(source.invalid(&format!("parameter[{index}]"), rule, ""));
             }
             reading.parameters.push(parameter);
         }
         let mut blocks = reading.blocks()?;
         if reading.parameters.is_empty() {
-            return Err(source.missing("parameter", "write one [[parameter]] or more"));
+            return Err(source.missing("parameter", say!(write_one_parameter_or_more)));
         }
         let levels = blocks.iter().find_map(|named| named.block.as_levels());
         let trains = match levels {
@@ -243,16 +241,19 @@ fn check_sampler(source: &KeyFile, file: &PlanFile) -> Result<(), CaseError> {
         ("sampler.draws", sampler.draws, 10, 1_000_000),
     ] {
         if !(least..=most).contains(&value) {
-            let rule = format!("is {value}, but must be between {least} and {most}");
-            return Err(source.invalid(key, &rule, ""));
+            let [value, low, high] = [value, least, most].map(|it| it as f64);
+            let rule = say!(is_outside, value = value, low = low, high = high);
+            return Err(source.invalid(key, rule, ""));
         }
     }
     if sampler.kind == SamplerKind::Smc && source.has("sampler.warmup") {
-        let message = format!(
-            "`sampler.warmup` is {}, but must be left out with sampler.kind = \"smc\", which has no warm-up",
-            sampler.warmup
+        let value = sampler.warmup as f64;
+        let rule = say!(
+            is_but_must_be,
+            value = value,
+            rule = say!(left_out_with_smc)
         );
-        return Err(source.refuse("sampler.warmup", &message));
+        return Err(source.invalid("sampler.warmup", rule, ""));
     }
     Ok(())
 }
@@ -335,8 +336,8 @@ fn touch(source: &KeyFile, model: &Model, blocks: &mut [Named]) -> Result<(), Ca
             }
         }
         if let (Some(reason), true) = (reason, named.touched_by.is_empty()) {
-            let message = format!("in the middle of the priors the case says: {reason}");
-            return Err(source.refuse("parameter", &message));
+            let message = say!(middle_of_the_priors, reason = reason);
+            return Err(source.refuse("parameter", message));
         }
         named.touched_by.sort_unstable();
     }

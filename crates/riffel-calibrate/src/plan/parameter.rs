@@ -2,7 +2,7 @@
 
 use riffel_case::CaseKey;
 use riffel_keys::quantity::{Quantity, Ratio};
-use riffel_keys::{CaseError, PhysicalRange, quantity};
+use riffel_keys::{CaseError, Message, PhysicalRange, quantity, say};
 
 use super::{Reading, excludes, name_of};
 use crate::file::{DataFile, UncertainFile};
@@ -20,9 +20,9 @@ impl Reading<'_> {
         for (number, name) in written.in_data.iter().flatten().enumerate() {
             let known = |data: &DataFile| name_of(data) == name;
             if !self.file.data.iter().any(known) {
-                let rule = format!("is \"{name}\", but no [[data]] has this name or kind");
+                let rule = say!(is_name_of_no_data, name = name);
                 let key = place(&format!("in_data[{number}]"));
-                return Err(self.source.invalid(&key, &rule, ""));
+                return Err(self.source.invalid(&key, rule, ""));
             }
         }
         let (key, role, name) = self.role(&at, written)?;
@@ -35,7 +35,7 @@ impl Reading<'_> {
             None => "multiplies",
         };
         let quantity = quantity_of(key, of_key)
-            .map_err(|(rule, help)| self.source.invalid(&place(which), &rule, &help))?;
+            .map_err(|(rule, help)| self.source.invalid(&place(which), rule, help))?;
         let multiplies = matches!(role, Role::Multiplies(_));
         let kind = match multiplies {
             true => quantity::Kind::of::<Ratio>(),
@@ -43,7 +43,7 @@ impl Reading<'_> {
         };
         let distribution = riffel_study::distribution(self.source, &at, kind, &written.prior())?;
         let distribution = distribution.ok_or_else(|| {
-            let help = "give one of lognormal, normal, uniform and triangular";
+            let help = say!(give_a_prior);
             self.source.missing(&place("lognormal"), help)
         })?;
         let ends = match (&role, PhysicalRange::of(of_key)) {
@@ -53,11 +53,8 @@ impl Reading<'_> {
             (_, None) => [f64::NEG_INFINITY, f64::INFINITY],
         };
         let prior = Prior::within(distribution, ends).ok_or_else(|| {
-            let rule = format!(
-                "leaves nothing of the range that can be computed, {} to {}",
-                ends[0], ends[1]
-            );
-            self.source.invalid(&at, &rule, "")
+            let rule = say!(leaves_nothing, low = ends[0], high = ends[1]);
+            self.source.invalid(&at, rule, "")
         })?;
         self.check_own_value(&at, key, &role, &prior)?;
         Ok(Parameter {
@@ -79,31 +76,32 @@ impl Reading<'_> {
         let vehicles = self.vehicles;
         let place = |key: &str| format!("{at}.{key}");
         let wrong =
-            |key: &str, rule: &str, help: &str| self.source.invalid(&place(key), rule, help);
+            |key: &str, rule: Message, help: Message| self.source.invalid(&place(key), rule, help);
         Ok(match (&written.key, &written.multiplies) {
             (Some(_), Some(_)) => {
-                let rule = format!("and `{}` exclude each other", place("key"));
-                return Err(wrong("multiplies", &rule, "give one of the two"));
+                let rule = say!(and_exclude_each_other, other = place("key"));
+                return Err(wrong("multiplies", rule, say!(give_one_of_the_two)));
             }
             (None, None) => {
-                let help = "give the key of the case, or multiplies = \"…\" with a name";
+                let help = say!(give_key_or_factor);
                 return Err(self.source.missing(&place("key"), help));
             }
             (None, Some(key)) => {
-                let name = written.name.clone().ok_or_else(|| {
-                    self.source.missing(
-                        &place("name"),
-                        "name the factor, as in \"preload_stiffening\"",
-                    )
-                })?;
+                let name = written
+                    .name
+                    .clone()
+                    .ok_or_else(|| self.source.missing(&place("name"), say!(name_the_factor)))?;
                 (key, Role::Multiplies(key.clone()), name)
             }
             (Some(key), None) => match key.strip_prefix("vehicle.") {
                 Some(rest) => {
                     let vehicle = self.vehicle(at, written)?;
                     let of = VehicleKey::of(rest).ok_or_else(|| {
-                        let rule = format!("is \"{key}\", which a vehicle does not have or which cannot be uncertain");
-                        wrong("key", &rule, "take speed.mean, speed.standard_deviation, traction_share, tractive_ratio, creepage, wheel_load, axle_load, wheel_mass, rolling_radius or set.… after vehicle.")
+                        wrong(
+                            "key",
+                            say!(is_no_key_of_a_vehicle, name = key),
+                            say!(keys_of_a_vehicle),
+                        )
                     })?;
                     let several = vehicles.len() > 1;
                     let name = match several {
@@ -137,13 +135,9 @@ impl Reading<'_> {
         if let Some(own) = own
             && excludes(prior, own)
         {
-            let rule = format!(
-                "excludes {}, the value of the case for `{key}`: it lies beyond the ends or four standard deviations of the prior",
-                Quantity::<Ratio>::new(own)
-            );
-            return Err(self
-                .source
-                .invalid(at, &rule, "widen the prior, or correct the case"));
+            let own = Quantity::<Ratio>::new(own).to_string();
+            let rule = say!(excludes_value_of_the_case, value = own, key = key);
+            return Err(self.source.invalid(at, rule, say!(widen_the_prior)));
         }
         Ok(())
     }
@@ -153,47 +147,46 @@ impl Reading<'_> {
         let vehicles = self.vehicles;
         let key = format!("{at}.key");
         if vehicles.is_empty() {
-            let rule = "is a key of a vehicle, but the plan names no traffic";
-            return Err(self
-                .source
-                .invalid(&key, rule, "give traffic = \"traffic.toml\""));
+            let rule = say!(is_key_of_a_vehicle_without_traffic);
+            return Err(self.source.invalid(&key, rule, say!(give_traffic)));
         }
         match &written.name {
             None if vehicles.len() == 1 => Ok(0),
             None => {
                 let names: Vec<&str> = vehicles.iter().map(|vehicle| &*vehicle.name).collect();
-                let help = format!("the traffic has several vehicles: {}", names.join(", "));
-                Err(self.source.missing(&format!("{at}.name"), &help))
+                let help = say!(traffic_has_several_vehicles, names = names.join(", "));
+                Err(self.source.missing(&format!("{at}.name"), help))
             }
             Some(name) => vehicles
                 .iter()
                 .position(|vehicle| vehicle.name == *name)
                 .ok_or_else(|| {
-                    let rule =
-                        format!("is \"{name}\", but no vehicle of the traffic has this name");
-                    self.source.invalid(&format!("{at}.name"), &rule, "")
+                    let rule = say!(is_name_of_no_vehicle, name = name);
+                    self.source.invalid(&format!("{at}.name"), rule, "")
                 }),
         }
     }
 }
 
 /// The quantity of a key, where that of the case is `of_key`; or the rule that it breaks, and help.
-pub(super) fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (String, String)> {
+pub(super) fn quantity_of(key: &str, of_key: &str) -> Result<quantity::Kind, (Message, Message)> {
     let quantity = match (key.strip_prefix("vehicle."), PhysicalRange::of(of_key)) {
         (Some(_), Some(range)) => Some(range.kind),
         (Some("traction_share"), None) => Some(quantity::Kind::of::<Ratio>()),
         _ => match CaseKey::find_with_curving(of_key) {
             Some(known) => known.quantity,
             None => {
-                let rule = format!("is \"{key}\", but the case file has no such key");
-                let help = format!("did you mean {}?", CaseKey::nearest(of_key));
-                return Err((rule, help));
+                let nearest = CaseKey::nearest(of_key);
+                return Err((
+                    say!(is_no_key_of_the_case, name = key),
+                    say!(the_nearest_key_is, key = nearest),
+                ));
             }
         },
     };
     quantity.ok_or_else(|| {
-        let rule = format!("is \"{key}\", which takes a choice, a name or a whole number");
-        (rule, "only quantities can be uncertain".to_owned())
+        let rule = say!(is_key_of_no_quantity, name = key);
+        (rule, say!(only_quantities_are_uncertain))
     })
 }
 

@@ -2,8 +2,8 @@
 
 use riffel::contact::ContactFilter;
 use riffel::noise::{FrequencyBand, PassBy, Surroundings};
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Length, Quantity};
+use riffel_keys::{CaseError, Message, Value, say};
 use riffel_rail::{Survey, WheelRoughness};
 
 use super::{Reading, beside};
@@ -26,12 +26,8 @@ impl Reading<'_> {
         let view = self.view(index)?;
         let case = &self.views[view].case;
         if let Some(why) = case.without_decay() {
-            let rule = format!("is \"pass-by\", but {why}");
-            return Err(self.source.invalid(
-                &format!("data[{index}].kind"),
-                &rule,
-                "give these data another model: set = { \"track.model\" = … }",
-            ));
+            let rule = say!(is_pass_by_but, why = why);
+            return Err(self.invalid(index, "kind", rule, say!(give_data_another_model)));
         }
         let data = &self.file.data[index];
         let speed = match data.speed {
@@ -45,19 +41,13 @@ impl Reading<'_> {
         let path = beside(self.folder, &data.file);
         let (rows, silent) = PassBys::rows(&path, case, dated, &passage)?;
         if !silent.is_empty() {
-            let remark = format!(
-                "{}: of {} no level of roughness is known, and they are taken as silent; `roughness` gives the other bands of the rail",
-                data.file,
-                frequencies(&silent)
-            );
-            self.remarks.push(remark);
+            let bands = frequencies(&silent);
+            self.remarks
+                .push(say!(silent_bands, file = &data.file, bands = bands));
         }
         if data.wheel_roughness.is_none() {
-            let remark = format!(
-                "{}: without `wheel_roughness` the wheels are taken as smooth",
-                data.file
-            );
-            self.remarks.push(remark);
+            self.remarks
+                .push(say!(wheels_taken_as_smooth, file = &data.file));
         }
         Ok(PassBys {
             view,
@@ -82,10 +72,8 @@ impl Reading<'_> {
             length("train_length", data.train_length, of_coaches)?,
             Surroundings::HardGround,
         );
-        let pass = pass.map_err(|error| {
-            self.source
-                .invalid(&format!("data[{index}].distance"), format!(": {error}"), "")
-        })?;
+        let pass =
+            pass.map_err(|error| self.invalid(index, "distance", Message::from(&error), ""))?;
         let rest = data.roughness.as_ref();
         let rest = rest.map(|name| Survey::mean_of(&beside(self.folder, name)));
         let wheel = match &data.wheel_roughness {
@@ -93,9 +81,9 @@ impl Reading<'_> {
                 let found = WheelRoughness::named_or_in(name, &beside(self.folder, name))?;
                 let (_, spectrum) = found.ok_or_else(|| {
                     let known = WheelRoughness::names();
-                    let rule = format!("is \"{name}\", but must be a file or one of {known}");
-                    let key = format!("data[{index}].wheel_roughness");
-                    self.source.invalid(&key, &rule, "")
+                    let rule = say!(a_file_or_one_of, names = known);
+                    let rule = say!(is_name_but_must_be, name = name, rule = rule);
+                    self.invalid(index, "wheel_roughness", rule, "")
                 })?;
                 Some(spectrum)
             }
@@ -110,14 +98,14 @@ impl Reading<'_> {
     }
 }
 
-/// Bands by their ends, those that follow each other together: "100 to 250 Hz and 4000 Hz".
-fn frequencies(bands: &[FrequencyBand]) -> String {
+/// Bands by their ends, those that follow each other together: "100–250 Hz, 4000 Hz".
+fn frequencies(bands: &[FrequencyBand]) -> Value {
     let runs = bands.chunk_by(|one, next| next.index() == one.index() + 1);
     let run = |run: &[FrequencyBand]| match (run.first(), run.last()) {
         (Some(first), Some(last)) if run.len() > 1 => {
-            format!("{} to {} Hz", first.nominal(), last.nominal())
+            format!("{}–{} Hz", first.nominal(), last.nominal())
         }
         _ => format!("{} Hz", run[0].nominal()),
     };
-    runs.map(run).collect::<Vec<String>>().join(" and ")
+    runs.map(run).collect()
 }

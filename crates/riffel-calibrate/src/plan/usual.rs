@@ -6,8 +6,8 @@ use std::path::{Path, PathBuf};
 use riffel_case::Case;
 use riffel_case::file::TrackModel;
 use riffel_case::traffic::Traffic;
-use riffel_keys::CaseError;
 use riffel_keys::quantity::{Quantity, Ratio};
+use riffel_keys::{CaseError, Message, say};
 
 use super::Plan;
 use crate::data::table;
@@ -172,37 +172,30 @@ impl Table {
     fn all(paths: &[PathBuf], folder: &Path, has_traffic: bool) -> Result<Vec<Self>, CaseError> {
         let mut tables: Vec<Self> = Vec::new();
         for path in paths {
-            let refuse = |message: String, help: &str| CaseError::Data {
+            let refuse = |message: Message, help: Message| CaseError::Data {
                 path: path.clone(),
                 line: None,
-                message: message.into(),
-                help: Some(help.to_owned().into()),
+                message,
+                help: Some(help),
             };
             let names = table::names(path, |names| Kind::of_columns(names).is_some())?;
             let kind = Kind::of_columns(&names).ok_or_else(|| {
                 let kinds =
                     Kind::ALL.map(|kind| format!("{}: {}", kind.name(), kind.columns().join(", ")));
-                let message = format!(
-                    "has the columns {}, from which no kind of measurement follows",
-                    names.join(", ")
-                );
-                refuse(message, &kinds.join("; "))
+                let message = say!(columns_of_no_kind, columns = names.join(", "));
+                refuse(message, Message::verbatim(kinds.join("; ")))
             })?;
             if kind == Kind::AxleBox {
-                let message = "is a run of an axle box, whose speed no column says";
-                let help = "write it into a plan: [[data]] with kind = \"axle-box\" and speed";
-                return Err(refuse(message.to_owned(), help));
+                return Err(refuse(
+                    say!(is_run_without_speed),
+                    say!(write_run_into_a_plan),
+                ));
             }
             if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles) && !has_traffic {
-                let what = if kind == Kind::DatedLevels {
-                    "levels"
-                } else {
-                    "profiles"
-                };
-                let message = format!(
-                    "has {what} of several dates, but there is no traffic that made them grow"
-                );
-                return Err(refuse(message, "give --traffic TRAFFIC"));
+                return Err(refuse(
+                    say!(dates_without_traffic),
+                    say!(give_traffic_of_the_program),
+                ));
             }
             let stem = path.file_stem().unwrap_or_default().to_string_lossy();
             let mut numbered = (2..).map(|number| format!("{stem}-{number}"));
@@ -381,8 +374,7 @@ impl Plan {
         let vehicles = match measured.traffic {
             None => Vec::new(),
             Some(traffic) => Vehicle::all(&Traffic::read(traffic)?).map_err(|(index, key)| {
-                let message = format!("vehicle[{index}] has `{key}`, which calibration does not take; give one wheel at a distribution of speeds");
-                CaseError::data(traffic, &message)
+                CaseError::data(traffic, say!(not_for_calibration, index = index, key = key))
             })?,
         };
         let tables = Table::all(measured.tables, folder, measured.traffic.is_some())?;
@@ -406,17 +398,14 @@ impl Plan {
         let mut plan = plan(&candidates)?;
         let assumed = tables.iter().filter(|table| table.assumes_averages());
         plan.remarks.extend(assumed.map(|table| {
-            format!(
-                "{}: averages is taken as {AVERAGES}, for no column says how many blows are in the mean of a line",
-                table.name
-            )
+            say!(averages_are_assumed, averages = f64::from(AVERAGES)).about(&table.name)
         }));
         match std::fs::read_to_string(path) {
             Ok(there) if there != plan.text => Err(CaseError::Data {
                 path: path.to_owned(),
                 line: None,
-                message: "is there already and is not the plan with usual priors of these files".to_owned().into(),
-                help: Some("riffel calibrate with this plan in place of the case runs it; another folder begins anew".to_owned().into()),
+                message: say!(is_another_plan),
+                help: Some(say!(run_the_other_plan)),
             }),
             _ => Ok(plan),
         }

@@ -376,7 +376,7 @@ fn a_measured_value_is_worth_no_more_than_a_known_one() {
     let refused = Plan::read(&copy.path().join("plan.toml")).map(|_| ());
     let refused = refused.unwrap_err().to_string();
     assert!(
-        refused.contains("`action[0].grind_every` is \"48 months\", but must not be longer than cost.horizon, 25 months"),
+        refused.contains("`action[0].grind_every` is \"48 months\", but must be at most as long as cost.horizon, 25 months"),
         "{refused}"
     );
 }

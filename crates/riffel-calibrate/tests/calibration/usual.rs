@@ -48,7 +48,9 @@ fn data_make_uncertain_what_they_touch() {
         [&of_track[..], &["hammer.discrepancy"]].concat()
     );
     assert!(
-        hammer.remarks[0].contains("averages is taken as 4"),
+        hammer.remarks[0]
+            .to_string()
+            .contains("averages is taken as 4"),
         "{:?}",
         hammer.remarks
     );

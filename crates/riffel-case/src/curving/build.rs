@@ -29,11 +29,9 @@ impl CurvingCase {
         let running_gear = self.running_gear(bogie)?;
         let (what, shortest) = self.shortest_radius();
         if curve.radius.si().abs() < shortest {
-            let rule = format!(
-                "is {}, but must be larger than the {what} of {shortest} m",
-                curve.radius
-            );
-            return Err(self.text.keys.invalid("curve.radius", &rule, ""));
+            let rule = say!(larger_than, what = what, length = shortest);
+            let rule = say!(is_but_must_be, value = curve.radius, rule = rule);
+            return Err(self.text.keys.invalid("curve.radius", rule, ""));
         }
         let kinematics = self.kinematics(curve.theory, profiles)?;
         let axle = self.axle(bogie, self.contact_spacing(profiles)?)?;

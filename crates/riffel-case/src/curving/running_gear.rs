@@ -1,7 +1,7 @@
 //! What holds the wheelsets, from its keys.
 
 use riffel::curving::{Axle, Body, BogieFrame, FollowingFrame, RunningGear};
-use riffel_keys::{CaseError, say};
+use riffel_keys::{CaseError, Message, say};
 
 use super::CurvingCase;
 use crate::file;
@@ -111,14 +111,14 @@ impl CurvingCase {
     }
 
     /// The distance \[m\] that a curve's radius must be above, in words and as a number.
-    pub fn shortest_radius(&self) -> (&'static str, f64) {
+    pub fn shortest_radius(&self) -> (Message, f64) {
         let spacing = self.file.wheelset.contact_spacing;
         let wheelbase = self.file.bogie.as_ref().and_then(|bogie| bogie.wheelbase);
         match (&self.file.body, wheelbase) {
-            (Some(body), _) => ("distance of the bogies", body.bogie_spacing.si()),
-            (None, Some(wheelbase)) => ("wheelbase", wheelbase.si()),
+            (Some(body), _) => (say!(distance_of_the_bogies), body.bogie_spacing.si()),
+            (None, Some(wheelbase)) => (say!(wheelbase_of_the_bogie), wheelbase.si()),
             (None, None) => (
-                "distance of the contacts",
+                say!(distance_of_the_contacts),
                 spacing.map_or(1.5, |spacing| spacing.si()),
             ),
         }

@@ -127,12 +127,14 @@ impl CaseText {
         if has_wheelset && self.keys.has("wheelset.rail") {
             let written = self.keys.text_of("wheelset.rail").unwrap_or_default();
             if written != rail.name() {
-                let rule = format!(
-                    "is \"{written}\", but contact.from.rail = \"{}\" is the {} rail in a curve of {radius} m",
-                    from.rail.name(),
-                    rail.name()
+                let rule = say!(
+                    is_other_rail_in_this_curve,
+                    name = written,
+                    of = from.rail.name(),
+                    rail = rail.name(),
+                    radius = radius,
                 );
-                return Err(self.keys.invalid("wheelset.rail", &rule, "leave it out"));
+                return Err(self.keys.invalid("wheelset.rail", rule, say!(leave_it_out)));
             }
         } else if has_wheelset {
             self.fill("wheelset.rail", rail.name());

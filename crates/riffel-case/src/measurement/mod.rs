@@ -87,7 +87,7 @@ pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured,
     let table::Table { response, remarks } = table::read(&text, measurement)?;
     let mut measured = response.measured(measurement.conjugate, remedy)?;
     measured.remarks.splice(0..0, remarks);
-    let unusual = measured.check_size()?;
+    let unusual = check_size(&measured.receptance)?;
     measured.remarks.extend(unusual);
     Ok(measured)
 }
@@ -215,30 +215,38 @@ impl FrequencyResponse {
     }
 }
 
-impl Measured {
-    /// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
-    /// that rails do have.
-    fn check_size(&self) -> Result<Option<Message>, MeasurementError> {
-        let mut moduli: Vec<f64> = self.receptance.lines().map(|(_, h)| h.norm()).collect();
-        let middle = moduli.len() / 2;
-        let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
-        if (OF_A_RAIL.0..=OF_A_RAIL.1).contains(&median) {
-            let least = moduli.iter().copied().fold(f64::INFINITY, f64::min);
-            let most = moduli.iter().copied().fold(0.0, f64::max);
-            let unusual = least > USUAL.1 || most < USUAL.0;
-            return Ok(unusual.then(|| {
-                say!(
-                    receptance_unlike_rail,
-                    least = number(format_args!("{least:.0e}")),
-                    most = number(format_args!("{most:.0e}"))
-                )
-            }));
-        }
-        Err(MeasurementError::file(format!(
-            "half of its receptances are above {median:.1e} m/N, but those of rails are some 1e-11 to 1e-7 m/N: check \
-             track.measurement.quantity and unit (a modulus in decibels has unit = \"dB re 1 m/N\")"
-        )))
+/// What is to be asked of a receptance that was measured on a rail: whether it has the size of one, and is passive.
+///
+/// # Errors
+/// The sentence for one that no rail has.
+pub fn doubts_about_rail(receptance: &MeasuredReceptance) -> Result<Vec<Message>, String> {
+    let size = check_size(receptance).map_err(|error| error.message)?;
+    let passive = activity(receptance, Remedy::Conjugate);
+    Ok(size.into_iter().chain(passive).collect())
+}
+
+/// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
+/// that rails do have.
+fn check_size(receptance: &MeasuredReceptance) -> Result<Option<Message>, MeasurementError> {
+    let mut moduli: Vec<f64> = receptance.lines().map(|(_, h)| h.norm()).collect();
+    let middle = moduli.len() / 2;
+    let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
+    if (OF_A_RAIL.0..=OF_A_RAIL.1).contains(&median) {
+        let least = moduli.iter().copied().fold(f64::INFINITY, f64::min);
+        let most = moduli.iter().copied().fold(0.0, f64::max);
+        let unusual = least > USUAL.1 || most < USUAL.0;
+        return Ok(unusual.then(|| {
+            say!(
+                receptance_unlike_rail,
+                least = number(format_args!("{least:.0e}")),
+                most = number(format_args!("{most:.0e}"))
+            )
+        }));
     }
+    Err(MeasurementError::file(format!(
+        "half of its receptances are above {median:.1e} m/N, but those of rails are some 1e-11 to 1e-7 m/N: check \
+             track.measurement.quantity and unit (a modulus in decibels has unit = \"dB re 1 m/N\")"
+    )))
 }
 
 /// What helps against a receptance that follows exp(−iωt).

@@ -122,8 +122,8 @@ impl Traffic {
             if let Some(share) = vehicle.traction_share
                 && !(0.0..=1.0).contains(&share.si())
             {
-                let rule = format!("is {share}, but must be between 0 and 1");
-                return Err(source.invalid(&key("traction_share"), &rule, ""));
+                let rule = say!(is_outside, value = share, low = 0.0, high = 1.0);
+                return Err(source.invalid(&key("traction_share"), rule, ""));
             }
             if vehicle.axle_load.is_some() && vehicle.wheel_load.is_some() {
                 return Err(exclusive(&source, &key("wheel_load"), &key("axle_load")));
@@ -277,8 +277,12 @@ fn above_zero<D: Dimension>(
 ) -> Result<(), CaseError> {
     match value.filter(|value| value.si() <= 0.0) {
         Some(value) => {
-            let rule = format!("is {value}, but must be greater than zero");
-            Err(source.invalid(key, &rule, ""))
+            let rule = say!(
+                is_but_must_be,
+                value = value,
+                rule = say!(greater_than_zero)
+            );
+            Err(source.invalid(key, rule, ""))
         }
         None => Ok(()),
     }
@@ -288,6 +292,10 @@ fn positive(source: &KeyFile, key: &str, value: f64) -> Result<(), CaseError> {
     if value.is_finite() && value > 0.0 {
         return Ok(());
     }
-    let rule = format!("is {value}, but must be finite and greater than zero");
-    Err(source.invalid(key, &rule, ""))
+    let rule = say!(
+        is_but_must_be,
+        value = value,
+        rule = say!(finite_and_above_zero)
+    );
+    Err(source.invalid(key, rule, ""))
 }

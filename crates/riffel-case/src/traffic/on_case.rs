@@ -167,7 +167,7 @@ impl Traffic {
             return Ok(());
         }
         let key = format!("vehicle[{index}].traction_share");
-        let message = say!(is_below_one_but_axles_that, key = &key);
+        let message = say!(axles_that_roll_free, key = &key);
         Err(self.source.refuse(&key, &message))
     }
 }

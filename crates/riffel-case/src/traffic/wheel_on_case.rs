@@ -9,7 +9,7 @@ use super::spreads::PartValues;
 use super::{Traffic, Vehicle};
 use crate::kept_state::KeptState;
 use crate::setting::{Setting, settings};
-use crate::{Case, Variant};
+use crate::{Case, CaseKey, Variant};
 
 /// The wheel of a vehicle, and how fast it runs.
 pub(super) struct WheelOnCase {
@@ -23,6 +23,39 @@ impl Traffic {
     pub fn settings(&self, vehicle: usize) -> Vec<Setting> {
         let own = settings_of(&self.file.vehicle[vehicle]).into_iter();
         own.map(|(_, setting)| setting).collect()
+    }
+
+    /// The value in SI that all vehicles have for a key: their own, or that of the case.
+    ///
+    /// # Errors
+    /// That they differ, or that the value is spread over the wheels of one: no one value is "half of it" then.
+    pub fn common_value(&self, key: &str, of_case: Option<f64>) -> Result<Option<f64>, Message> {
+        let mut values = (0..self.file.vehicle.len()).map(|index| self.own_value(index, key));
+        let differ = || say!(vehicles_differ, key = key);
+        let first = values.next().unwrap_or(Some(None)).ok_or_else(differ)?;
+        let all_alike =
+            values.all(|value| value.is_some_and(|it| it.or(of_case) == first.or(of_case)));
+        all_alike.then(|| first.or(of_case)).ok_or_else(differ)
+    }
+
+    /// What a vehicle has for a key, if anything; none where it is spread.
+    fn own_value(&self, vehicle: usize, key: &str) -> Option<Option<f64>> {
+        let number = |value: &Value| match value {
+            Value::Float(number) => Some(*number),
+            Value::Integer(number) => Some(*number as f64),
+            Value::String(text) => CaseKey::at(key)?.quantity?.read(text).ok(),
+            _ => None,
+        };
+        let settings = self.settings(vehicle);
+        let vehicle = &self.file.vehicle[vehicle];
+        let is_spread = match key {
+            "contact.friction" => vehicle.friction.is_some(),
+            // A wheelset takes the place of the wheel.
+            "wheel.mass" => settings.iter().any(|(own, _)| own.starts_with("wheelset")),
+            key => vehicle.spread.contains_key(key),
+        };
+        let own = settings.iter().find(|(own, _)| own == key);
+        (!is_spread).then(|| own.and_then(|(_, value)| number(value)))
     }
 
     /// The wheel of a vehicle: the case with its keys, over the window of its speeds and the bands.

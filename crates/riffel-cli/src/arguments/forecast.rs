@@ -162,6 +162,13 @@ impl From<HoldArgument> for Hold {
 pub(crate) struct Models(pub(crate) Vec<&'static FieldModel>);
 
 /// Models by name, commas between them.
+fn cost(text: &str) -> Result<(String, f64), String> {
+    let (id, number) = text.split_once('=').unwrap_or((text, ""));
+    let number = number.trim().parse();
+    let number = number.map_err(|_| "write it as in softer-pads=9000".to_owned())?;
+    Ok((id.trim().to_owned(), number))
+}
+
 fn models(text: &str) -> Result<Models, UnknownModel> {
     match text {
         "all" => Ok(Models(Vec::new())),
@@ -174,7 +181,7 @@ fn models(text: &str) -> Result<Models, UnknownModel> {
     after_help = "Example: riffel compare case.toml --with soft-pads.toml --with slower.toml --speed \"100 km/h\"\n\n\
         A file of changes has a title and the keys of the case that change, in their tables:\n\n  \
         title = \"soft pads, slower\"\n  [track]\n  pad = { stiffness = \"120 MN/m\" }\n  [speed]\n  factor = 0.8\n\n\
-        [speed] takes mean or factor, and standard_deviation. What lasts longest after grinding: \
+        [speed] takes mean or factor, and standard_deviation or standard_deviation_factor. What lasts longest after grinding: \
         riffel compare case.toml --with soft-pads.toml --traffic traffic.toml --from-limit \"-6 dB\"\n\n\
         What helps most: riffel compare case.toml --remedies\n\n\
         The same case by the models of the field: riffel compare case.toml --models --speed \"100 km/h\""
@@ -193,6 +200,11 @@ pub(crate) struct Compare {
         "height_unit", "position_unit", "rail", "from", "to", "choose", "limit",
     ])]
     pub(crate) remedies: bool,
+
+    /// What a remedy costs by its id in --json, as in --cost softer-pads=9000, in one currency for all; what then gains
+    /// most months of grinding interval for it comes first; may be repeated.
+    #[arg(long = "cost", value_name = "REMEDY=NUMBER", value_parser = cost, requires = "remedies")]
+    pub(crate) costs: Vec<(String, f64)>,
 
     /// The case by models of the field in place of variants: all that fit, or those named, as in --models
     /// grassie-johnson-1985,riffel.

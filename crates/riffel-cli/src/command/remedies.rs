@@ -14,6 +14,7 @@ pub(super) fn run(arguments: &Compare) -> miette::Result<()> {
     let progress = Progress::new("growth with remedies", RemediesAnswer::steps(&case));
     let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|by| progress.advance(by))?;
     drop(progress);
+    let answer = answer.with_costs(&arguments.costs.iter().cloned().collect())?;
     let results = Results::of("remedies", &arguments.case, &arguments.results);
     Ok(results.answer(&answer)?)
 }

@@ -408,7 +408,7 @@ fn a_cost_is_told_where_it_is_given() {
     assert!(
         outcome
             .text
-            .contains("`cost.grinding_shift` is -7000, but must be above 0"),
+            .contains("`cost.grinding_shift` is -7000, but must be greater than zero"),
         "{}",
         outcome.text
     );

@@ -352,7 +352,7 @@ impl KeyFile {
         if let (true, [variant, allowed @ ..]) =
             (message.starts_with("unknown variant"), &quoted[..])
         {
-            let rule = say!(is_no_choice, variant = *variant);
+            let rule = say!(no_choice, variant = *variant);
             return self.invalid(path, rule, suggestion(variant, allowed));
         }
         if let Some(error) = own(path) {
@@ -404,8 +404,8 @@ impl KeyFile {
         self.invalid_at(key, message.into(), None)
     }
 
-    /// A key whose value is not allowed; `rule` completes the sentence that begins with the key, `help` says what would
-    /// be right, or is empty.
+    /// A key whose value is not allowed; `rule` goes on after the key, whose sentence it completes where it
+    /// [has no subject](Message::has_subject); `help` says what would be right, or is empty.
     pub fn invalid(
         &self,
         key: &str,
@@ -417,12 +417,7 @@ impl KeyFile {
 
     fn error(&self, key: &str, rule: Message, help: Message) -> CaseError {
         let shown = in_a_message(key);
-        // The key is the subject of some rules; others are sentences.
-        let has_subject = {
-            let rule = rule.to_string();
-            !rule.starts_with("is ") && !rule.starts_with("and ")
-        };
-        let message = match (key.is_empty(), has_subject) {
+        let message = match (key.is_empty(), rule.has_subject()) {
             (true, _) => rule,
             (false, true) => say!(key_and_rule, key = shown, rule = rule),
             (false, false) => say!(key_as_subject, key = shown, rule = rule),

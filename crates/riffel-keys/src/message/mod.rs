@@ -71,6 +71,17 @@ impl Message {
         self.id
     }
 
+    /// Whether it is a sentence of its own. What a key is or is not begins with `is` in its id, and what it is together with
+    /// another with `and`: these come after the key.
+    pub fn has_subject(&self) -> bool {
+        let begins = match &self.values[..] {
+            // What no language file has, has its words alone.
+            [(_, Value::Text(words))] if self.id == "verbatim" => words.replace(' ', "-"),
+            _ => self.id.to_owned(),
+        };
+        !begins.starts_with("is-") && !begins.starts_with("and-")
+    }
+
     /// Its values by their names.
     pub fn values(&self) -> &[(&'static str, Value)] {
         &self.values

@@ -260,6 +260,28 @@ mod tests {
     }
 
     #[test]
+    fn the_ids_of_what_has_no_subject_begin_like_it() {
+        let english = Language::English.wordings();
+        let resource = fluent_syntax::parser::parse(english).expect("no errors");
+        for entry in resource.body {
+            let Entry::Message(message) = entry else {
+                continue;
+            };
+            let begins = message
+                .value
+                .and_then(|value| match value.elements.first() {
+                    Some(PatternElement::TextElement { value }) => Some(*value),
+                    _ => None,
+                });
+            let name = message.id.name;
+            for (id, words) in [("is-", "is "), ("and-", "and ")] {
+                let has_no_subject = begins.is_some_and(|text| text.starts_with(words));
+                assert_eq!(name.starts_with(id), has_no_subject, "{name}");
+            }
+        }
+    }
+
+    #[test]
     fn keys_and_quantities_are_pieces_and_the_rest_is_words() {
         let words = |text: &str| Piece::Words(text.to_owned());
         let key = |text: &str, key: &str| Piece::Key {

@@ -9,7 +9,7 @@ import numpy as np
 import xarray as xr
 
 from riffel import _datasets
-from riffel._quantities import Floats, array
+from riffel._quantities import OR_ZERO, Floats, array
 
 
 def forecast(found: Mapping[str, Any], limit: str, title: str | None) -> xr.Dataset:
@@ -130,8 +130,7 @@ def comparison(
 def horizon(passages: Any, mgt: Any, months: Any, with_traffic: bool) -> dict[str, Floats]:
     """How far to look ahead, by one measure; none where the traffic alone says it."""
     measures = {"passages": passages, "mgt": mgt, "months": months}
-    least = -np.finfo(np.float64).tiny
-    given = {name: array(value, name, "ratio", least=least) for name, value in measures.items() if value is not None}
+    given = {name: array(value, name, "ratio", least=OR_ZERO) for name, value in measures.items() if value is not None}
     if len(given) > 1:
         raise ValueError(f"{' and '.join(given)} exclude each other: give one of them")
     # The wheel of the case alone does not say how often it comes.

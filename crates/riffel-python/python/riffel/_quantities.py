@@ -20,6 +20,9 @@ Complexes: TypeAlias = npt.NDArray[np.complex128]
 Quantity: TypeAlias = "float | str"
 """A number in SI or a string with its unit, such as "30 mm" or "80 km/h"."""
 
+OR_ZERO = -float(np.finfo(np.float64).tiny)
+"""The number that all others are above where zero is allowed."""
+
 Quantities: TypeAlias = "float | str | Sequence[float | str] | npt.NDArray[Any] | xr.DataArray | Mapping[str, Any]"
 """One quantity, several, or a window ``{"min": ..., "max": ..., "points": ...}`` as in a case file."""
 
@@ -28,9 +31,12 @@ def scalar(value: Any, name: str, kind: Kind, *, least: float = 0.0) -> float:
     """One quantity above `least` in SI."""
     number = _number(value, name, kind)
     if not (np.isfinite(number) and number > least):
-        rule = "greater than zero" if least == 0.0 else f"greater than {least}"
-        raise ValueError(f"{name} is {value}, but must be finite and {rule}")
+        raise ValueError(f"{name} is {value}, but must be finite and {_above(least)}")
     return number
+
+
+def _above(least: float) -> str:
+    return {0.0: "greater than zero", OR_ZERO: "zero or more"}.get(least, f"greater than {least}")
 
 
 def _number(value: Any, name: str, kind: Kind) -> float:
@@ -99,8 +105,7 @@ def checked(numbers: Floats, name: str, least: float) -> Floats:
     wrong = ~(np.isfinite(numbers) & (numbers > least))
     if wrong.any():
         index = int(np.flatnonzero(wrong)[0])
-        rule = "greater than zero" if least == 0.0 else f"greater than {least}"
-        raise ValueError(f"{name}[{index}] is {numbers[index]}, but must be finite and {rule}")
+        raise ValueError(f"{name}[{index}] is {numbers[index]}, but must be finite and {_above(least)}")
     return numbers
 
 

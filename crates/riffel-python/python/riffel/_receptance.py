@@ -10,7 +10,7 @@ import numpy.typing as npt
 import xarray as xr
 
 from riffel import _riffel
-from riffel._quantities import Complexes, Floats, array, checked, real
+from riffel._quantities import OR_ZERO, Complexes, Floats, array, checked, real
 
 GivenReceptance: TypeAlias = (
     "Callable[[npt.NDArray[np.float64]], npt.ArrayLike] | tuple[npt.ArrayLike, npt.ArrayLike] | xr.DataArray"
@@ -105,7 +105,7 @@ def receptance_from_uff(dataset: Mapping[str, Any], vertical_axis: str = "z") ->
     if not np.iscomplexobj(values):
         raise ValueError("the data of the dataset are real, but a frequency response is complex")
     frequency = real(dataset["x"], "x of the dataset")
-    checked(frequency, "x of the dataset", -np.finfo(np.float64).tiny)
+    checked(frequency, "x of the dataset", OR_ZERO)
     frequency, values = _table(frequency, values, "data of the dataset")
 
     def axis(name: str) -> tuple[int, str]:

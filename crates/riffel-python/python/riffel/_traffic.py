@@ -6,9 +6,8 @@ import os
 from collections.abc import Mapping
 from typing import Any, TypeAlias
 
-import numpy as np
 
-from riffel._quantities import Quantity, scalar
+from riffel._quantities import OR_ZERO, Quantity, scalar
 
 Traffic: TypeAlias = "str | os.PathLike[str] | Mapping[str, Any]"
 """A traffic file, or its keys."""
@@ -26,8 +25,7 @@ def traffic_or_speed(
         if deviation is not None:
             raise ValueError("speed_deviation needs speed, about which speeds scatter")
         return None
-    least = -np.finfo(np.float64).tiny
-    scatter = 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=least)
+    scatter = 0.0 if deviation is None else scalar(deviation, "speed_deviation", "speed", least=OR_ZERO)
     return scalar(speed, "speed", "speed"), scatter
 
 

@@ -84,8 +84,12 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
     Ok(None)
 }
 
+/// As metres per second squared are written.
+const SI: [&str; 8] = [
+    "m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2", "m/s/s",
+];
+
 fn acceleration(written: &str) -> Option<f64> {
-    const SI: [&str; 7] = ["m/s2", "m/s²", "m/s^2", "m_per_s2", "m_s2", "ms-2", "mps2"];
     if SI.iter().any(|unit| written.contains(unit)) {
         return Some(1.0);
     }
@@ -114,8 +118,10 @@ fn speed(written: &str) -> Option<f64> {
 
 /// What the head calls a channel, without its unit and the words that all have.
 pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
-    const OF_ALL: &str = "m|s2|s|per|g|mg|gn|box|axle";
-    let mut own = words(heading.name(column).unwrap_or_default());
+    const OF_ALL: &str = "g|mg|gn|box|axle";
+    let name = heading.name(column).unwrap_or_default().to_lowercase();
+    let name = SI.iter().fold(name, |name, unit| name.replace(unit, " "));
+    let mut own = words(&name);
     own.retain(|word| !is_one_of(word, ACCELERATION) && !is_one_of(word, OF_ALL));
     match own.is_empty() {
         true => format!("column {}", column + 1),
@@ -123,8 +129,14 @@ pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
     }
 }
 
-/// Which of some channels are along or across the rail: those named as one that is vertical, z, but for their axis, x or y.
-pub(super) fn other_axes(names: &[&str]) -> Vec<bool> {
+/// Words for what a box feels along and across the rail, and for what is above the springs.
+const ALONG_OR_ACROSS: &str =
+    "longitudinal|längs|laengs|lateral|transverse|transversal|quer|längsrichtung|querrichtung";
+const ABOVE_SPRINGS: &str = "body|carbody|wagenkasten|kasten|frame|rahmen|drehgestellrahmen";
+
+/// Which of some channels tell nothing of the rail: those along or across it, by these words or named as one that is vertical, z, but
+/// for their axis, x or y; and those of body and bogie frame.
+pub(super) fn not_of_the_rail(names: &[&str]) -> Vec<bool> {
     let split = |name: &&str| {
         let mut own = words(name);
         let axis = own.iter().position(|word| is_one_of(word, "x|y|z"));
@@ -137,8 +149,11 @@ pub(super) fn other_axes(names: &[&str]) -> Vec<bool> {
             .iter()
             .any(|(axis, other)| axis == "z" && other == own)
     };
-    let is_other =
-        |(axis, own): &(String, Vec<String>)| matches!(&axis[..], "x" | "y") && has_vertical(own);
+    let is_other = |(axis, own): &(String, Vec<String>)| {
+        let mut words = own.iter();
+        matches!(&axis[..], "x" | "y") && has_vertical(own)
+            || words.any(|word| is_one_of(word, ALONG_OR_ACROSS) || is_one_of(word, ABOVE_SPRINGS))
+    };
     split.iter().map(is_other).collect()
 }
 
@@ -178,6 +193,36 @@ mod tests {
     #[test]
     fn only_vertical_axes_of_a_box_tell_of_the_rail() {
         let names = ["acc_x_g", "acc_y_g", "acc_z_g", "acc left y [g]"];
-        assert_eq!(other_axes(&names), [true, true, false, false]);
+        assert_eq!(not_of_the_rail(&names), [true, true, false, false]);
+        let in_words = [
+            "Acceleration longitudinal [g]",
+            "Acceleration lateral [g]",
+            "Acceleration vertical [g]",
+            "Beschleunigung quer [m/s²]",
+            "acc car body [g]",
+            "acc bogie frame left [g]",
+            "acc bogie 1 left [g]",
+        ];
+        assert_eq!(
+            not_of_the_rail(&in_words),
+            [true, true, false, true, true, true, false]
+        );
+    }
+
+    #[test]
+    fn units_are_no_part_of_a_name() {
+        for unit in [
+            "[m/s²]",
+            "[m/s2]",
+            "(m/s^2)",
+            "ms-2",
+            "_m_per_s2",
+            "[g]",
+            "[m/s/s]",
+        ] {
+            let heading = Heading::of_name(&format!("Beschleunigung links {unit}"));
+            assert_eq!(channel_name(&heading, 0), "links", "{unit}");
+        }
+        assert_eq!(channel_name(&Heading::of_name("acc 2 [m/s²]"), 0), "2");
     }
 }

@@ -41,6 +41,17 @@ pub enum AxleBoxReading<'a> {
     Gap,
 }
 
+/// When and where a run ended, so that the next file can go on from there.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RunEnd {
+    /// \[s\]; none where there are no times.
+    pub time: Option<f64>,
+    /// \[m\].
+    pub position: f64,
+    /// \[m/s\].
+    pub speed: f64,
+}
+
 impl AxleBoxFile {
     /// Look at the head of a file, which is told by its first bytes:
     ///
@@ -149,7 +160,8 @@ impl AxleBoxFile {
     /// Read it all, reading by reading; what was found wrong and passed over, each with where it is first. `progress` is told
     /// of bytes done, of arrays of samples.
     ///
-    /// Gaps are where times or odometer leap, values are missing, or a channel keeps one value for 50 ms.
+    /// Gaps are where times or odometer leap, values are missing, or a channel keeps one value for 50 ms. Positions without an
+    /// odometer begin at zero, or go on where the file before of the same channels ended if the times go on.
     ///
     /// # Errors
     /// [`CaseError::Read`] if the file cannot be read, [`CaseError::Data`] with the line or the sample and the rule for what
@@ -157,10 +169,11 @@ impl AxleBoxFile {
     /// clipped, in another unit than its head says, or dead; those of `visit`.
     pub fn read(
         &self,
+        before: Option<RunEnd>,
         visit: &mut dyn FnMut(AxleBoxReading<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
-    ) -> Result<Vec<String>, CaseError> {
-        let mut listener = Listener::new(&self.head);
+    ) -> Result<(Vec<String>, RunEnd), CaseError> {
+        let mut listener = Listener::new(&self.head, before);
         let mut take = |row: &Row<'_>| {
             let gap = listener.row(row);
             if gap.map_err(|refusal| refusal.of(&self.path))? {
@@ -177,7 +190,11 @@ impl AxleBoxFile {
             Source::Universal(file) => file.each(&self.path, &mut take, progress)?,
             Source::Arrays(arrays) => arrays.each(&mut take, progress)?,
         }
-        listener.finish().map_err(|refusal| refusal.of(&self.path))
+        let end = listener.end();
+        let remarks = listener
+            .finish()
+            .map_err(|refusal| refusal.of(&self.path))?;
+        Ok((remarks, end))
     }
 }
 
@@ -217,7 +234,7 @@ mod tests {
             }
             Ok(())
         };
-        let remarks = file.read(&mut visit, &|_| ()).map_err(shown)?;
+        let (remarks, _) = file.read(None, &mut visit, &|_| ()).map_err(shown)?;
         assert_eq!(file.channels(), ["left"]);
         assert!((file.rate() - 1000.0).abs() < 1e-6, "{}", file.rate());
         Ok((samples, gaps, last, remarks))
@@ -238,6 +255,43 @@ mod tests {
         });
         let (_, _, last, _) = read(&along, &AxleBoxLayout::default()).unwrap();
         assert!((last - 12_039.98).abs() < 1e-6);
+    }
+
+    /// A run in two files is one line; what does not go on in time is another run, and that is said.
+    #[test]
+    fn a_file_goes_on_where_the_one_before_ended() {
+        let folder = tempfile::tempdir().unwrap();
+        let read = |from: f64, before: Option<RunEnd>| {
+            let path = folder.path().join("run.csv");
+            std::fs::write(&path, table(HEAD, |_, values| values[0] += from)).unwrap();
+            let file = AxleBoxFile::open(&path, &AxleBoxLayout::default()).unwrap();
+            let mut first = None;
+            let mut visit = |reading: AxleBoxReading<'_>| {
+                if let AxleBoxReading::Sample(_, position) = reading {
+                    first.get_or_insert(position);
+                }
+                Ok(())
+            };
+            let (remarks, end) = file.read(before, &mut visit, &|_| ()).unwrap();
+            (first.unwrap(), end, remarks.join("; "))
+        };
+        let (_, end, _) = read(0.0, None);
+        assert!(
+            (end.position - 40.0).abs() < 1e-6 && end.time == Some(1.999),
+            "{end:?}"
+        );
+        let (first, last, said) = read(2.5, Some(end));
+        // Half a second at 20 m/s between them.
+        assert!(
+            (first - 50.04).abs() < 1e-6 && (last.position - 90.02).abs() < 1e-2,
+            "{first} {last:?}"
+        );
+        assert!(said.is_empty(), "{said}");
+        let (first, _, said) = read(0.0, Some(end));
+        assert!(
+            first < 0.1 && said.contains("another run from the same place"),
+            "{first} {said}"
+        );
     }
 
     #[test]

@@ -1,6 +1,7 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use super::clock::{Tick, Ticking};
+use super::file::RunEnd;
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
 use super::sensor::Sensor;
 use super::witness::Witness;
@@ -10,6 +11,8 @@ use crate::refusal::Refusal;
 const ROUNDING: f64 = 1e-3;
 /// Largest step of an odometer that counts \[m\]: kilometre posts stand closer than what is more.
 const LARGEST_COUNT: f64 = 20.0;
+/// Longest time from one reading of an odometer to the next \[s\].
+const LONGEST_HELD: f64 = 2.0;
 /// Faster than any train on rails has run, 574.8 km/h on 3 April 2007 \[m/s\].
 const FASTEST: f64 = 160.0;
 
@@ -17,12 +20,20 @@ const FASTEST: f64 = 160.0;
 pub(super) struct Listener<'a> {
     head: &'a AxleBoxHead,
     sensors: Vec<Sensor>,
+    /// Where the file before ended.
+    before: Option<RunEnd>,
+    /// Whether this one goes on from there.
+    follows: bool,
+    /// Last time \[s\].
+    time: Option<f64>,
     /// \[m\].
     pub(super) position: f64,
     /// Last speed \[m/s\].
     speed: Option<f64>,
     /// Last reading of the odometer \[m\].
     odometer: Option<f64>,
+    /// Rows since it last rose.
+    held: usize,
     /// Reading of the odometer \[m\] at the beginning of the present second, and samples since.
     second: (f64, usize),
     ticking: Option<Ticking>,
@@ -64,16 +75,20 @@ impl Counted {
 }
 
 impl<'a> Listener<'a> {
-    pub(super) fn new(head: &'a AxleBoxHead) -> Self {
+    pub(super) fn new(head: &'a AxleBoxHead, before: Option<RunEnd>) -> Self {
         let sensors = head.names.iter();
         Self {
             sensors: sensors
                 .map(|name| Sensor::new(name, head.rate, head.counting))
                 .collect(),
             head,
+            before: before.filter(|_| head.place != PlaceBy::Odometer),
+            follows: false,
+            time: None,
             position: 0.0,
             speed: None,
             odometer: None,
+            held: 0,
             second: (0.0, 0),
             ticking: head.clock.map(Ticking::new),
             witness: head
@@ -96,6 +111,10 @@ impl<'a> Listener<'a> {
     /// Take in a row; whether there is a gap before what comes next.
     pub(super) fn row(&mut self, row: &Row<'_>) -> Result<bool, Refusal> {
         self.rows += 1;
+        if self.rows == 1 {
+            self.go_on(row.time);
+        }
+        self.time = row.time.filter(|time| time.is_finite()).or(self.time);
         let mut there = row.accelerations.iter().all(|value| value.is_finite());
         let (mut leap, mut lost) = (false, 0.0);
         if let (Some(time), Some(ticking)) = (row.time, &mut self.ticking) {
@@ -146,6 +165,26 @@ impl<'a> Listener<'a> {
         Ok(gap)
     }
 
+    /// Begin where the train is by now after the file before, if this one is later.
+    fn go_on(&mut self, time: Option<f64>) {
+        if let Some(before) = self.before
+            && let (Some(ended), Some(time)) = (before.time, time)
+            && time > ended
+        {
+            self.position = before.position + before.speed * (time - ended);
+            self.follows = true;
+        }
+    }
+
+    /// When and where the run ends.
+    pub(super) fn end(&self) -> RunEnd {
+        RunEnd {
+            time: self.time,
+            position: self.position,
+            speed: self.speed.unwrap_or(0.0),
+        }
+    }
+
     /// One sample further at a speed.
     fn advance(&mut self, speed: f64) -> bool {
         let before = self.speed.unwrap_or(speed);
@@ -189,7 +228,14 @@ impl<'a> Listener<'a> {
             );
             return self.refuse(number, message);
         }
-        if odometer > before + LARGEST_COUNT && !*leap {
+        // It may be read once a second.
+        self.held += 1;
+        let since = self.held as f64 / self.head.rate;
+        let is_run = since <= LONGEST_HELD && odometer - before <= FASTEST * since;
+        if odometer > before {
+            self.held = 0;
+        }
+        if odometer > before + LARGEST_COUNT && !is_run && !*leap {
             self.jumps.at(number);
             *leap = true;
         }
@@ -236,6 +282,11 @@ impl<'a> Listener<'a> {
         ];
         let mut remarks = self.head.remarks.clone();
         remarks.extend(found.into_iter().flatten());
+        if self.before.is_some() && !self.follows {
+            let said = "its times do not go on from those of the file before, and no odometer says where it lies: it is taken for \
+                        another run from the same place";
+            remarks.push(said.to_owned());
+        }
         if self.rows == 0 {
             return Err(Refusal::new(None, "there is no reading"));
         }

@@ -14,5 +14,5 @@ mod wave;
 mod witness;
 
 pub use arrays::AxleBoxPlace;
-pub use file::{AxleBoxFile, AxleBoxReading};
+pub use file::{AxleBoxFile, AxleBoxReading, RunEnd};
 pub use head::AxleBoxLayout;

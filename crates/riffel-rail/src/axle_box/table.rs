@@ -9,7 +9,7 @@ use riffel_keys::table::{NumberColumns, Table, is_comment, is_mark};
 use riffel_keys::text_file::Encoding;
 
 use super::clock::{Clock, Regression};
-use super::columns::{Content, channel_name, content, other_axes};
+use super::columns::{Content, channel_name, content, not_of_the_rail};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Places, Row, Signals, unreadable};
 use crate::refusal::Refusal;
 
@@ -119,15 +119,25 @@ impl AxleBoxTable {
             .ok_or_else(|| refuse(nothing))?;
         let mut signals = Signals::default();
         let mut empty = None;
-        for column in 0..written.len() {
+        for (column, name) in written.iter().enumerate() {
             let found = content(&table.heading, column);
             if !table
                 .kinds
                 .get(column)
                 .is_some_and(|kind| kind.is_numeric())
             {
-                if let Ok(Some(Content::Speed(_) | Content::Odometer(_))) = found {
-                    empty.get_or_insert(column);
+                match found {
+                    Ok(Some(Content::Speed(_) | Content::Odometer(_))) => {
+                        empty.get_or_insert(column);
+                    }
+                    Ok(Some(Content::Time(_))) if layout.rate.is_none() => {
+                        let message = format!(
+                            "column `{name}` holds no numbers, but times are needed in seconds: write them so, or give the sampling \
+                             rate by --rate"
+                        );
+                        return Err(Refusal::new(Some(table.header_lines + 1), message));
+                    }
+                    _ => {}
                 }
                 continue;
             }
@@ -141,7 +151,11 @@ impl AxleBoxTable {
                 "there is no column of accelerations; call it acceleration_m_per_s2 or acceleration_g",
             ));
         }
-        let remarks = leave_out_other_axes(&mut signals, written);
+        let remarks = leave_out_others(&mut signals, written);
+        if signals.channels.is_empty() {
+            let message = remarks.join("; ");
+            return Err(Refusal::new(Some(table.header_lines), message));
+        }
         let places = signals.place(layout.speed);
         if let Some(Places {
             signal: Some((column, _)),
@@ -256,14 +270,14 @@ fn each_row(
     Ok(())
 }
 
-/// Leave out what a box felt along and across the rail; as a sentence.
-fn leave_out_other_axes(signals: &mut Signals<usize>, names: &[String]) -> Vec<String> {
+/// Leave out what tells nothing of the rail; as a sentence.
+fn leave_out_others(signals: &mut Signals<usize>, names: &[String]) -> Vec<String> {
     let channels: Vec<&str> = signals
         .channels
         .iter()
         .map(|&(column, _)| &names[column][..])
         .collect();
-    let mut others = other_axes(&channels).into_iter();
+    let mut others = not_of_the_rail(&channels).into_iter();
     let mut left_out = Vec::new();
     signals.channels.retain(|&(column, _)| {
         let is_other = others.next().unwrap_or(false);
@@ -276,7 +290,7 @@ fn leave_out_other_axes(signals: &mut Signals<usize>, names: &[String]) -> Vec<S
         return left_out;
     }
     vec![format!(
-        "{} left out: of the axes of a box, z tells of the rail",
+        "{} left out: only what an axle box felt upward tells of the rail",
         left_out.join(", ")
     )]
 }

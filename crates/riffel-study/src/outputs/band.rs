@@ -2,7 +2,7 @@
 
 use riffel::roughness::{ThirdOctave, WavelengthBand};
 use riffel_case::Case;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, say};
 
 use crate::file::{BandSet, OutputsFile};
 
@@ -63,8 +63,8 @@ pub(super) fn bands(
         Some(_) if !file.band.is_empty() => {
             return Err(source.invalid(
                 "outputs.band",
-                "and `outputs.growth_by_band` exclude each other",
-                "give one of the two",
+                say!(and_exclude_each_other, other = "outputs.growth_by_band"),
+                say!(give_one_of_the_two),
             ));
         }
         Some(BandSet::Grinding) => WavelengthBand::GRINDING

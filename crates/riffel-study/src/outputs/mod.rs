@@ -8,7 +8,7 @@ use riffel::Complex64;
 use riffel::growth::{RidgeSearch, RowEvaluator};
 use riffel_case::traffic::{Traffic, UsualTraffic, bands_of};
 use riffel_case::{Case, Setting, Variant};
-use riffel_keys::{CaseError, KeyFile, Message};
+use riffel_keys::{CaseError, KeyFile, Message, say};
 
 use crate::file::{MapQuantity, OutputsFile};
 
@@ -57,16 +57,11 @@ impl Outputs {
                 remarks.extend(source.judge(&key(name))?);
             }
             if point.quantities.is_empty() {
-                return Err(source.invalid(
-                    &key("quantities"),
-                    "is empty, but must name a quantity",
-                    "",
-                ));
+                return Err(source.invalid(&key("quantities"), say!(is_an_empty_list), ""));
             }
             if !is_plain(point.name.as_deref()) {
                 let name = point.name.as_deref().unwrap_or_default();
-                let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
-                return Err(source.invalid(&key("name"), &rule, ""));
+                return Err(source.invalid(&key("name"), not_plain(name), ""));
             }
         }
         for (index, wave) in file.wave.iter().enumerate() {
@@ -75,20 +70,22 @@ impl Outputs {
                 remarks.extend(source.judge(&key(name))?);
             }
             let refuse =
-                |name: &str, rule: &str, help: &str| Err(source.invalid(&key(name), rule, help));
+                |name: &str, rule: Message, help: &str| Err(source.invalid(&key(name), rule, help));
             if wave.quantities.is_empty() {
-                return refuse("quantities", "is empty, but must name a quantity", "");
+                return refuse("quantities", say!(is_an_empty_list), "");
             }
             if !is_plain(wave.name.as_deref()) {
                 let name = wave.name.as_deref().unwrap_or_default();
-                let rule = format!("is \"{name}\", but must be of letters, figures and _ alone");
-                return refuse("name", &rule, "");
+                return refuse("name", not_plain(name), "");
             }
             let asks_for_amplitude = wave.quantities.contains(&WaveQuantity::AmplitudeM);
             match wave.passages {
-                Some(0) => return refuse("passages", "is 0, but must be 1 or more", ""),
+                Some(0) => {
+                    let rule = say!(is_but_must_be, value = 0.0, rule = say!(one_or_more));
+                    return refuse("passages", rule, "");
+                }
                 None if asks_for_amplitude => {
-                    let rule = "asks for amplitude_m, but no passages are given";
+                    let rule = Message::verbatim("asks for amplitude_m, but no passages are given");
                     return refuse(
                         "quantities",
                         rule,
@@ -359,6 +356,11 @@ fn traffic(
         None if file.usual_traffic => UsualTraffic::of(case).traffic().map(Some),
         None => Ok(None),
     }
+}
+
+/// What is wrong with a name that is not plain.
+fn not_plain(name: &str) -> Message {
+    format!("is \"{name}\", but must be of letters, figures and _ alone").into()
 }
 
 /// Whether a name, if there is one, can be that of an array.

@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 
 use file::{Method, PlanFile};
 use riffel_case::{Case, CaseKey, settings};
-use riffel_keys::{CaseError, KeyFile, text_file};
+use riffel_keys::{CaseError, KeyFile, say, text_file};
 
 use crate::correlation::GaussianCopula;
 use crate::design::Design;
@@ -114,8 +114,9 @@ impl Plan {
         if let Some(chunk) = file.results.samples_per_chunk
             && !(1..=MOST_SAMPLES_PER_CHUNK).contains(&chunk)
         {
-            let rule = format!("is {chunk}, but must be between 1 and {MOST_SAMPLES_PER_CHUNK}");
-            return Err(source.invalid("results.samples_per_chunk", &rule, ""));
+            let [value, high] = [chunk, MOST_SAMPLES_PER_CHUNK].map(|it| it as f64);
+            let rule = say!(is_outside, value = value, low = 1.0, high = high);
+            return Err(source.invalid("results.samples_per_chunk", rule, ""));
         }
         let mut plan = Self {
             table: source.table().clone(),
@@ -143,13 +144,14 @@ impl Plan {
         plan.remarks
             .extend(of_points.iter().map(ToString::to_string));
         plan.remarks.extend(plan.own_remarks());
+        plan.remarks.extend(plan.idle_parameters(&case));
         bounds::check(&source, &mut plan, &case)?;
         Ok((plan, case, path.to_owned()))
     }
 
     fn parameters(source: &KeyFile, file: &PlanFile) -> Result<Vec<Parameter>, CaseError> {
         if file.parameter.is_empty() {
-            return Err(source.missing("parameter", "write one [[parameter]] or more"));
+            return Err(source.missing("parameter", say!(write_one_parameter_or_more)));
         }
         let mut parameters: Vec<Parameter> = Vec::new();
         for (index, written) in file.parameter.iter().enumerate() {
@@ -160,13 +162,13 @@ impl Plan {
                 let nearest = CaseKey::nearest(&written.key);
                 return Err(source.invalid(
                     &place,
-                    format!("is \"{}\", but the case file has no such key", written.key),
-                    format!("did you mean {nearest}? The case file lists all keys"),
+                    say!(is_no_key_of_the_case, name = &written.key),
+                    say!(the_nearest_key_is, key = nearest),
                 ));
             };
             if parameters.iter().any(|other| other.key == key) {
-                let rule = format!("is \"{}\" a second time", key.key);
-                return Err(source.invalid(&place, &rule, ""));
+                let rule = say!(is_a_second_time, text = &key.key);
+                return Err(source.invalid(&place, rule, ""));
             }
             let spread = spread::of(source, index, written, key)?;
             parameters.push(Parameter { key, spread });
@@ -194,6 +196,24 @@ impl Plan {
             );
         }
         remarks
+    }
+
+    /// What parameters of rail and supports the model of the track does not have, unless others choose another model.
+    fn idle_parameters(&self, case: &Case) -> Vec<String> {
+        if self.parameters.iter().any(|it| it.key.quantity.is_none()) {
+            return Vec::new();
+        }
+        // A place along the bay counts where growth is no mean over it.
+        let is_of_track = |key: &&String| {
+            (key.starts_with("track.") || key.starts_with("rail.")) && *key != "track.position"
+        };
+        let keys = self.parameters.iter().map(|it| &it.key.key);
+        let keys = keys.filter(is_of_track);
+        let idle = keys.filter_map(|key| {
+            let reason = case.idle_because(key)?;
+            Some(say!(key_and_rule, key = key, rule = reason).to_string())
+        });
+        idle.collect()
     }
 
     /// The parameters of a sample as shares of the unit cube, correlations included.

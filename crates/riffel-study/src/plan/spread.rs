@@ -4,7 +4,7 @@ use std::collections::HashSet;
 
 use riffel_case::CaseKey;
 use riffel_keys::quantity::Kind;
-use riffel_keys::{CaseError, KeyFile};
+use riffel_keys::{CaseError, KeyFile, Message, say};
 use toml::Value;
 
 use super::file::{LognormalFile, NormalFile, ParameterFile, RangeFile, Spacing};
@@ -48,8 +48,8 @@ pub(super) fn of(
         return Err(match given[..] {
             [] => source.missing(&format!("{at}.values"), help),
             [one, other, ..] => {
-                let rule = format!("and `{at}.{one}` exclude each other");
-                source.invalid(&format!("{at}.{other}"), &rule, help)
+                let rule = say!(and_exclude_each_other, other = format!("{at}.{one}"));
+                source.invalid(&format!("{at}.{other}"), rule, help)
             }
             [_] => unreachable!("one way is handled above"),
         });
@@ -58,10 +58,7 @@ pub(super) fn of(
         let Some(values) = &written.values else {
             return Err(source.invalid(
                 &format!("{at}.{way}"),
-                format!(
-                    "is for quantities, but `{}` takes a choice, a name or a whole number",
-                    key.key
-                ),
+                say!(is_for_quantities, key = &key.key),
                 "give its values one by one: values = [...]",
             ));
         };
@@ -121,9 +118,8 @@ pub fn distribution(
         let (min, max) = place.ends("triangular", &triangular.min, &triangular.max)?;
         let mode = place.number("triangular.mode", &triangular.mode)?;
         if !(min..=max).contains(&mode) {
-            let rule =
-                format!("is {mode}, but must be between the min of {min} and the max of {max}");
-            return Err(place.wrong("triangular.mode", &rule));
+            let rule = say!(is_outside, value = mode, low = min, high = max);
+            return Err(place.wrong("triangular.mode", rule));
         }
         Distribution::Triangular { min, mode, max }
     } else {
@@ -149,8 +145,20 @@ fn list(source: &KeyFile, at: &str, values: Vec<ParameterValue>) -> Result<Sprea
 }
 
 impl Place<'_> {
-    fn wrong(&self, key: &str, rule: &str) -> CaseError {
+    fn wrong(&self, key: &str, rule: Message) -> CaseError {
         self.source.invalid(&format!("{}.{key}", self.at), rule, "")
+    }
+
+    /// An end that is not above the other one.
+    fn not_above(&self, key: &str, (min, max): (f64, f64)) -> CaseError {
+        self.wrong(
+            key,
+            say!(
+                is_but_must_be,
+                value = max,
+                rule = say!(above_the_min, min = min)
+            ),
+        )
     }
 
     fn number(&self, key: &str, value: &Value) -> Result<f64, CaseError> {
@@ -159,14 +167,16 @@ impl Place<'_> {
             Value::Float(number) => self.kind.read(&number.to_string()),
             Value::String(text) => self.kind.read(text),
             _ => {
-                let rule = format!(
-                    "is no number, but must be {}, as in \"{}\"",
-                    self.kind.name, self.kind.example
+                let must_be = say!(
+                    kind_as_in_example,
+                    kind = self.kind.name.to_owned(),
+                    example = self.kind.example
                 );
-                return Err(self.wrong(key, &rule));
+                let rule = say!(is_no_number, rule = must_be);
+                return Err(self.wrong(key, rule));
             }
         };
-        read.map_err(|error| self.wrong(key, &error.to_string()))
+        read.map_err(|error| self.wrong(key, error.message()))
     }
 
     fn optional(&self, key: &str, value: Option<&Value>, left_out: f64) -> Result<f64, CaseError> {
@@ -177,8 +187,7 @@ impl Place<'_> {
         let low = self.number(&format!("{table}.min"), min)?;
         let high = self.number(&format!("{table}.max"), max)?;
         if low >= high {
-            let rule = format!("is {high}, but must be above the min of {low}");
-            return Err(self.wrong(&format!("{table}.max"), &rule));
+            return Err(self.not_above(&format!("{table}.max"), (low, high)));
         }
         Ok((low, high))
     }
@@ -187,17 +196,16 @@ impl Place<'_> {
         if value > 0.0 {
             return Ok(value);
         }
-        Err(self.wrong(key, &format!("is {value}, but must be greater than zero")))
+        let rule = say!(greater_than_zero);
+        Err(self.wrong(key, say!(is_but_must_be, value = value, rule = rule)))
     }
 
     fn range(&self, range: &RangeFile) -> Result<Spread, CaseError> {
         let (min, max) = self.ends("range", &range.min, &range.max)?;
         if !(2..=MOST_VALUES).contains(&range.points) {
-            let rule = format!(
-                "is {}, but must be between 2 and {MOST_VALUES}",
-                range.points
-            );
-            return Err(self.wrong("range.points", &rule));
+            let [value, high] = [range.points, MOST_VALUES].map(|it| it as f64);
+            let rule = say!(is_outside, value = value, low = 2.0, high = high);
+            return Err(self.wrong("range.points", rule));
         }
         if range.spacing == Spacing::Log {
             self.positive("range.min", min)?;
@@ -237,7 +245,8 @@ impl Place<'_> {
         let min = self.optional(&key("min"), lognormal.min.as_ref(), 0.0)?;
         let max = self.optional(&key("max"), lognormal.max.as_ref(), f64::INFINITY)?;
         if min < 0.0 {
-            return Err(self.wrong(&key("min"), &format!("is {min}, but must be zero or more")));
+            let rule = say!(is_but_must_be, value = min, rule = say!(zero_or_more));
+            return Err(self.wrong(&key("min"), rule));
         }
         let distribution = match lognormal {
             LognormalFile {
@@ -262,8 +271,8 @@ impl Place<'_> {
                 let median = self.positive(&key("median"), self.number(&key("median"), median)?)?;
                 let factor = factor.si();
                 if factor <= 1.0 {
-                    let rule = format!("is {factor}, but must be above 1");
-                    return Err(self.wrong(&key("factor"), &rule));
+                    let rule = say!(is_but_must_be, value = factor, rule = say!(more_than_one));
+                    return Err(self.wrong(&key("factor"), rule));
                 }
                 Distribution::Lognormal {
                     log_mean: median.ln(),
@@ -273,8 +282,7 @@ impl Place<'_> {
                 }
             }
             _ => {
-                let rule = "needs mean and standard_deviation, or median and factor";
-                return Err(self.wrong("lognormal", rule));
+                return Err(self.wrong("lognormal", say!(needs_moments_or_median)));
             }
         };
         if let Distribution::Lognormal {
@@ -294,13 +302,10 @@ impl Place<'_> {
         /// Beyond this the probabilities have no digits left.
         const FARTHEST: f64 = 30.0;
         if min >= max {
-            let rule = format!("is {max}, but must be above the min of {min}");
-            return Err(self.wrong(&format!("{table}.max"), &rule));
+            return Err(self.not_above(&format!("{table}.max"), (min, max)));
         }
         if scores[0] > FARTHEST || scores[1] < -FARTHEST {
-            let rule =
-                "leaves nothing between its ends: they are more than 30 standard deviations away";
-            return Err(self.wrong(table, rule));
+            return Err(self.wrong(table, say!(leaves_nothing_between_its_ends)));
         }
         Ok(())
     }

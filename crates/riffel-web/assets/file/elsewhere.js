@@ -24,4 +24,7 @@ export function startMeasure({ listen, banner }) {
 
 export function startBogie() {}
 
-export function startCalibrate() {}
+export function startCalibrate({ banner }) {
+  const elsewhere = () => banner.notice(ELSEWHERE[currentLanguage()]);
+  return { likelihood: () => null, plan: null, take: elsewhere, bringBack: elsewhere };
+}

@@ -19,6 +19,7 @@
 //!   their resonances;
 //! * the waves that neighbouring wheels send along the rail, |H_r(d)/(H_r + H_w + 1/k_H)| of their roughness at the distance d.
 
+mod counted_steps;
 mod felt_profile;
 mod inverse;
 mod run;

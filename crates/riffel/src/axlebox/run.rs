@@ -1,5 +1,6 @@
 //! Samples as they come, cut into pieces that fit into memory.
 
+use super::counted_steps::CountedSteps;
 use super::segment::Segment;
 use super::{AxleBoxTransfer, FeltProfile};
 use crate::Error;
@@ -13,6 +14,8 @@ const SPEEDS: f64 = 1.3;
 const EDGE: f64 = 10.0;
 /// Time to either side over which positions are averaged \[s\]: an odometer counts in steps.
 const SMOOTHING: f64 = 0.25;
+/// Longest time from one step of an odometer to the next \[s\]; beyond it the train stands.
+const LONGEST_STEP: f64 = 2.0;
 /// Lowest and highest of no speeds.
 const NOTHING_SEEN: (f64, f64) = (f64::INFINITY, 0.0);
 /// Heights to the shortest wavelength.
@@ -101,7 +104,8 @@ pub struct Sample {
 
 /// A run of a train: samples in, roughness out.
 ///
-/// Method: positions are averaged over half a second, for odometers that count in steps. What is slower than the lowest
+/// Method: a position that stands still and then leaps is an odometer that counts in steps or is read seldom; between two leaps
+/// no more than two seconds apart the train is taken to run evenly. Positions are averaged over half a second. What is slower than the lowest
 /// speed parts the run into stretches. A stretch is cut into segments of at most 2¹⁸ samples within which the speed changes
 /// by no more than a factor of 1.3, each divided by the transfer at its mean speed with ten of the longest waves before
 /// and behind it, and laid out along the rail. The first and last ten of the longest waves of a stretch (at the lowest speed)
@@ -113,6 +117,7 @@ pub struct Run<'a> {
     half: usize,
     /// Samples of an edge.
     edge: usize,
+    counted: CountedSteps,
     raw: Vec<Sample>,
     stretch: Stretch,
     finished: Vec<FeltProfile>,
@@ -143,6 +148,7 @@ impl<'a> Run<'a> {
             transfer,
             half: count(SMOOTHING),
             edge: count(EDGE * settings.longest / settings.slowest),
+            counted: CountedSteps::new(count(LONGEST_STEP)),
             settings,
             raw: Vec::new(),
             stretch: Stretch::default(),
@@ -155,7 +161,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// [`Error::OutOfRange`] for a sampling rate too low for any wavelength at the speed.
     pub fn push(&mut self, sample: Sample) -> Result<(), Error> {
-        self.raw.push(sample);
+        self.counted.push(sample, &mut self.raw);
         // Many at a time, as sums of positions are begun anew each time.
         if self.raw.len() < 8 * self.half {
             return Ok(());
@@ -168,6 +174,7 @@ impl<'a> Run<'a> {
     /// # Errors
     /// As [`push`](Self::push).
     pub fn interrupt(&mut self) -> Result<(), Error> {
+        self.counted.end(&mut self.raw);
         self.smooth()?;
         self.raw.clear();
         self.end_stretch()

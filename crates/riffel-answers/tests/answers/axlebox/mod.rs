@@ -220,6 +220,48 @@ fn a_known_rail_is_found_again_under_a_common_train() {
 
 /// Heights come out where they are and the right way up: with the rail they correlate to more than 0.98 between 30 and
 /// 100 mm.
+/// An odometer that is read five times a second, or counts half metres, tells of the same run: by the levels, at a changing speed.
+#[test]
+fn an_odometer_in_steps_is_the_same_run() {
+    let case = case();
+    let journey = Journey {
+        drift: 0.2,
+        ..QUIET
+    };
+    let samples = signal(&case, &journey, &rail(journey.length + 1.0));
+    let settings = RunSettings::at_rate(journey.rate);
+    let levels = |samples: &[Sample]| {
+        let found = felt(&case, settings, samples);
+        assert_eq!(found.len(), 1);
+        spectrum(&found[0].profile)
+    };
+    let exact = levels(&samples);
+    let held = (journey.rate / 5.0) as usize;
+    let seldom: Vec<Sample> = (0..samples.len())
+        .map(|index| Sample {
+            position: samples[index / held * held].position,
+            ..samples[index]
+        })
+        .collect();
+    let counted: Vec<Sample> = samples
+        .iter()
+        .map(|sample| Sample {
+            position: (2.0 * sample.position).floor() / 2.0,
+            ..*sample
+        })
+        .collect();
+    for read in [seldom, counted] {
+        let found = levels(&read);
+        for level in exact.levels() {
+            let band = level.band;
+            if (20.0..=315.0).contains(&band.nominal_millimetres()) {
+                let error = found.level(band).unwrap() - level.level;
+                assert!(error.abs() < 0.3, "{band:?}: {error}");
+            }
+        }
+    }
+}
+
 #[test]
 fn heights_are_where_they_are_and_upward() {
     let case = case();

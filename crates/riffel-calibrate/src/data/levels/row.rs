@@ -19,6 +19,9 @@ pub(crate) struct Row {
     pub(super) error: f64,
 }
 
+/// How far the nominal centre of a band may lie from its exact one, 20 from 19.95 mm: they are one.
+const NOMINAL: f64 = 1.02;
+
 /// That the wavelengths of a table lie in the window of the case, as bands.
 fn bands(
     numbers: &table::Numbers,
@@ -34,7 +37,8 @@ fn bands(
             let band = band.map_err(|_| {
                 refuse(format!("`wavelength_mm` is {millimetres}, but must be the centre of a one-third octave"))
             })?;
-            if band.wavelength() < shortest || band.wavelength() > longest {
+            let centre = band.wavelength();
+            if centre * NOMINAL < shortest || centre > longest * NOMINAL {
                 return Err(refuse(format!(
                     "`wavelength_mm` is {millimetres}, outside the window of the case, map.wavelength from {:.1} to {:.1} mm",
                     1e3 * shortest,

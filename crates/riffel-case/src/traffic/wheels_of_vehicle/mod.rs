@@ -101,7 +101,7 @@ impl Asked<'_> {
         let (traffic, variant) = (self.traffic, self.variant);
         if self.spreads().lateral_position.is_some() && self.case.file.wear.band_width.is_some() {
             let message = say!(
-                and_wear_band_width_of_the,
+                width_excludes_that_of_the_case,
                 key = self.key(".lateral_position")
             );
             return Err(self.refuse(".lateral_position", &message));

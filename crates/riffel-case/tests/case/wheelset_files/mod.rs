@@ -178,7 +178,7 @@ fn a_measured_wheelset_is_not_extrapolated() {
         .unwrap_err()
         .to_string();
     assert!(
-        error.contains("`wheelset.file` is known from 20.0000 to 600.0000 Hz and is not extrapolated, but 100.0000 to 700.0000 Hz are asked for"),
+        error.contains("`wheelset.file` is known from 20.0000 to 600.0000 Hz and is not extrapolated, but 100.0000–700.0000 Hz is asked for"),
         "{error}"
     );
     assert!(measured.check_wheelset_frequencies(10.0, 10.0).is_err());

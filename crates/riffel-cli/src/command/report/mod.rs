@@ -421,6 +421,7 @@ fn what_if(
         variants: arguments.variants.clone(),
         models: None,
         remedies: false,
+        costs: Vec::new(),
         speed: now
             .filter(|_| traffic.is_none())
             .map(|now| Quantity::new(now.speed).into()),

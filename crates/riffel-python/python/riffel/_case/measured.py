@@ -12,7 +12,7 @@ import xarray as xr
 from riffel import _diagnosis, _riffel
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._case.keys import KeysOfCase
-from riffel._quantities import Quantities, Quantity, scalar
+from riffel._quantities import OR_ZERO, Quantities, Quantity, scalar
 from riffel._records import Date, RailRecord
 from riffel._spectra import levels_of
 from riffel._speeds import Speeds
@@ -297,12 +297,11 @@ class MeasuredOnCase(KeysOfCase):
         10.0
         """
         rails = (scalar(rail_foot, "rail_foot", "length"), scalar(sleeper_area, "sleeper_area", "area"))
-        least = -np.finfo(np.float64).tiny
         train = (
             wheels,
             None if train_length is None else scalar(train_length, "train_length", "length"),
             scalar(distance, "distance", "length"),
-            scalar(height, "height", "length", least=least),
+            scalar(height, "height", "length", least=OR_ZERO),
         )
         if isinstance(wheels, bool) or not isinstance(wheels, (int, np.integer)) or wheels < 1:
             raise ValueError(f"wheels is {wheels!r}, but must be a whole number of at least 1")

@@ -127,6 +127,41 @@ class OutlookOfCase(KeysOfCase):
         """
         return _riffel.line_growth(self._case, None if traffic is None else file_or_keys(traffic))
 
+    def remedies(self, traffic: Traffic | None = None, *, costs: Mapping[str, float] | None = None) -> dict[str, Any]:
+        """What would slow growth under the traffic of the line, the remedy that helps most first.
+
+        Parameters
+        ----------
+        traffic : path or mapping, optional
+            As of `line_growth`.
+        costs : mapping, optional
+            What remedies cost by their ids, in one currency for all; what gains most months of grinding interval for it then
+            comes first.
+
+        Returns
+        -------
+        dict
+            What ``riffel compare --remedies --json`` prints: ``under_traffic``, ``grinding_interval``, ``remedies``, each with ``id``,
+            ``title``, ``changes``, ``change_of_fastest_growth``, ``fastest``, ``grinding_interval`` and ``months_gained``, and
+            ``left_out`` with the reasons.
+
+        Raises
+        ------
+        ValueError
+            For a cost that is not above zero, or of what no remedy is called.
+
+        Examples
+        --------
+        >>> metro = riffel.Case.from_toml("cases/metro.toml")
+        >>> best = metro.remedies()["remedies"][0]
+        >>> best["id"], round(100 * best["change_of_fastest_growth"])
+        ('softer-pads', -54)
+        >>> metro.remedies(costs={"slower-trains": 1.0})["remedies"][0]["id"]
+        'slower-trains'
+        """
+        given = None if traffic is None else file_or_keys(traffic)
+        return _riffel.remedies(self._case, given, dict(costs or {}))
+
     def compare(
         self,
         variants: Sequence[str | os.PathLike[str] | Mapping[str, Any]],

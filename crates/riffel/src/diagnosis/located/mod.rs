@@ -95,7 +95,7 @@ impl CleanRail {
         let mut clean = Self::with_defects(stretches);
         for (on_rail, on_wheel) in clean.on_rail.iter_mut().zip(&mut clean.on_wheel) {
             // What the wheel bridges is no defect to it.
-            let defects = on_wheel.bridge_defects();
+            let defects = on_wheel.bridge_defects(None);
             for defect in &defects {
                 on_rail.bridge_between(defect.from, defect.to);
             }

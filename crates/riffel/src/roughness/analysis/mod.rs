@@ -160,9 +160,9 @@ impl RailAnalysis {
                 pits += stretch.roll_over(WHEEL_RADIUS, PIT_DEPTH).len();
             }
             if settings.without_defects {
-                defects.extend(stretch.bridge_defects());
+                defects.extend(stretch.bridge_defects(settings.felt));
             } else if !settings.bands.is_empty() {
-                defects.extend(stretch.clone().bridge_defects());
+                defects.extend(stretch.clone().bridge_defects(settings.felt));
             }
             progress();
         }
