@@ -10,6 +10,7 @@ mod tables;
 
 use std::path::Path;
 
+use riffel::error::readable;
 use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelModes};
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::traffic::Traffic;
@@ -178,11 +179,12 @@ impl NoiseQuestion {
             if let Some(rates) = &self.radiator.decay_rate
                 && self.fills_a_band()
             {
-                let known = rates.iter().map(|(band, _)| band.nominal().to_string());
-                let known: Vec<String> = known.collect();
+                let known = || rates.iter().map(|(band, _)| band.nominal());
+                let [from, to] =
+                    [known().next(), known().next_back()].map(Option::unwrap_or_default);
                 return Err(AnswerError::Argument {
                     argument: "--decay-rate",
-                    value: format!("known at {} Hz", known.join(", ")),
+                    value: format!("known from {} to {} Hz", readable(from), readable(to)),
                     rule: "known where the roughness fills a one-third octave between 100 Hz and 5 kHz, over frequencies in Hz"
                         .to_owned(),
                 });

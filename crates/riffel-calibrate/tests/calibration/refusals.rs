@@ -3,12 +3,13 @@
 use std::fs;
 
 use riffel_calibrate::Plan;
+use riffel_keys::{CaseError, Language};
 use tempfile::TempDir;
 
 use crate::folder;
 
 /// A copy of set b or c with a text in a file in place of another.
-fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan, String>) {
+fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan, CaseError>) {
     let copy = TempDir::new().unwrap();
     for entry in fs::read_dir(folder(set)).unwrap() {
         let path = entry.unwrap().path();
@@ -19,7 +20,7 @@ fn changed(set: &str, file: &str, from: &str, to: &str) -> (TempDir, Result<Plan
     assert!(text.contains(from), "{from}");
     fs::write(&path, text.replacen(from, to, 1)).unwrap();
     let plan = Plan::read(&copy.path().join("plan.toml"));
-    (copy, plan.map_err(|error| error.to_string()))
+    (copy, plan)
 }
 
 #[test]
@@ -372,9 +373,13 @@ fn what_cannot_be_used_is_said() {
         let Err(error) = plan else {
             panic!("{to} is taken");
         };
+        let english = error.to_string();
         for part in parts {
-            assert!(error.contains(part), "{to}: {error}");
+            assert!(english.contains(part), "{to}: {english}");
         }
+        // What is wrong with the keys of a plan, the page says in German, too.
+        let german = error.message().text(Language::German);
+        assert!(file != "plan.toml" || german != english, "{english}");
     }
 }
 
@@ -384,7 +389,7 @@ fn one_date_is_refused() {
     let text = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();
     let later = text.lines().skip(9).collect::<Vec<_>>().join("\n");
     let (_folder, plan) = changed("b-three-dates", "roughness.csv", &later, "");
-    let error = plan.err().unwrap();
+    let error = plan.err().unwrap().to_string();
     assert!(error.contains("one date"), "{error}");
 }
 
