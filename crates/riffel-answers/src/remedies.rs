@@ -5,7 +5,8 @@ use std::collections::BTreeMap;
 
 use riffel::forecast::SpeedDistribution;
 use riffel_case::traffic::{Traffic, UsualTraffic};
-use riffel_case::{Case, Hold, Variant};
+use riffel_case::{Case, CaseKey, Hold, Variant};
+use riffel_keys::quantity::{Kind, Speed};
 use riffel_keys::{CaseError, Language, Message, fixed, number, say, significant_digits};
 use riffel_plot::{LineFigure, Series};
 use serde::Serialize;
@@ -283,15 +284,17 @@ impl Remedy {
     }
 }
 
-/// Keys and values, to four digits: "track.pad.stiffness = 3e7".
+/// Keys and values, to four digits: "track.pad.stiffness = 30 MN/m".
 fn in_words(changes: &[Change]) -> String {
-    let words = changes.iter().map(|Change { key, value }| match *value {
-        value if value < 1e5 => {
-            // Without zeros at the end.
-            let rounded = significant_digits(value, 4).parse().unwrap_or(value);
-            format!("{key} = {rounded}")
-        }
-        value => format!("{key} = {value:e}"),
+    let words = changes.iter().map(|Change { key, value }| {
+        let kind = match *key {
+            "speed.standard_deviation" => Some(Kind::of::<Speed>()),
+            key => CaseKey::find(key).and_then(|known| known.quantity),
+        };
+        let (number, unit) = kind.map_or((*value, ""), |kind| kind.in_engineers_unit(*value));
+        // Without zeros at the end.
+        let rounded: f64 = significant_digits(number, 4).parse().unwrap_or(number);
+        format!("{key} = {rounded} {unit}").trim_end().to_owned()
     });
     words.collect::<Vec<_>>().join(", ")
 }

@@ -6,10 +6,13 @@ import { inWords } from './german.js';
 import { set } from './keys.js';
 import { readNumber } from './numbers.js';
 import { nameOfValue } from './priors.js';
+import { remember, remembered } from './remembered.js';
 import { Fault, askOnce, json } from './server.js';
 import { number, sentence, t, translate, written } from './words.js';
 
 const [WIDTH, HEIGHT] = [240, 18];
+/** Under which costs stay over a reload. */
+const KEPT = 'riffel-decision-costs';
 /** Costs of a plan: name, its unit behind a currency, what stands there before. */
 const COSTS = [['grinding', '', ''], ['possession', '', ''], ['over_limit', '', ''], ['from_limit', 'dB', '-6'], ['discount_rate', '%', '3'], ['horizon', 'a', '20']];
 /** What an action may cost. */
@@ -43,6 +46,8 @@ export class Decision {
     const settings = [setting(this.currency, 'currency', ''), ...COSTS.map(([name, unit]) => setting(this.costs.get(name), `cost_${name}`, unit)), setting(this.every, 'grind_every', worded('span', 'months_word'))];
     this.asked = element('article', { className: 'panel wide', id: 'decision-asked', hidden: true }, element('header', {}, worded('h2', 'what_to_do'), worded('span', 'what_to_do_help', { className: 'aside' })),
       element('div', { className: 'settings' }, ...settings), element('div', { className: 'sideways' }, this.actions), element('div', { className: 'settings' }, this.rank));
+    this.take(remembered(KEPT) ?? {});
+    this.asked.addEventListener('change', () => remember(KEPT, this.costsGiven));
     this.verdict = element('ul', { className: 'sentences', id: 'decision-words' });
     this.ranking = element('table', { className: 'comparison', id: 'ranking' });
     this.worth = element('ul', { className: 'sentences', id: 'worth' });
@@ -93,6 +98,7 @@ export class Decision {
   /** Costs of a project, for the fields that there are and those that come with remedies. */
   take(costs) {
     this.taken = costs;
+    remember(KEPT, costs);
     for (const input of this.asked.querySelectorAll('input')) input.value = costs[input.id] ?? input.value;
   }
 

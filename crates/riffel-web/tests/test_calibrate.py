@@ -162,9 +162,11 @@ def test_files_are_told_by_their_columns_and_what_cannot_be_told_is_refused_alon
     page.until(lambda: not page.page.locator("#plan-fault").is_visible())
     page.settle()
 
-    # A reload finds the files and what was changed again.
+    # A reload finds the files and what was changed again, and what grinding costs.
+    page.page.locator("#cost-grinding").evaluate("(field) => { field.value = '7000'; field.dispatchEvent(new Event('change', { bubbles: true })); }")
     page.page.reload()
     page.settle()
+    assert page.page.locator("#cost-grinding").input_value() == "7000"
     page.until(lambda: "receptance of the rail" in page.text("#calibration-files"))
     page.settle()
     assert page.page.locator("#priors input[type=text]").first.input_value() == "280 MN/m"
