@@ -8,7 +8,7 @@ use riffel_keys::Message;
 use riffel_keys::quantity::Quantity;
 use riffel_rail::{
     LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat,
-    RoughnessFile, Survey, coarse_sampling,
+    RoughnessFile, Survey, coarse_sampling, unlike_a_rail,
 };
 
 use crate::array::owned;
@@ -96,7 +96,9 @@ impl Record {
                         stretches: profiles(stretches, *spacing)?,
                     });
                 }
-                Roughness::Profile(rails, coarse_sampling(*spacing).into_iter().collect())
+                let doubts = unlike_a_rail(&rails);
+                let warnings = coarse_sampling(*spacing).into_iter().chain(doubts);
+                Roughness::Profile(rails, warnings.collect())
             }
             GivenRoughness::Spectra(spectra) => Roughness::Spectra(labelled(spectra)?),
         };

@@ -63,3 +63,9 @@ def test_what_is_not_allowed(given: dict[str, Any], sentence: str) -> None:
     rail = riffel.roughness.levels(WAVELENGTHS, [0.0] * 8)
     with pytest.raises(ValueError, match="^" + sentence):
         riffel.Case.from_toml(CASE).noise(rail, **{"speed": "136 km/h", **given})
+
+
+def test_levels_that_no_rail_has_are_asked_about() -> None:
+    rail = riffel.roughness.levels(WAVELENGTHS, [-115.0] * 8)
+    remarks = riffel.Case.from_toml(CASE).noise(rail, speed="136 km/h")["remarks"]
+    assert any("they look like dB re 1 m" in remark for remark in remarks), remarks

@@ -154,3 +154,12 @@ def test_passages_are_whole(nominal: riffel.Case) -> None:
             nominal.evolve(**wave, passages=passages)
     with pytest.raises(ValueError, match="^periodic is for a profile"):
         nominal.evolve(**wave, passages=1, periodic=True)
+
+
+def test_heights_that_no_rail_has_are_asked_about(nominal: riffel.Case) -> None:
+    """Micrometres that are given as metres."""
+    heights = 10.0 * np.sin(2 * np.pi * np.arange(3000) * 1e-3 / 0.05)
+    remarks = nominal.simulate(profile=heights, spacing=1e-3, speed=30.0).attrs["remarks"]
+    assert any("they look like um" in remark for remark in remarks), remarks
+    remarks = nominal.simulate(profile=1e-6 * heights, spacing=1e-3, speed=30.0).attrs["remarks"]
+    assert not any("look like" in remark for remark in remarks), remarks

@@ -65,7 +65,7 @@ pub use length_unit::LengthUnit;
 pub use limit::{Limit, LimitTable};
 pub use line_place::LinePlace;
 pub use part::RecordPart;
-pub use plausibility::check_felt;
+pub use plausibility::{check_felt, levels_unlike_a_rail, unlike_a_rail};
 pub use rail::Rail;
 pub use rail_name::{name_in_words, rail_in_words};
 pub use rail_record::{RailRecord, RailRoughness};

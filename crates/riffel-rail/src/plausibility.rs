@@ -3,6 +3,7 @@
 use std::ops::RangeInclusive;
 
 use riffel::roughness::{Profile, WavelengthBand};
+use riffel_keys::Message;
 
 use crate::rail::Rail;
 use crate::refusal::Refusal;
@@ -72,6 +73,19 @@ pub(super) fn check_spacing(spacing: f64, unit: Option<(&str, f64)>) -> Result<(
         message: message.into(),
         help: help.map(Into::into),
     })
+}
+
+/// Heights \[m\] that somebody gave as numbers, where they are unlike a rail: they are taken, and asked about.
+pub fn unlike_a_rail(rails: &[Rail]) -> Option<Message> {
+    let checked: Vec<_> = rails.iter().map(|rail| (rail, "m", 1.0)).collect();
+    let refusal = check_heights(&checked).err()?;
+    Some(refusal.message)
+}
+
+/// The same of one-third-octave levels \[dB re 1 µm\].
+pub fn levels_unlike_a_rail(levels: impl Iterator<Item = f64>) -> Option<Message> {
+    let refusal = check_levels(levels).err()?;
+    Some(refusal.message)
 }
 
 /// The heights of all rails, which were read in units of \[m\]. A sentence where they are unlike a rail.

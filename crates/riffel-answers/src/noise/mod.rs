@@ -17,7 +17,9 @@ use riffel_case::traffic::Traffic;
 use riffel_case::{Case, TrackRadiator};
 use riffel_keys::{Language, Message, PhysicalRange, fixed, number, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness};
+use riffel_rail::{
+    LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness, levels_unlike_a_rail,
+};
 use serde::Serialize;
 
 pub use course::Course;
@@ -205,6 +207,10 @@ impl NoiseQuestion {
             None => None,
         };
         let mut remarks = remarks::remarks(case, &train, &powers, &left_out);
+        let levels_of_rail = self.roughness.levels().iter();
+        remarks.extend(levels_unlike_a_rail(
+            levels_of_rail.map(|level| level.level),
+        ));
         let (course, of_traffic) = course.unzip();
         remarks.extend(of_traffic.into_iter().flatten());
         let by_transfer_functions = match &train.transfer {

@@ -60,7 +60,10 @@ impl PassageAnswer {
             .then(|| ContactFilter::of(&case.hertz));
         let passage = model.pass(profile, request.largest_step).map_err(refused)?;
         Ok(Self {
-            remarks: remarks::of_track(&model).into_iter().collect(),
+            remarks: remarks::of_profile(profile)
+                .into_iter()
+                .chain(remarks::of_track(&model))
+                .collect(),
             contacts: case
                 .contact_names()
                 .into_iter()

@@ -1,13 +1,24 @@
 //! What the reader of a march should know.
 
 use riffel::passage::{Outcome, PassageModel, Settled, Sinusoid, SmoothRail, TransientContact};
+use riffel::roughness::Profile;
 use riffel_keys::{Message, fixed, say};
+use riffel_rail::{Rail, unlike_a_rail};
 
 /// A share above which a reader would see it in a first harmonic: one per cent rms.
 const WORTH_A_REMARK: f64 = 1e-4;
 
 /// The same for track and wheels together, whose errors meet: a twentieth of a per cent rms leaves some 10⁻³ of a harmonic.
 const WORTH_A_REMARK_TOGETHER: f64 = 2.5e-7;
+
+/// That heights are unlike a rail: they may be in another unit.
+pub(super) fn of_profile(profile: &Profile) -> Option<Message> {
+    let rail = Rail {
+        name: "profile".to_owned(),
+        stretches: vec![profile.clone()],
+    };
+    unlike_a_rail(&[rail])
+}
 
 /// That receptances in time are not those of the case, where that is worth a word.
 pub(super) fn of_track(model: &PassageModel) -> Option<Message> {
