@@ -3,7 +3,9 @@
 RIFFEL_WASM is the module of the answers, as `cargo xtask page` builds it; without it these tests are left out.
 """
 
+import base64
 import csv
+import gzip
 import io
 import json
 import os
@@ -151,6 +153,27 @@ def test_a_reload_keeps_what_is_shown(file):
     file.page.reload()
     file.settle()
     assert float(file.page.evaluate("() => window.riffel.state.keys.contact.friction")) == 0.25
+
+
+def test_a_project_is_saved_and_opened(file, tmp_path):
+    """One of the page that riffel serve opens, with a record in it, opens here, too, but for the record."""
+    file.page.click("#tab-explore")
+    file.set("contact.friction", "0.31")
+    file.settle()
+    file.page.click("[popovertarget=take-away]")
+    with file.page.expect_download() as download:
+        file.page.click("[data-take=project]")
+    text = pathlib.Path(download.value.path()).read_text()
+    file.set("contact.friction", "0.2")
+    file.settle()
+    file.open_case(text, name="all.riffel")
+    friction = "() => Number(window.riffel.state.keys.contact.friction)"
+    file.until(lambda: file.page.evaluate(friction) == 0.31)
+    record = {"name": "new.csv", "gzip_base64": base64.b64encode(gzip.compress(b"x")).decode()}
+    file.open_case(json.dumps({**json.loads(text), "record": record}), name="all.riffel")
+    file.until(lambda: "riffel serve" in file.text("#notice"))
+    assert file.page.evaluate(friction) == 0.31
+    file.settle()
 
 
 def test_german_narrow_and_dark(browser, path):
