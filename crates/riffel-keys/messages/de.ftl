@@ -22,7 +22,7 @@ set-conjugate = { KEY("track.measurement.conjugate") } setzen
 conjugate-it = konjugieren
 receptance-gives-energy = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst { $remedy })
 column-without-unit = Spalte `{ $column }` nennt keine Einheit: als Rezeptanz in m/N gelesen (sonst { KEY("track.measurement.quantity") } und unit setzen)
-receptance-unlike-rail = die gemessene Rezeptanz liegt bei { $least } bis { $most } m/N, Schienen haben 1e-11 bis 1e-7 m/N: { KEY("track.measurement.quantity") } und unit prüfen
+receptance-unlike-rail = die gemessene Rezeptanz liegt bei { $least } bis { $most } m/N, Schienen haben 1e-11 bis 1e-7 m/N: Größe und Einheit prüfen, im Fall { KEY("track.measurement.quantity") } und unit
 poor-coherence = die Kohärenz liegt bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz unter { $good }: dort gilt das Mittel der Linien im Umkreis von 1/24 Oktave, gewichtet mit γ²/(1 − γ²)
 response-at-other-node = gemessen ist die Antwort am Knoten { $response } auf eine Kraft am Knoten { $reference }: sie gilt als Rezeptanz am Kontakt
 

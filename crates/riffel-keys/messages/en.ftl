@@ -22,7 +22,7 @@ conjugate-it = conjugate it
 receptance-gives-energy = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, between { $first } and { $last } Hz: check its phase, its noise, and whether it follows exp(+iωt) (else { $remedy })
     .short = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies: check its phase
 column-without-unit = column `{ $column }` names no unit: taken as a receptance in m/N (else set { KEY("track.measurement.quantity") } and unit)
-receptance-unlike-rail = the measured receptance is { $least } to { $most } m/N, but rails have 1e-11 to 1e-7 m/N: check { KEY("track.measurement.quantity") } and unit
+receptance-unlike-rail = the measured receptance is { $least } to { $most } m/N, but rails have 1e-11 to 1e-7 m/N: check quantity and unit, in a case { KEY("track.measurement.quantity") } and unit
 poor-coherence = the coherence is below { $good } at { $count } of { $points } frequencies, between { $first } and { $last } Hz: there the receptance is the mean of the lines within 1/24 octave, weighted by γ²/(1 − γ²)
 response-at-other-node = the measured response is at node { $response } and its force at node { $reference }: it is taken as the receptance at the contact
 

@@ -137,6 +137,13 @@ fn remedies_change_what_the_vehicles_have() {
         mixed.contains("wheel.mass differs between the vehicles"),
         "{mixed}"
     );
+    let spread = TRAFFIC.to_owned()
+        + "spread = { track.pad.stiffness = { mean = \"60 MN/m\", standard_deviation = \"5 MN/m\" } }\n";
+    let pads = reasons(&Traffic::parse("t", &spread).unwrap());
+    assert!(
+        pads.contains("track.pad.stiffness differs between the vehicles, or is spread"),
+        "{pads}"
+    );
     let slippery = reasons(&traffic([500.0; 2], [2.0; 2], 0.15));
     assert!(slippery.contains("friction is 0.15 already"), "{slippery}");
 }

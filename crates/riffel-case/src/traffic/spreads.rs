@@ -209,6 +209,11 @@ impl Spreads {
         })
     }
 
+    /// What is spread of a key of the case.
+    pub(super) fn of_case(&self, key: &str) -> Option<&SpreadOfKey> {
+        self.of_keys.iter().find(|it| it.key == key)
+    }
+
     /// Which of the keys have more than one value, by their places.
     pub(super) fn spread_values(&self) -> Vec<usize> {
         let of_keys = self.of_keys.iter().enumerate();

@@ -38,24 +38,21 @@ impl Traffic {
         all_alike.then(|| first.or(of_case)).ok_or_else(differ)
     }
 
-    /// What a vehicle has for a key, if anything; none where it is spread.
-    fn own_value(&self, vehicle: usize, key: &str) -> Option<Option<f64>> {
+    /// What a vehicle has for a key, if anything; none where it is spread, or the vehicle has none of that kind.
+    fn own_value(&self, index: usize, key: &str) -> Option<Option<f64>> {
         let number = |value: &Value| match value {
             Value::Float(number) => Some(*number),
             Value::Integer(number) => Some(*number as f64),
             Value::String(text) => CaseKey::at(key)?.quantity?.read(text).ok(),
             _ => None,
         };
-        let settings = self.settings(vehicle);
-        let vehicle = &self.file.vehicle[vehicle];
-        let is_spread = match key {
-            "contact.friction" => vehicle.friction.is_some(),
-            // A wheelset takes the place of the wheel.
-            "wheel.mass" => settings.iter().any(|(own, _)| own.starts_with("wheelset")),
-            key => vehicle.spread.contains_key(key),
-        };
+        let settings = self.settings(index);
+        // A wheelset takes the place of the wheel.
+        let has_wheelset = || settings.iter().any(|(own, _)| own.starts_with("wheelset"));
+        let none =
+            self.spreads[index].of_case(key).is_some() || key == "wheel.mass" && has_wheelset();
         let own = settings.iter().find(|(own, _)| own == key);
-        (!is_spread).then(|| own.and_then(|(_, value)| number(value)))
+        (!none).then(|| own.and_then(|(_, value)| number(value)))
     }
 
     /// The wheel of a vehicle: the case with its keys, over the window of its speeds and the bands.
