@@ -2,6 +2,7 @@
 
 use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, Message, say};
+use riffel_rail::levels_unlike_a_rail;
 use statrs::distribution::StudentsT;
 use toml::Value;
 
@@ -351,6 +352,9 @@ impl Reading<'_> {
         let view = self.view(index)?;
         let path = beside(self.folder, &data.file);
         let (rows, begins) = DatedLevels::rows(&path, &self.views[view].case)?;
+        let doubt = levels_unlike_a_rail(rows.iter().map(|row| row.level));
+        self.remarks
+            .extend(doubt.map(|doubt| doubt.about(&data.file)));
         let dated = DatedLevels {
             view,
             rows,

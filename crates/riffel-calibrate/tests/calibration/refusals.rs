@@ -508,3 +508,28 @@ fn pass_bys_that_cannot_be_used_are_said() {
         }
     }
 }
+
+/// Levels re 1 m, and responses of the other phase, are taken, and asked about.
+#[test]
+fn data_that_no_rail_has_are_asked_about() {
+    let of_metres = |level: f64| level - 120.0;
+    let conjugate = |imaginary: f64| -imaginary;
+    let cases: [(_, _, &dyn Fn(f64) -> f64, _); 2] = [
+        ("roughness.csv", 2, &of_metres, "they look like dB re 1 m"),
+        ("hammer.csv", 3, &conjugate, "gives energy away"),
+    ];
+    for (file, column, change, words) in cases {
+        let text = fs::read_to_string(folder("c-all-together").join(file)).unwrap();
+        let (head, rows) = text.split_once('\n').unwrap();
+        let rows = rows.lines().map(|row| {
+            let mut cells: Vec<String> = row.split(',').map(str::to_owned).collect();
+            cells[column] = change(cells[column].parse().unwrap()).to_string();
+            cells.join(",")
+        });
+        let other = format!("{head}\n{}\n", rows.collect::<Vec<_>>().join("\n"));
+        let (_folder, plan) = changed("c-all-together", file, &text, &other);
+        let remarks = plan.unwrap_or_else(|error| panic!("{error}")).remarks;
+        let told = remarks.iter().any(|it| it.to_string().contains(words));
+        assert!(told, "{words}: {remarks:?}");
+    }
+}

@@ -15,7 +15,7 @@ pub(crate) struct Row {
     /// Since the first date.
     pub(crate) passages: f64,
     /// \[dB\]
-    pub(super) level: f64,
+    pub(crate) level: f64,
     pub(super) error: f64,
 }
 
