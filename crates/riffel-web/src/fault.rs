@@ -2,9 +2,19 @@
 
 use axum::http::{HeaderValue, StatusCode, header};
 use axum::response::{IntoResponse, Response};
+use riffel_keys::say;
 pub(crate) use riffel_page::Fault;
 
 use crate::told::Told;
+
+/// There is no such file any more.
+pub(crate) fn file_is_gone() -> Fault {
+    Fault::refused(
+        StatusCode::GONE,
+        say!(the_file_is_no_longer_here),
+        say!(choose_it_once_more),
+    )
+}
 
 /// A fault that is sent in place of an answer.
 #[derive(Debug)]

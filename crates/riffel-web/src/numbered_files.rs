@@ -5,8 +5,7 @@ use std::fs;
 use std::path::Path;
 use std::sync::{Mutex, MutexGuard, PoisonError};
 
-use crate::fault::Fault;
-use crate::uploads::gone;
+use crate::fault::{Fault, file_is_gone};
 
 /// Most files of one folder.
 pub(crate) const MOST: usize = 6;
@@ -83,7 +82,7 @@ impl NumberedFiles {
         let mut files = numbered.files.iter();
         files
             .find_map(|(own, name)| name.clone().filter(|_| *own == number))
-            .ok_or_else(gone)
+            .ok_or_else(file_is_gone)
     }
 
     /// Remove a record from its folder; one that is not there is removed already.

@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use tokio::io::AsyncWriteExt;
 use tokio::sync::Semaphore;
 
-use crate::fault::Fault;
+use crate::fault::{Fault, file_is_gone};
 use crate::numbered_files::NumberedFiles;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
@@ -235,7 +235,7 @@ impl Uploads {
             .iter()
             .find(|(other, _)| other == page)
             .map(|(_, upload)| upload.clone())
-            .ok_or_else(gone)
+            .ok_or_else(file_is_gone)
     }
 
     fn files(&self) -> std::sync::MutexGuard<'_, Vec<(String, Arc<Upload>)>> {
@@ -252,15 +252,6 @@ fn size_of(folder: &Path) -> u64 {
         Err(_) => 0,
     });
     sizes.sum()
-}
-
-/// There is no such file any more.
-pub(crate) fn gone() -> Fault {
-    Fault::refused(
-        StatusCode::GONE,
-        say!(the_file_is_no_longer_here),
-        say!(choose_it_once_more),
-    )
 }
 
 /// The disk is full, or refuses.

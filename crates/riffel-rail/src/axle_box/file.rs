@@ -9,6 +9,7 @@ use riffel_keys::{CaseError, text_file};
 use super::arrays::{AxleBoxArrays, AxleBoxPlace};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
 use super::listener::Listener;
+use super::run_end::RunEnd;
 use super::table::AxleBoxTable;
 use super::universal::{AxleBoxUniversal, is_universal};
 use super::wave::{AxleBoxWave, is_wave};
@@ -39,17 +40,6 @@ pub enum AxleBoxReading<'a> {
     Sample(&'a [f64], f64),
     /// What comes next does not join on.
     Gap,
-}
-
-/// When and where a run ended, so that the next file can go on from there.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct RunEnd {
-    /// \[s\]; none where there are no times.
-    pub time: Option<f64>,
-    /// \[m\].
-    pub position: f64,
-    /// \[m/s\].
-    pub speed: f64,
 }
 
 impl AxleBoxFile {

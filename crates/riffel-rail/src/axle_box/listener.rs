@@ -1,8 +1,8 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use super::clock::{Tick, Ticking};
-use super::file::RunEnd;
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
+use super::run_end::RunEnd;
 use super::sensor::Sensor;
 use super::witness::Witness;
 use crate::refusal::Refusal;

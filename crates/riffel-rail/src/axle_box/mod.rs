@@ -7,6 +7,7 @@ mod file;
 mod head;
 mod listener;
 mod riff;
+mod run_end;
 mod sensor;
 mod table;
 mod universal;
@@ -14,5 +15,6 @@ mod wave;
 mod witness;
 
 pub use arrays::AxleBoxPlace;
-pub use file::{AxleBoxFile, AxleBoxReading, RunEnd};
+pub use file::{AxleBoxFile, AxleBoxReading};
 pub use head::AxleBoxLayout;
+pub use run_end::RunEnd;

@@ -6,9 +6,8 @@ use axum::response::IntoResponse;
 use serde::Deserialize;
 
 use crate::Page;
-use crate::fault::{Fault, Refusal};
+use crate::fault::{Fault, Refusal, file_is_gone};
 use crate::request::{Asked, Asker};
-use crate::uploads::gone;
 
 /// Largest file that is given back \[bytes\]: in a project it is text, of which browsers take no more.
 const LARGEST: u64 = 256 << 20;
@@ -47,7 +46,9 @@ pub(crate) async fn post(
             own.folder.path().join(own.data.file(number)?)
         }
     };
-    let about = tokio::fs::metadata(&path).await.map_err(|_| gone())?;
+    let about = tokio::fs::metadata(&path)
+        .await
+        .map_err(|_| file_is_gone())?;
     if about.len() > LARGEST {
         return Err(Refusal(Fault::refused(
             StatusCode::PAYLOAD_TOO_LARGE,
@@ -55,6 +56,6 @@ pub(crate) async fn post(
             "",
         )));
     }
-    let bytes = tokio::fs::read(&path).await.map_err(|_| gone())?;
+    let bytes = tokio::fs::read(&path).await.map_err(|_| file_is_gone())?;
     Ok(([(header::CONTENT_TYPE, "application/octet-stream")], bytes))
 }

@@ -1,6 +1,6 @@
 //! Positions of an odometer that counts in steps, or is read more seldom than the accelerations.
 
-use super::run::Sample;
+use super::sample::Sample;
 
 /// Samples whose position stands still, until it leaps.
 pub(super) struct CountedSteps {

@@ -23,10 +23,12 @@ mod counted_steps;
 mod felt_profile;
 mod inverse;
 mod run;
+mod sample;
 mod segment;
 mod transfer;
 
 pub use felt_profile::FeltProfile;
 pub use inverse::{Inverse, REGULARISATION};
-pub use run::{Run, RunSettings, Sample};
+pub use run::{Run, RunSettings};
+pub use sample::Sample;
 pub use transfer::AxleBoxTransfer;

@@ -1,6 +1,7 @@
 //! Samples as they come, cut into pieces that fit into memory.
 
 use super::counted_steps::CountedSteps;
+use super::sample::Sample;
 use super::segment::Segment;
 use super::{AxleBoxTransfer, FeltProfile};
 use crate::Error;
@@ -91,15 +92,6 @@ impl RunSettings {
         }
         Ok(())
     }
-}
-
-/// One reading.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Sample {
-    /// Acceleration of the axle box \[m/s²\], upward.
-    pub acceleration: f64,
-    /// Position of the wheel along the rail \[m\], by the odometer or by the integral of the speed; it does not fall.
-    pub position: f64,
 }
 
 /// A run of a train: samples in, roughness out.
