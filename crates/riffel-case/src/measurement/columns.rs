@@ -236,6 +236,8 @@ fn told(
 pub(super) fn unit_in_name(name: &str) -> Option<&str> {
     let unit = if let Some((_, rest)) = name.split_once('[') {
         rest.strip_suffix(']')
+    } else if let Some(inside) = last_of_two_brackets(name) {
+        Some(inside)
     } else if let Some((_, rest)) = name.split_once('(') {
         // The outer pair goes, unless it is the first of "(m/s²)/N".
         match rest.strip_suffix(')') {
@@ -265,6 +267,15 @@ pub(super) fn unit_in_name(name: &str) -> Option<&str> {
         known.or_else(|| per_force(name))
     };
     unit.map(str::trim).filter(|unit| !unit.is_empty())
+}
+
+/// What stands in the last brackets of a name that has others before them, as in "Re(H) (mm/N)".
+fn last_of_two_brackets(name: &str) -> Option<&str> {
+    let inside = name.strip_suffix(')')?;
+    let (before, last) = inside.rsplit_once('(')?;
+    // Brackets within brackets are one unit.
+    let is_second = before.contains('(') && before.trim_end().ends_with(')');
+    is_second.then_some(last)
 }
 
 /// The unit in a name of words, as in rail_m_per_n_re or zz_mm_per_s_per_kn_im.

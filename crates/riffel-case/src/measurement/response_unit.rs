@@ -1,6 +1,7 @@
 //! The unit of a frequency response: "mm/s/kN", "g/N", "dB re 1 m/N".
 
 use riffel::STANDARD_GRAVITY;
+use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, Unit, say};
 
 use super::MeasurementError;
@@ -60,7 +61,8 @@ impl ValueUnit<'_> {
         let wrong = |message: String| Err(MeasurementError::new("unit", message));
         let column = self.column;
         let decibels = self.in_file.and_then(after_decibel);
-        let name = self.quantity.unwrap_or_default();
+        let name = self.quantity.or_else(|| response_in(column));
+        let name = name.unwrap_or_default();
         let example = format!("unit = \"dB re 1 {}\"", name.si_unit());
         if let (Some(key), Some(_)) = (self.key, decibels)
             && after_decibel(key).is_none()
@@ -77,7 +79,12 @@ impl ValueUnit<'_> {
                 (Some((response, factor)), _) => {
                     self.checked(unit, response, Scale::Linear(factor))
                 }
-                (None, None) => Ok(self.taken_for_granted(name)),
+                // What is no unit may be a symbol, as in "Re(H)".
+                (None, None) if !unit.contains('/') => Ok(self.taken_for_granted(name)),
+                (None, None) => wrong(format!(
+                    "is left out, and column `{column}` is in {unit}, which is no unit of {}: convert it, or write its unit",
+                    self.expected()
+                )),
                 (None, Some(_)) => wrong(match Unit::parse(unit) {
                     Err(part) => format!("is \"{unit}\", with the unknown unit \"{part}\""),
                     Ok(_) => format!("is \"{unit}\", which is no unit of {}", self.expected()),
@@ -147,16 +154,39 @@ impl ValueUnit<'_> {
     /// SI, with a remark where nobody says what was measured.
     fn taken_for_granted(&self, response: Response) -> Decoded {
         let column = self.column;
-        let remark = self
-            .quantity
-            .is_none()
-            .then(|| say!(column_without_unit, column = column.to_owned()));
+        let remark = self.quantity.is_none().then(|| {
+            let what = match response {
+                Response::Receptance => say!(receptance_in_si),
+                Response::Mobility => say!(mobility_in_si),
+                Response::Accelerance => say!(accelerance_in_si),
+            };
+            say!(column_without_unit, column = column, what = what)
+        });
         Decoded {
             response,
             scale: Scale::Linear(1.0),
             remarks: remark.into_iter().collect(),
         }
     }
+}
+
+/// Which response the name of a column says.
+fn response_in(column: &str) -> Option<Response> {
+    let known = [
+        (Response::Receptance, "receptance|compliance|rezeptanz"),
+        (
+            Response::Mobility,
+            "mobility|mobilität|admittance|admittanz",
+        ),
+        (
+            Response::Accelerance,
+            "accelerance|inertance|akzeleranz|inertanz",
+        ),
+    ];
+    let words = words(column);
+    let mut known = known.into_iter();
+    let said = known.find(|(_, names)| words.iter().any(|word| is_one_of(word, names)));
+    said.map(|(response, _)| response)
 }
 
 /// What follows "dB", "dB re", "dB rel.", "dB ref", without a colon and an outer pair of brackets.

@@ -133,9 +133,9 @@ fn check_marks(written: &[f64], column: &str, places: &[String]) -> Result<(), M
 
 /// Refuse phases of an unknown unit that may be radians.
 fn check_phase(column: &str, largest: f64) -> Result<(), MeasurementError> {
-    // Half a turn and rounding: no phase of a rail stays within 3.2 degrees.
-    const HALF_A_TURN: f64 = 3.2;
-    if largest > HALF_A_TURN {
+    // A turn and rounding, from 0 or about it: no phase of a rail stays within 6.3 degrees.
+    const A_TURN: f64 = 6.3;
+    if largest > A_TURN {
         return Ok(());
     }
     Err(MeasurementError::new(

@@ -229,6 +229,54 @@ fn values_are_read_as_programs_write_them() {
     }
 }
 
+/// What a head says of unit and quantity is taken, or refused where it is not known; a phase of one turn says no unit.
+#[test]
+fn what_a_head_says_is_not_passed_over() {
+    type Row = fn(f64, f64, f64) -> String;
+    let cartesian: Row = |f, re, im| format!("{f},{re:e},{im:e}");
+    let of_mobility: Row = |f, re, im| {
+        let mobility = riffel::Complex64::new(re, im) * riffel::Complex64::new(0.0, TAU * f);
+        format!("{f},{:e},{}", mobility.norm(), mobility.arg().to_degrees())
+    };
+    let of_a_turn: Row = |f, re, im| {
+        let phase = im.atan2(re).rem_euclid(TAU);
+        format!("{f},{:e},{phase}", re.hypot(im))
+    };
+    for (head, row, expected) in [
+        ("f (Hz),Re(H) (mm/kN),Im(H) (mm/kN)", cartesian, Ok(1e-6)),
+        ("frequency [Hz],Re [m/N],Im [m/N]", cartesian, Ok(1.0)),
+        ("Frequency [Hz],Mobility,Phase [deg]", of_mobility, Ok(1.0)),
+        (
+            "frequency [Hz],Re [mm/kgf],Im [mm/kgf]",
+            cartesian,
+            Err("is in mm/kgf, which is no unit"),
+        ),
+        (
+            "frequency [Hz],modulus [m/N],phase",
+            of_a_turn,
+            Err("write \"radians\""),
+        ),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let file = folder.path().join("rail.csv");
+        let rows = (5..=300).map(|line| {
+            let hertz = 10.0 * f64::from(line);
+            row(hertz, 1e-11 * hertz, -1e-10) + "\n"
+        });
+        fs::write(&file, format!("{head}\n{}", rows.collect::<String>())).unwrap();
+        match (measured(file.to_str().unwrap(), ""), expected) {
+            (Ok(case), Ok(unit)) => {
+                let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
+                assert!((found.re / unit - 5e-9).abs() < 1e-14, "{head}: {found}");
+            }
+            (Err(error), Err(words)) => {
+                assert!(error.to_string().contains(words), "{head}: {error}");
+            }
+            (found, _) => panic!("{head}: {:?}", found.map(|case| case.file.title)),
+        }
+    }
+}
+
 /// A mark of a missing value is no receptance.
 #[test]
 fn marks_of_missing_values_are_refused() {
