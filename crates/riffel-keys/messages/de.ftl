@@ -166,6 +166,8 @@ gauge-of-file = die Spurweite der Datei ist { $distance } mm, { $depth } mm unte
 smoothing-of-file-left-out = die Glättung der Datei (approx.smooth) ist nicht die von Riffel und bleibt weg: die Streuung ihrer Punkte angeben
 points-missing = der Kopf kündigt { $announced } Punkte an (XYPoints), es folgen { $count }: vielleicht fehlt ein Stück der Datei
 masked-points-left-out = { $masked } am Gerät ausgeblendete Punkte sind weggelassen
+profile-has-gaps = { $name }: keine Punkte quer bei { $gaps }: dort ist eine glatte Kurve gezogen, und Verschleiß, Spurkranz und Konizität, die dorthin reichen, sind nicht gemessen
+between-millimetres = { $from } bis { $to } mm
 outlying-points-left-out = { $name }: { $count } Punkte weit neben ihren Nachbarn sind weggelassen, der erste in Zeile { $line }
 scatter-of-curvature = { $name }: Streuung lässt ±{ $error } 1/m der Krümmung bei x = 0
 points-scatter = { $name }: die Punkte streuen um { $micrometres } µm, so dass die Krümmung einer Kurve durch sie um etwa { $curvature } 1/m daneben liegt; diese Streuung angeben (profiles.scatter, { KEY("--scatter") }), um zu glätten

@@ -174,6 +174,8 @@ gauge-of-file = the gauge of the file is { $distance } mm, { $depth } mm below t
 smoothing-of-file-left-out = the smoothing of the file (approx.smooth) is not that of Riffel and is left out: give the scatter of its points
 points-missing = the head announces { $announced } points (XYPoints), but { $count } follow: the file may be cut short
 masked-points-left-out = { $masked } points that were masked at the device are left out
+profile-has-gaps = { $name }: no points across { $gaps }: a smooth curve is drawn there, and wear, flange and conicity that reach there are not measured
+between-millimetres = { $from } to { $to } mm
 outlying-points-left-out = { $name }: { $count } points far off those beside them are left out, the first in line { $line }
 scatter-of-curvature = { $name }: scatter leaves ±{ $error } 1/m of the curvature at x = 0
 points-scatter = { $name }: the points scatter by { $micrometres } µm, so that the curvature of a curve through them is off by some { $curvature } 1/m; give that scatter (profiles.scatter, { KEY("--scatter") }) for a smooth one

@@ -13,7 +13,7 @@ use std::path::Path;
 
 use riffel::Rail;
 use riffel::profile::{NominalProfile, Profile, ProfileError, SmoothedPoints};
-use riffel_keys::{CaseError, Message, fixed, say, text_file};
+use riffel_keys::{CaseError, Message, Value, fixed, say, text_file};
 
 use self::written::{Fault, NARROWEST, WIDEST_IN_METRES, WrittenProfile};
 use crate::file::{ProfileKind, ProfileOrientation};
@@ -139,6 +139,7 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
     let name = path.display().to_string();
     let named = |remark: &Message| say!(about, subject = &name, remark = remark.clone());
     let mut remarks: Vec<Message> = of_format.iter().map(named).collect();
+    remarks.extend(of_gaps(&name, &points));
     let Some(scatter) = reading.scatter else {
         let profile = Profile::through(&points).map_err(refuse)?;
         remarks.extend(of_scatter(&name, &points));
@@ -185,6 +186,28 @@ fn check_width(written: &WrittenProfile) -> Result<(), String> {
         return Err(message);
     }
     Ok(())
+}
+
+/// Where a profile has no points for so long that what is drawn there was not measured.
+fn of_gaps(name: &str, points: &[[f64; 2]]) -> Option<Message> {
+    /// Longest distance of two points of a profile that was measured \[m\], and how much more than the others have.
+    const LONGEST: (f64, f64) = (5e-3, 5.0);
+    let steps = points.windows(2);
+    let steps: Vec<f64> = steps
+        .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
+        .collect();
+    let mut sorted = steps.clone();
+    sorted.sort_by(f64::total_cmp);
+    let longest = LONGEST.0.max(LONGEST.1 * sorted.get(sorted.len() / 2)?);
+    let gaps = points.windows(2).zip(&steps);
+    let gaps = gaps.filter(|(_, step)| **step > longest);
+    let gaps: Vec<Value> = gaps
+        .map(|(pair, _)| {
+            let [from, to] = [pair[0][0], pair[1][0]].map(|across| fixed(1e3 * across, 1));
+            say!(between_millimetres, from = from, to = to).into()
+        })
+        .collect();
+    (!gaps.is_empty()).then(|| say!(profile_has_gaps, name = name, gaps = Value::List(gaps)))
 }
 
 /// Points left out of a smooth curve, and how well its curvature is known.

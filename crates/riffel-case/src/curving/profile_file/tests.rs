@@ -489,3 +489,21 @@ fn an_inclined_rail_shows_its_gauge_side() {
         );
     }
 }
+
+/// Where nothing was measured over 25 mm, that is said; points that lie evenly, near or far, have no gap.
+#[test]
+fn gaps_are_told() {
+    let points = |keep: fn(f64) -> bool, step: f64| -> Vec<[f64; 2]> {
+        let count = (0.12 / step) as usize;
+        let across = (0..=count).map(|index| -0.06 + step * index as f64);
+        across.filter(|x| keep(*x)).map(|x| [x, 0.05 * x]).collect()
+    };
+    let told = of_gaps("w", &points(|x| !(-0.045..-0.02).contains(&x), 0.25e-3));
+    let told = told.unwrap().to_string();
+    assert!(
+        told.contains("no points across -45.") && told.contains("to -20.0 mm"),
+        "{told}"
+    );
+    assert_eq!(of_gaps("w", &points(|_| true, 0.25e-3)), None);
+    assert_eq!(of_gaps("w", &points(|_| true, 8e-3)), None);
+}
