@@ -190,12 +190,11 @@ fn check_width(written: &WrittenProfile) -> Result<(), String> {
 
 /// Where a profile has no points for so long that what is drawn there was not measured.
 fn of_gaps(name: &str, points: &[[f64; 2]]) -> Option<Message> {
-    /// Longest distance of two points of a profile that was measured \[m\], and how much more than the others have.
+    /// Longest distance across of two points of a profile that was measured \[m\], and how much more than the others have: a flange back
+    /// or a side needs no point between its ends.
     const LONGEST: (f64, f64) = (5e-3, 5.0);
     let steps = points.windows(2);
-    let steps: Vec<f64> = steps
-        .map(|pair| (pair[1][0] - pair[0][0]).hypot(pair[1][1] - pair[0][1]))
-        .collect();
+    let steps: Vec<f64> = steps.map(|pair| (pair[1][0] - pair[0][0]).abs()).collect();
     let mut sorted = steps.clone();
     sorted.sort_by(f64::total_cmp);
     let longest = LONGEST.0.max(LONGEST.1 * sorted.get(sorted.len() / 2)?);
