@@ -177,7 +177,7 @@ impl NoiseQuestion {
         let powers = train.powers(&radiation, &self.roughness)?;
         let levels = train.heard(&powers);
         if levels.bands.is_empty() {
-            // With smooth bands all there are the rates alone can lack.
+            // Where the roughness fills bands that are heard, it is the decay rates that are missing.
             if let Some(rates) = &self.radiator.decay_rate
                 && self.fills_a_band()
             {

@@ -152,20 +152,30 @@ fn other_frequencies_are_refused() {
     }
 }
 
-/// A receptance of 1e-11 m/N for each hertz, 50 to 3000 Hz.
+/// The same receptance with its frequencies in another unit.
 fn with_frequencies(head: &str, per_hertz: f64) -> Result<Case, riffel_keys::CaseError> {
+    let head = format!("{head},real [m/N],imaginary [m/N]");
+    with_rows(
+        &head,
+        |f, re, im| format!("{:.12},{re:.12e},{im:e}", per_hertz * f),
+        "",
+    )
+}
+
+/// A receptance of 1e-11 m/N for each hertz less 1e-10i m/N, 50 to 3000 Hz, with rows of frequency, real and imaginary part.
+fn with_rows(
+    head: &str,
+    row: impl Fn(f64, f64, f64) -> String,
+    keys: &str,
+) -> Result<Case, riffel_keys::CaseError> {
     let folder = tempfile::tempdir().unwrap();
     let file = folder.path().join("rail.csv");
     let rows = (5..=300).map(|line| {
         let hertz = 10.0 * f64::from(line);
-        format!("{:.12},{:.12e},-1e-10\n", per_hertz * hertz, 1e-11 * hertz)
+        row(hertz, 1e-11 * hertz, -1e-10) + "\n"
     });
-    let text = format!(
-        "{head},real [m/N],imaginary [m/N]\n{}",
-        rows.collect::<String>()
-    );
-    fs::write(&file, text).unwrap();
-    measured(file.to_str().unwrap(), "")
+    fs::write(&file, format!("{head}\n{}", rows.collect::<String>())).unwrap();
+    measured(file.to_str().unwrap(), keys)
 }
 
 /// A factor of a thousand is within what is read, but not within what rails have.
@@ -213,14 +223,7 @@ fn values_are_read_as_programs_write_them() {
         }),
     ];
     for (head, row) in tables {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("rail.csv");
-        let rows = (5..=300).map(|line| {
-            let hertz = 10.0 * f64::from(line);
-            row(hertz, 1e-11 * hertz, -1e-10) + "\n"
-        });
-        fs::write(&file, format!("{head}\n{}", rows.collect::<String>())).unwrap();
-        let case = measured(file.to_str().unwrap(), "unit = \"m/N\"").unwrap();
+        let case = with_rows(head, row, "unit = \"m/N\"").unwrap();
         let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
         assert!(
             (found.re - 5e-9).abs() < 1e-17 && (found.im + 1e-10).abs() < 1e-17,
@@ -257,14 +260,7 @@ fn what_a_head_says_is_not_passed_over() {
             Err("write \"radians\""),
         ),
     ] {
-        let folder = tempfile::tempdir().unwrap();
-        let file = folder.path().join("rail.csv");
-        let rows = (5..=300).map(|line| {
-            let hertz = 10.0 * f64::from(line);
-            row(hertz, 1e-11 * hertz, -1e-10) + "\n"
-        });
-        fs::write(&file, format!("{head}\n{}", rows.collect::<String>())).unwrap();
-        match (measured(file.to_str().unwrap(), ""), expected) {
+        match (with_rows(head, row, ""), expected) {
             (Ok(case), Ok(unit)) => {
                 let found = case.track.receptance.receptance(TAU * 500.0, 0.0);
                 assert!((found.re / unit - 5e-9).abs() < 1e-14, "{head}: {found}");

@@ -1,5 +1,7 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
+use riffel::axlebox::LONGEST_STEP;
+
 use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
 use super::run_end::RunEnd;
@@ -11,8 +13,6 @@ use crate::refusal::Refusal;
 const ROUNDING: f64 = 1e-3;
 /// Largest step of an odometer that counts \[m\]: kilometre posts stand closer than what is more.
 const LARGEST_COUNT: f64 = 20.0;
-/// Longest time from one reading of an odometer to the next \[s\].
-const LONGEST_HELD: f64 = 2.0;
 /// Faster than any train on rails has run, 574.8 km/h on 3 April 2007 \[m/s\].
 const FASTEST: f64 = 160.0;
 
@@ -231,7 +231,7 @@ impl<'a> Listener<'a> {
         // It may be read once a second.
         self.held += 1;
         let since = self.held as f64 / self.head.rate;
-        let is_run = since <= LONGEST_HELD && odometer - before <= FASTEST * since;
+        let is_run = since <= LONGEST_STEP && odometer - before <= FASTEST * since;
         if odometer > before {
             self.held = 0;
         }

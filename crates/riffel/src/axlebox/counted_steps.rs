@@ -2,6 +2,9 @@
 
 use super::sample::Sample;
 
+/// Longest time from one step of an odometer to the next \[s\]; beyond it the train stands.
+pub const LONGEST_STEP: f64 = 2.0;
+
 /// Samples whose position stands still, until it leaps.
 pub(super) struct CountedSteps {
     /// Most samples from one leap to the next; beyond them the train stands.

@@ -27,6 +27,7 @@ mod sample;
 mod segment;
 mod transfer;
 
+pub use counted_steps::LONGEST_STEP;
 pub use felt_profile::FeltProfile;
 pub use inverse::{Inverse, REGULARISATION};
 pub use run::{Run, RunSettings};

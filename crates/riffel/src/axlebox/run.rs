@@ -1,6 +1,6 @@
 //! Samples as they come, cut into pieces that fit into memory.
 
-use super::counted_steps::CountedSteps;
+use super::counted_steps::{CountedSteps, LONGEST_STEP};
 use super::sample::Sample;
 use super::segment::Segment;
 use super::{AxleBoxTransfer, FeltProfile};
@@ -15,8 +15,6 @@ const SPEEDS: f64 = 1.3;
 const EDGE: f64 = 10.0;
 /// Time to either side over which positions are averaged \[s\]: an odometer counts in steps.
 const SMOOTHING: f64 = 0.25;
-/// Longest time from one step of an odometer to the next \[s\]; beyond it the train stands.
-const LONGEST_STEP: f64 = 2.0;
 /// Lowest and highest of no speeds.
 const NOTHING_SEEN: (f64, f64) = (f64::INFINITY, 0.0);
 /// Heights to the shortest wavelength.

@@ -19,7 +19,7 @@ pub(crate) struct Row {
     pub(super) error: f64,
 }
 
-/// How far the nominal centre of a band may lie from its exact one, 20 from 19.95 mm: they are one.
+/// Factor within which the nominal centre of a band lies of its exact one: 20 mm is 19.95 mm.
 const NOMINAL: f64 = 1.02;
 
 /// That the wavelengths of a table lie in the window of the case, as bands.
