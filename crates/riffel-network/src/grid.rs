@@ -1,10 +1,15 @@
 //! Blocks of any length on cells of one length.
 
+use std::collections::VecDeque;
+
+use crate::survey_file::FARTHEST_BACK;
+
 /// A rail on the grid, as blocks come along it.
 ///
 /// Method: the mean square of a cell is that of the blocks over it, weighted with the length they share; a cell counts where
 /// half of it or more is known. Energy is kept where blocks are shorter than cells; a block that is longer has its level in
-/// each cell of it. Memory: a chunk of cells.
+/// each cell of it. Blocks of a long kilometre go back, and what lies over a cell twice counts twice. Memory: the chunks that a block
+/// may go back to, and one more.
 #[derive(Debug)]
 pub(crate) struct Gridded {
     /// Where cell 0 begins \[m\].
@@ -13,10 +18,10 @@ pub(crate) struct Gridded {
     resolution: f64,
     rows: usize,
     bands: usize,
-    /// Chunk that is filled at present.
+    /// The first chunk that is held.
     chunk: u64,
-    /// Sum of mean square times length \[m² m\], and length \[m\], of each cell and band.
-    sums: Vec<(f64, f64)>,
+    /// Sum of mean square times length \[m² m\], and length \[m\], of each cell and band, chunk by chunk.
+    held: VecDeque<Vec<(f64, f64)>>,
     /// Cells known so far, in one band or more.
     pub(crate) measured: u64,
 }
@@ -29,12 +34,13 @@ impl Gridded {
             rows,
             bands,
             chunk: 0,
-            sums: vec![(0.0, 0.0); rows * bands],
+            held: VecDeque::new(),
             measured: 0,
         }
     }
 
-    /// Add a block behind those before; chunks that are whole by then are handed out with their number.
+    /// Add a block behind those before, or as far before them as places go back; chunks that no block goes back to are handed out with
+    /// their number.
     pub(crate) fn add<E>(
         &mut self,
         from: f64,
@@ -49,16 +55,21 @@ impl Gridded {
             (cell(to) - 1e-6).ceil(),
         );
         let mut index = first as u64;
+        let back = FARTHEST_BACK / self.resolution;
         while (index as f64) < last {
-            let chunk = index / self.rows as u64;
-            while self.chunk < chunk {
+            let kept = (index as f64 - back).max(0.0) / self.rows as f64;
+            while self.chunk < kept as u64 {
                 self.hand_out(&mut whole)?;
             }
             let begins = self.start + index as f64 * self.resolution;
             let length = to.min(begins + self.resolution) - from.max(begins);
-            if chunk == self.chunk && length > 0.0 {
+            let chunk = (index / self.rows as u64).checked_sub(self.chunk);
+            if let Some(chunk) = chunk.filter(|_| length > 0.0) {
+                let held = (self.held.len() as u64).max(chunk + 1);
+                self.held
+                    .resize(held as usize, vec![(0.0, 0.0); self.rows * self.bands]);
                 let row = (index % self.rows as u64) as usize * self.bands;
-                for (sum, &rms) in self.sums[row..].iter_mut().zip(rms) {
+                for (sum, &rms) in self.held[chunk as usize][row..].iter_mut().zip(rms) {
                     if rms.is_finite() {
                         sum.0 += rms * rms * length;
                         sum.1 += length;
@@ -70,12 +81,15 @@ impl Gridded {
         Ok(())
     }
 
-    /// The last chunk.
+    /// The last chunks.
     pub(crate) fn finish<E>(
         &mut self,
         mut whole: impl FnMut(u64, Vec<f64>) -> Result<(), E>,
     ) -> Result<(), E> {
-        self.hand_out(&mut whole)
+        while !self.held.is_empty() {
+            self.hand_out(&mut whole)?;
+        }
+        Ok(())
     }
 
     fn hand_out<E>(
@@ -83,8 +97,8 @@ impl Gridded {
         whole: &mut impl FnMut(u64, Vec<f64>) -> Result<(), E>,
     ) -> Result<(), E> {
         let enough = 0.5 * self.resolution * (1.0 - 1e-9);
-        let values: Vec<f64> = self
-            .sums
+        let sums = self.held.pop_front().unwrap_or_default();
+        let values: Vec<f64> = sums
             .iter()
             .map(|&(square, length)| match length >= enough {
                 true => (square / length).sqrt(),
@@ -97,7 +111,6 @@ impl Gridded {
         self.measured += known;
         let chunk = self.chunk;
         self.chunk += 1;
-        self.sums.fill((0.0, 0.0));
         match known {
             // What is not written is missing.
             0 => Ok(()),
@@ -139,6 +152,23 @@ mod tests {
         assert!((values[0] - 12.5f64.sqrt()).abs() < 1e-12);
         assert_eq!(values[1..], [2.0, 2.0, 2.0]);
         assert_eq!(chunks.len(), 1);
+    }
+
+    /// A long kilometre: from 108 m back to 104 m, where both stretches lie, and by more than a chunk.
+    #[test]
+    fn where_two_stretches_lie_is_their_mean() {
+        let chunks = gridded(&[
+            (100.0, 104.0, 1.0),
+            (104.0, 108.0, 3.0),
+            (104.0, 108.0, 4.0),
+            (108.0, 126.0, 2.0),
+            (102.0, 104.0, 7.0),
+        ]);
+        assert_eq!(chunks.len(), 4);
+        let mean = 12.5f64.sqrt();
+        for (value, right) in chunks[0].1.iter().zip([1.0, 5.0, mean, mean]) {
+            assert!((value - right).abs() < 1e-12, "{chunks:?}");
+        }
     }
 
     #[test]

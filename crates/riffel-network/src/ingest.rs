@@ -15,7 +15,7 @@ use crate::grid::Gridded;
 use crate::name::{array_name, arrays_name, record_name};
 use crate::record::{MOST_CELLS, NetworkRecord, RailRecord, SurveyRecord};
 use crate::store::{ROWS, Store, array, write_document};
-use crate::{NetworkError, SurveyFile};
+use crate::{GoesBack, NetworkError, SurveyFile};
 
 /// What became of a survey.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -32,6 +32,8 @@ pub struct Ingested {
     pub alike: Option<String>,
     /// Cells that are measured, of each rail.
     pub measured: BTreeMap<String, u64>,
+    /// Where places go back, as at a long kilometre: cells of both stretches hold the mean of their energies.
+    pub goes_back: Vec<GoesBack>,
 }
 
 impl Store {
@@ -71,6 +73,7 @@ impl Store {
             measured: (survey.rails.iter())
                 .map(|rail| (rail.name.clone(), rail.measured))
                 .collect(),
+            goes_back: file.goes_back.clone(),
         };
         let there = surveys
             .iter()
@@ -208,7 +211,7 @@ fn write_arrays(
         .map(|band| network.place_of([band.from(), band.to()]))
         .collect();
     file.each(
-        &mut |block, _| {
+        &mut |block| {
             for (place, value) in places.iter().zip(&block.rms) {
                 if let Some(place) = *place {
                     rms[place] = *value;

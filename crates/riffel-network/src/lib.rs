@@ -49,5 +49,5 @@ pub use sections::{Section, Sections};
 pub use status::{LineStatus, Status, status};
 pub use store::{Store, StoreSettings};
 pub use strip_chart::{ChartedLine, ChartedSection, ChartedSurvey, StripChart};
-pub use survey_file::SurveyFile;
+pub use survey_file::{GoesBack, SurveyFile};
 pub use worst::{WorstPlace, worst};

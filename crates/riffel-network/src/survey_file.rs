@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use riffel::roughness::WavelengthBand;
 use riffel_keys::{CaseError, text_file};
+use serde::Serialize;
 
 use crate::survey_text::SurveyText;
 
@@ -18,6 +19,53 @@ const SMOOTHEST: f64 = 1e-7;
 pub(crate) const FARTHEST: f64 = 1e8;
 /// By how much blocks may overlap that join on \[m\]: places are rounded.
 const ROUNDING: f64 = 1e-3;
+/// Farthest that the places of a rail go back \[m\]: a kilometre that is too long goes back by less than itself.
+pub(crate) const FARTHEST_BACK: f64 = 1e3;
+/// Blocks of a stretch, at least: of windows that overlap, and of two rails in one column, every block goes back.
+const STRETCH: usize = 2;
+
+/// Where the places of a rail go back, as at the end of a long kilometre: two stretches of it have the same places.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct GoesBack {
+    /// The rail.
+    pub rail: String,
+    /// Line of the file.
+    pub line: usize,
+    /// Where the stretch before ends \[m\].
+    pub end_m: f64,
+    /// Where the next one begins \[m\].
+    pub from_m: f64,
+}
+
+/// How far the blocks of a rail have come.
+struct Course {
+    rail: usize,
+    /// Where its first block begins \[m\].
+    first: f64,
+    /// Where the last one ends \[m\].
+    end: f64,
+    /// Blocks since it last went back.
+    blocks: usize,
+}
+
+impl Course {
+    /// Take the next block; whether it goes back to it.
+    fn goes_back(&mut self, name: &str, block: &Block) -> Result<bool, String> {
+        let back = self.end - block.from;
+        let goes_back = back > ROUNDING;
+        let is_again = (block.from - self.first).abs() < block.to - block.from;
+        if goes_back && (self.blocks < STRETCH || back > FARTHEST_BACK || is_again) {
+            return Err(format!(
+                "{name}: the block begins at {} m, before the end of the one above, {} m; blocks of a rail must rise and not \
+                 overlap, but for a long kilometre, which goes back by {FARTHEST_BACK} m at most and not to the first block",
+                block.from, self.end
+            ));
+        }
+        self.blocks = if goes_back { 1 } else { self.blocks + 1 };
+        self.end = block.to;
+        Ok(goes_back)
+    }
+}
 
 /// One block of one rail.
 #[derive(Debug, Clone, PartialEq)]
@@ -43,6 +91,8 @@ pub struct SurveyFile {
     pub(crate) rails: Vec<String>,
     /// First and last place \[m\].
     pub(crate) ends: [f64; 2],
+    /// Where places go back.
+    pub(crate) goes_back: Vec<GoesBack>,
     rows: u64,
     /// Length that most blocks have, to a millimetre \[m\].
     pub(crate) usual_block: f64,
@@ -63,7 +113,7 @@ impl SurveyFile {
     ///
     /// # Errors
     /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] with the line: a column that is missing, a number that is
-    /// none, below zero or more than 10 mm, a survey that is nowhere above 0.1 µm, a block that ends before it begins, blocks of a rail that overlap or fall.
+    /// none, below zero or more than 10 mm, a survey that is nowhere above 0.1 µm, a block that ends before it begins, blocks of a rail that overlap or fall, but for a long kilometre.
     pub fn check(path: &Path) -> Result<Self, CaseError> {
         text_file::check_is_read_twice(path).map_err(|reason| CaseError::Read {
             what: "file",
@@ -93,6 +143,7 @@ impl SurveyFile {
             sha256: String::new(),
             rails: Vec::new(),
             ends: [f64::INFINITY, f64::NEG_INFINITY],
+            goes_back: Vec::new(),
             rows: 0,
             usual_block: 1.0,
         };
@@ -100,8 +151,10 @@ impl SurveyFile {
         // Blocks by their length in millimetres.
         let mut lengths: HashMap<u64, u64> = HashMap::new();
         let mut roughest = f64::NEG_INFINITY;
+        let mut goes_back = Vec::new();
         let sha256 = survey.each_hashed(
-            &mut |block, name| {
+            &mut |block, name, back| {
+                goes_back.extend(back);
                 roughest = block.rms.iter().copied().fold(roughest, f64::max);
                 let length = (1e3 * (block.to - block.from)).round().max(1.0);
                 *lengths.entry(length as u64).or_default() += 1;
@@ -134,7 +187,7 @@ impl SurveyFile {
             .max_by_key(|(length, count)| (**count, std::cmp::Reverse(**length)));
         survey.usual_block = usual.map_or(1.0, |(length, _)| 1e-3 * *length as f64);
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
-        survey.sha256 = sha256;
+        (survey.sha256, survey.goes_back) = (sha256, goes_back);
         Ok(survey)
     }
 
@@ -156,29 +209,29 @@ impl SurveyFile {
         )
     }
 
-    /// Hand on block by block with the name of the rail; `progress` is told of blocks done.
+    /// Hand on block by block; `progress` is told of blocks done.
     pub(crate) fn each<E: From<CaseError>>(
         &self,
-        take: &mut dyn FnMut(&Block, &str) -> Result<(), E>,
+        take: &mut dyn FnMut(&Block) -> Result<(), E>,
         progress: &dyn Fn(usize),
     ) -> Result<(), E> {
-        if self.each_hashed(take, progress)? == self.sha256 {
+        if self.each_hashed(&mut |block, _, _| take(block), progress)? == self.sha256 {
             return Ok(());
         }
         let message = "the file has changed since it was checked: let the program that writes it come to its end";
         Err(CaseError::data(&self.path, message).into())
     }
 
-    /// The same; the SHA-256 of what was read.
+    /// Hand on block by block with the name of the rail and whether it goes back there; the SHA-256 of what was read.
     fn each_hashed<E: From<CaseError>>(
         &self,
-        take: &mut dyn FnMut(&Block, &str) -> Result<(), E>,
+        take: &mut dyn FnMut(&Block, &str, Option<GoesBack>) -> Result<(), E>,
         progress: &dyn Fn(usize),
     ) -> Result<String, E> {
         let path = &self.path;
         let mut reader = reader(path)?;
         let mut record = csv::ByteRecord::new();
-        let mut rails: HashMap<Vec<u8>, (usize, f64)> = HashMap::new();
+        let mut rails: HashMap<Vec<u8>, Course> = HashMap::new();
         loop {
             let read = reader.read_byte_record(&mut record);
             if !read.map_err(|error| csv_error(path, &error))? {
@@ -201,20 +254,24 @@ impl SurveyFile {
                 return Err(wrong("the rail has no name".to_owned()).into());
             }
             let next = rails.len();
-            let (rail, before) = rails
-                .entry(name.to_vec())
-                .or_insert((next, f64::NEG_INFINITY));
-            let block = self.columns.block(&record, *rail).map_err(&wrong)?;
-            if block.from < *before - ROUNDING {
-                let message = format!(
-                    "{text}: the block begins at {} m, before the end of the one above, {before} m; blocks of a rail must \
-                     rise and not overlap",
-                    block.from
-                );
-                return Err(wrong(message).into());
-            }
-            *before = block.to;
-            take(&block, &text)?;
+            let known = rails.get(name);
+            let rail = known.map_or(next, |course| course.rail);
+            let block = self.columns.block(&record, rail).map_err(&wrong)?;
+            let course = rails.entry(name.to_vec()).or_insert(Course {
+                rail,
+                first: block.from,
+                end: f64::NEG_INFINITY,
+                blocks: 0,
+            });
+            let end_m = course.end;
+            let goes_back = course.goes_back(&text, &block).map_err(&wrong)?;
+            let goes_back = goes_back.then(|| GoesBack {
+                rail: text.clone(),
+                line,
+                end_m,
+                from_m: block.from,
+            });
+            take(&block, &text, goes_back)?;
             progress(1);
         }
     }

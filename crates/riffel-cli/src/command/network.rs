@@ -141,6 +141,13 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
             found.resolution_m
         )
     })?;
+    let twice = found.goes_back.iter().map(|goes_back| {
+        format!(
+            "line {}: {}: places go back from {} m to {} m, as at a long kilometre; cells of both stretches hold the mean of their energies",
+            goes_back.line, goes_back.rail, goes_back.end_m, goes_back.from_m
+        )
+    });
+    print_remarks(&twice.collect::<Vec<String>>());
     if let Some(alike) = &found.alike {
         print_remarks(&[format!(
             "the store has a line \"{alike}\", and \"{}\" is another one; if the same was meant, delete the folder of this one in \

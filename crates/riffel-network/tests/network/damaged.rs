@@ -46,6 +46,18 @@ fn what_is_wrong_is_refused_with_its_line() {
             format!("{head}\nleft,0,1,5\nleft,1,inf,5\n"),
             "must end after it begins",
         ),
+        (
+            format!("{head}\nleft,0,10,5\nleft,5,15,5\nleft,10,20,5\n"),
+            "line 3: left: the block begins at 5 m",
+        ),
+        (
+            format!("{head}\nleft,0,1,5\nleft,1,2,5\nleft,0,1,5\nleft,1,2,5\n"),
+            "not to the first block",
+        ),
+        (
+            format!("{head}\nleft,5000,5001,5\nleft,6001,6002,5\nleft,5001,5002,5\n"),
+            "by 1000 m at most",
+        ),
         (format!("{head}\n ,0,1,5\n"), "the rail has no name"),
     ] {
         fs::write(&path, &text).unwrap();

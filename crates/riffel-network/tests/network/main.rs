@@ -61,6 +61,49 @@ fn files(folder: &Path) -> Vec<(PathBuf, Vec<u8>)> {
     found
 }
 
+/// At a long kilometre the places of a rail go back, by whole blocks or by a part of one: both stretches are kept, as the mean of their
+/// energies where both lie, and it is told.
+#[test]
+fn a_long_kilometre_is_kept() -> Result<(), NetworkError> {
+    for back in [0.4, 20.0, 640.0] {
+        let folder = tempfile::tempdir().unwrap();
+        let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um\n".to_owned();
+        for (begins, rms) in [(5000.0, 3.0), (6000.0 - back, 4.0)] {
+            for block in 0..1000 {
+                let from = begins + f64::from(block);
+                writeln!(text, "left,{from},{},{rms}", from + 1.0).unwrap();
+            }
+        }
+        let path = folder.path().join("long.csv");
+        fs::write(&path, text).unwrap();
+        let store = store(&folder);
+        let found = store.ingest(
+            "A",
+            "2026-01-31",
+            &SurveyFile::check(&path)?,
+            false,
+            &|_| (),
+        )?;
+        let [told] = &found.goes_back[..] else {
+            panic!("{found:?}");
+        };
+        assert_eq!(
+            (told.line, told.end_m, told.from_m),
+            (1002, 6000.0, 6000.0 - back)
+        );
+        let measured = (2000.0 - back).ceil() as u64;
+        assert_eq!(found.measured["left"], measured);
+        let survey = &store.surveys()?[0];
+        let sections = Sections::of(&store, survey, &survey.rails[0], 20.0)?.sections;
+        let at = |place: f64| sections.iter().find(|one| one.from == place).unwrap().rms[0];
+        assert!((at(5000.0) - 3e-6).abs() < 1e-12 && (at(6200.0) - 4e-6).abs() < 1e-12);
+        if back >= 20.0 {
+            assert!((at(5980.0) - 1e-6 * 12.5f64.sqrt()).abs() < 1e-12);
+        }
+    }
+    Ok(())
+}
+
 /// The same survey again changes no byte; another one is refused, and takes the place of the first if asked to. What a
 /// process left half when it was killed is not believed, and is removed.
 #[test]

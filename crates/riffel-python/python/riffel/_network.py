@@ -78,7 +78,7 @@ class Network:
         Returns
         -------
         dict
-            ``line``, ``date``, ``there_already`` and ``measured``, the cells of each rail. Surveys are there whole or not at all;
+            ``line``, ``date``, ``there_already``, ``measured``, the cells of each rail, and ``goes_back``, the long kilometres. Surveys are there whole or not at all;
             the same one again changes nothing. Of several processes that add at once, as under Dask, all but one raise `OSError`.
         """
         return _riffel.network_ingest(self._folder, self._resolution, os.fspath(file), line, date, replace)
