@@ -7,7 +7,7 @@ use crate::store::{ROWS, Store};
 /// Cells of a window that is moved as a whole.
 const WINDOW: i64 = 256;
 /// Farthest that an odometer is off along a window \[m\].
-const FARTHEST: f64 = 20.0;
+pub(crate) const FARTHEST: f64 = 20.0;
 /// Most cells of that.
 const MOST: i64 = 64;
 /// Correlation from which two windows show the same rail: of two hundred cells by chance 0.3 at most.

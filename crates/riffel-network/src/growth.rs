@@ -12,6 +12,8 @@ use crate::record::{RailRecord, SurveyRecord};
 use crate::trend::{Trend, scatter};
 use crate::{Judgement, NetworkError, Section, Sections, Store};
 
+/// Scatters of a level above which its fall is no chance: three of a difference.
+const CERTAIN_FALL: f64 = 3.0 * std::f64::consts::SQRT_2;
 /// Days of a year, in the mean of the calendar.
 const DAYS_PER_YEAR: f64 = 365.2425;
 
@@ -32,7 +34,7 @@ pub struct SectionGrowth {
     pub surveys: usize,
     /// The band \[m\]: the one that reaches its limit first, or is farthest over it.
     pub band_m: [f64; 2],
-    /// RMS at the two dates \[m\].
+    /// RMS at the two dates \[m\], without single places where cells are short enough to tell them.
     pub rms_m: [f64; 2],
     /// Change of the level \[dB a year\], by a line through all surveys since the rail was last ground; none of one survey.
     pub growth_db_per_year: Option<f64>,
@@ -44,7 +46,7 @@ pub struct SectionGrowth {
     pub rms_over_limit: f64,
     /// The same without single places, which grinding does not take off.
     pub lasting_over_limit: f64,
-    /// What makes it rough, where it is over its limit.
+    /// What makes it rough, where it is over its limit; whether it was ground, where it is within.
     pub kind: Option<DefectKind>,
     /// Months from the last date until the limit is reached as the level grows; 0 where it is reached, none where it does not
     /// grow by more than the surveys scatter.
@@ -140,7 +142,8 @@ pub(crate) fn growth_by_band(
 /// Sections of a rail at every survey that has them, with the number of the survey.
 type OverTime = BTreeMap<i64, Vec<(usize, Section)>>;
 
-/// The sections of a rail at every survey of its line that has it.
+/// The sections of a rail at every survey of its line that has it. Where records begin or end within a section, what all of them have of
+/// it tells how it grows: a joint that one of them has not does not grow.
 fn over_time(
     store: &Store,
     share: f64,
@@ -155,10 +158,39 @@ fn over_time(
         let Some(same) = survey.rails.iter().find(same) else {
             continue;
         };
-        let found = Sections::placed(store, survey, same, length, share, alignment)?;
+        let found = Sections::placed(store, survey, same, length, share, alignment, None)?;
         for section in found.sections {
             let of_place = sections.entry(section.index).or_default();
             of_place.push((number, section));
+        }
+    }
+    let resolution = store.resolution()?;
+    for of_place in sections.values_mut() {
+        let known = of_place.iter().map(|(_, section)| section.known);
+        let common = known
+            .clone()
+            .fold([f64::MIN, f64::MAX], |[from, to], known| {
+                [from.max(known[0]), to.min(known[1])]
+            });
+        // Records that begin and end within a cell have the same rail.
+        let mut off = known.flat_map(|known| [common[0] - known[0], known[1] - common[1]]);
+        if !off.any(|off| off > (1.0 + 1e-9) * resolution) {
+            continue;
+        }
+        for (number, section) in of_place {
+            let (survey, alignment) = (&surveys[*number], &alignments[*number]);
+            let Some(same) = survey.rails.iter().find(|other| other.name == rail.name) else {
+                continue;
+            };
+            let within = Some(common);
+            let found = Sections::placed(store, survey, same, length, share, alignment, within)?;
+            let unknown = || vec![f64::NAN; section.growing.len()];
+            let mut found = found.sections.into_iter();
+            let shared = found.find(|other| other.index == section.index);
+            (section.growing, section.growing_around) = match shared {
+                Some(shared) => (shared.growing, shared.growing_around),
+                None => (unknown(), Vec::new()),
+            };
         }
     }
     Ok(sections)
@@ -210,6 +242,7 @@ fn of_line(
                 if trend.is_none() && expected.is_none() || known.is_empty() {
                     continue;
                 }
+                let fall = trend.as_ref().and_then(Trend::fall);
                 // Of a rail that was ground to the last survey, the two of which that is known.
                 let only_ground = trend.as_ref().is_some_and(Trend::only_ground);
                 let before = trend.as_ref().map_or(0, |trend| trend.before);
@@ -220,6 +253,7 @@ fn of_line(
                 let growth = trend.as_ref().map(|trend| trend.growth().unwrap_or(change));
                 grown.push((
                     trend,
+                    fall,
                     SectionGrowth {
                         line: last.line.clone(),
                         rail: rail.name.clone(),
@@ -242,10 +276,12 @@ fn of_line(
             }
         }
     }
-    let trends = grown.iter().filter_map(|(trend, _)| trend.clone());
+    let trends = grown.iter().filter_map(|(trend, ..)| trend.clone());
     let trends: Vec<Trend> = trends.collect();
     let scatter = scatter(&trends);
-    let sections = grown.into_iter().map(|(trend, mut section)| {
+    let sections = grown.into_iter().map(|(trend, fall, mut section)| {
+        let is_ground = fall.is_some_and(|fall| fall > CERTAIN_FALL * scatter);
+        section.kind = section.kind.or(is_ground.then_some(DefectKind::Ground));
         section.growth_error_db_per_year =
             trend.and_then(|trend| trend.growth().map(|_| trend.growth_error(scatter)));
         let left = -20.0 * section.rms_over_limit.log10();
@@ -264,7 +300,7 @@ fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
     let known = |rms: &dyn Fn(&Section) -> f64| -> Vec<(usize, f64)> {
         let all = of_place
             .iter()
-            .filter(|(_, section)| section.rms[band] > 0.0);
+            .filter(|(_, section)| section.growing[band] > 0.0);
         all.map(|(number, section)| (*number, rms(section)))
             .collect()
     };
@@ -272,8 +308,8 @@ fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
         let pairs = of.windows(2);
         pairs.map(|pair| (pair[1].1 / pair[0].1).ln().abs()).sum()
     };
-    let own = known(&|section| section.rms[band]);
-    let around = (0..3).map(|ends| known(&|section| section.rms_around[band][ends]));
+    let own = known(&|section| section.growing[band]);
+    let around = (0..3).map(|ends| known(&|section| section.growing_around[band][ends]));
     let steadiest = around.min_by(|one, other| changes(one).total_cmp(&changes(other)));
     match steadiest {
         Some(around) if changes(&around) < 0.5 * changes(&own) => around,
@@ -327,10 +363,11 @@ pub fn rails_without_growth(
 /// single places; then those that grow fastest.
 fn order(a: &SectionGrowth, b: &SectionGrowth) -> std::cmp::Ordering {
     let class = |one: &SectionGrowth| match (one.kind, one.months_to_limit) {
-        (Some(DefectKind::Corrugation | DefectKind::JointsOrCorrugation), _) => 0,
-        (None, Some(_)) => 1,
-        (Some(DefectKind::SinglePlaces), _) => 2,
-        (None, None) => 3,
+        (Some(DefectKind::Corrugation | DefectKind::Unknown), _) => 0,
+        (Some(DefectKind::Joint | DefectKind::Weld), _) => 2,
+        (Some(DefectKind::Ground) | None, Some(_)) => 1,
+        (Some(DefectKind::Ground), None) => 3,
+        (None, None) => 4,
     };
     let months = |one: &SectionGrowth| one.months_to_limit.unwrap_or(f64::INFINITY);
     let over = |one: &SectionGrowth| one.rms_over_limit.max(1.0);

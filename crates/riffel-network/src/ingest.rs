@@ -173,6 +173,7 @@ fn record(
                 name: name.clone(),
                 array: array_name(name, index),
                 measured: 0,
+                defects_m: file.has_defects().then(Vec::new),
             })
             .collect(),
     })
@@ -218,6 +219,9 @@ fn write_arrays(
                 }
             }
             let rail = block.rail;
+            if let Some(found) = &mut survey.rails[rail].defects_m {
+                found.extend(&block.defects);
+            }
             rails[rail].add(block.from, block.to, &rms, |chunk, values| {
                 put(rail, chunk, values)
             })
@@ -227,6 +231,9 @@ fn write_arrays(
     for (index, (rail, record)) in rails.iter_mut().zip(&mut survey.rails).enumerate() {
         rail.finish(|chunk, values| put(index, chunk, values))?;
         record.measured = rail.measured;
+        if let Some(found) = &mut record.defects_m {
+            found.sort_by(f64::total_cmp);
+        }
     }
     coordinates(folder, network, survey, &arrays)
 }

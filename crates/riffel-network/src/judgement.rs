@@ -6,7 +6,7 @@ use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
-use crate::sections::LONGEST_PLACE;
+use crate::single_places::LONGEST_PLACE;
 use crate::store::in_words;
 use crate::{NetworkError, Section, Store};
 
@@ -23,6 +23,8 @@ pub struct Judgement {
     pub(crate) share: f64,
     /// Length of a cell \[m\].
     resolution: f64,
+    /// Whether joints are told from corrugation everywhere.
+    tells_places: bool,
     /// How fast lines are expected to grow, by band; of a line without a name every line.
     expected: Vec<(Option<String>, Vec<Option<ExpectedGrowth>>)>,
 }
@@ -45,10 +47,14 @@ pub struct ExpectedGrowth {
 pub enum DefectKind {
     /// It lasts along the rail: grinding takes it off.
     Corrugation,
-    /// Joints, welds or squats of at most 2 m: they are mended one by one.
-    SinglePlaces,
-    /// One or the other: its cells are too long to tell.
-    JointsOrCorrugation,
+    /// Joints, single places of at most 2 m that are a rail apart: they are mended one by one.
+    Joint,
+    /// Welds or squats, single places at any distance.
+    Weld,
+    /// Nothing any more: its level fell at once, as by grinding, and it is within its limit since.
+    Ground,
+    /// Joints or corrugation: its cells are too long to tell.
+    Unknown,
 }
 
 impl DefectKind {
@@ -56,8 +62,10 @@ impl DefectKind {
     pub fn name(self) -> &'static str {
         match self {
             Self::Corrugation => "corrugation",
-            Self::SinglePlaces => "single places",
-            Self::JointsOrCorrugation => "joints or corrugation",
+            Self::Joint => "joints",
+            Self::Weld => "welds or squats",
+            Self::Ground => "ground",
+            Self::Unknown => "joints or corrugation",
         }
     }
 }
@@ -70,17 +78,20 @@ pub(crate) struct SectionInBand {
     pub(crate) ratio: f64,
     /// The same without single places.
     pub(crate) lasting: f64,
-    /// Whether cells are short enough to tell these.
+    /// Whether these are told.
     tells_places: bool,
+    /// Whether single places are joints.
+    joints: bool,
 }
 
 impl SectionInBand {
     /// What makes it rough; none where it is within its limit.
     pub(crate) fn kind(&self) -> Option<DefectKind> {
-        (self.ratio > 1.0).then_some(match (self.tells_places, self.lasting > 1.0) {
-            (false, _) => DefectKind::JointsOrCorrugation,
-            (true, true) => DefectKind::Corrugation,
-            (true, false) => DefectKind::SinglePlaces,
+        (self.ratio > 1.0).then_some(match (self.lasting > 1.0, self.joints) {
+            _ if !self.tells_places => DefectKind::Unknown,
+            (true, _) => DefectKind::Corrugation,
+            (false, true) => DefectKind::Joint,
+            (false, false) => DefectKind::Weld,
         })
     }
 }
@@ -109,12 +120,17 @@ impl Judgement {
             let held = in_words(&held);
             return wrong(format!("says nothing of the bands of the store, {held}"));
         }
+        let resolution = store.resolution()?;
+        let surveys = store.surveys()?;
+        let rails: Vec<_> = surveys.iter().flat_map(|survey| &survey.rails).collect();
         Ok(Self {
             limit: table.name.clone(),
             bands,
             limits,
             share: limit.share(),
-            resolution: store.resolution()?,
+            resolution,
+            tells_places: resolution <= LONGEST_PLACE
+                || rails.iter().all(|rail| rail.defects_m.is_some()),
             expected: Vec::new(),
         })
     }
@@ -159,16 +175,12 @@ impl Judgement {
         (0..self.bands.len()).any(|band| self.expected(line, band).is_some())
     }
 
-    fn tells_places(&self) -> bool {
-        self.resolution <= LONGEST_PLACE
-    }
-
     /// That cells are too long to tell joints from corrugation, and what to do.
     pub fn remark(&self) -> Option<String> {
-        (!self.tells_places()).then(|| {
+        (!self.tells_places).then(|| {
             format!(
                 "cells of {} m do not tell joints, welds and squats from corrugation: blocks of {LONGEST_PLACE} m or less do, \
-                 as of riffel roughness --block \"1 m\", in a new store",
+                 as of riffel roughness --block \"1 m\", in a new store, and so do surveys with the column defects_m",
                 self.resolution
             )
         })
@@ -200,9 +212,10 @@ impl Judgement {
             ratio.is_finite().then_some(SectionInBand {
                 band,
                 ratio,
-                // Where nothing is left, nothing lasts.
-                lasting: if lasting.is_finite() { lasting } else { 0.0 },
-                tells_places: self.tells_places(),
+                lasting: if lasting.is_finite() { lasting } else { ratio },
+                // Cells that all hold a place tell nothing of what lasts.
+                tells_places: section.tells_places && section.lasting[band].is_finite(),
+                joints: section.joints[band],
             })
         })
     }

@@ -30,6 +30,7 @@ mod name;
 mod plan;
 mod record;
 mod sections;
+mod single_places;
 mod status;
 mod store;
 mod strip_chart;

@@ -138,7 +138,7 @@ pub fn plan(
     let mut single: BTreeSet<Key> = BTreeSet::new();
     for place in worst(store, judgement, length, None, usize::MAX)? {
         match place.kind {
-            Some(DefectKind::SinglePlaces) => {
+            Some(DefectKind::Joint | DefectKind::Weld) => {
                 single.insert((place.line.clone(), (place.from_m / length).round() as i64));
                 // Known, and nothing to grind.
                 worse(&place.line, place.from_m, 0.0);

@@ -227,7 +227,7 @@ fn charted(
         .filter(|one| rail.is_none_or(|rail| one.name == rail))
     {
         let (share, here) = (judgement.share, Alignment::default());
-        let sections = Sections::placed(store, survey, record, length, share, &here)?;
+        let sections = Sections::placed(store, survey, record, length, share, &here, None)?;
         for section in sections.sections {
             let Some(SectionInBand { band, ratio, .. }) = judgement.worst(&section) else {
                 continue;

@@ -19,6 +19,8 @@ const SMOOTHEST: f64 = 1e-7;
 pub(crate) const FARTHEST: f64 = 1e8;
 /// By how much blocks may overlap that join on \[m\]: places are rounded.
 const ROUNDING: f64 = 1e-3;
+/// How far the place of a defect may be off its block \[m\]: it is written to a centimetre.
+const PLACED: f64 = 0.01;
 /// Farthest that the places of a rail go back \[m\]: a kilometre that is too long goes back by less than itself.
 pub(crate) const FARTHEST_BACK: f64 = 1e3;
 /// Blocks of a stretch, at least: of windows that overlap, and of two rails in one column, every block goes back.
@@ -78,6 +80,8 @@ pub(crate) struct Block {
     pub(crate) to: f64,
     /// RMS in each band \[m\]; NaN where not known.
     pub(crate) rms: Vec<f64>,
+    /// Where its welds, joints and squats are \[m\].
+    pub(crate) defects: Vec<f64>,
 }
 
 /// A survey that was read once, from end to end, and found right.
@@ -105,11 +109,13 @@ struct Columns {
     to: (usize, f64),
     /// Column and unit of each band.
     bands: Vec<(WavelengthBand, usize, f64)>,
+    defects: Option<usize>,
 }
 
 impl SurveyFile {
     /// Read a file once: a head with `rail`, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
-    /// band of wavelength, and a row for each block; empty cells are not known. Memory: a row, and a count for each length of block.
+    /// band of wavelength, and a row for each block; empty cells are not known. `defects_m` may say where welds, joints and squats are,
+    /// parted by semicolons. Memory: a row, and a count for each length of block.
     ///
     /// # Errors
     /// [`CaseError::Read`] if it cannot be read, [`CaseError::Data`] with the line: a column that is missing, a number that is
@@ -189,6 +195,11 @@ impl SurveyFile {
         (survey.ends, survey.rows, survey.rails) = (ends, rows, rails);
         (survey.sha256, survey.goes_back) = (sha256, goes_back);
         Ok(survey)
+    }
+
+    /// Whether it says where welds, joints and squats are.
+    pub(crate) fn has_defects(&self) -> bool {
+        self.columns.defects.is_some()
     }
 
     /// The bands, as the head names them.
@@ -321,6 +332,7 @@ impl Columns {
             from,
             to,
             bands,
+            defects: find("defects_m"),
         })
     }
 
@@ -359,13 +371,31 @@ impl Columns {
             }
             rms.push(found);
         }
+        let defects = match self.defects {
+            Some(column) => defects(record.get(column).unwrap_or_default(), [from, to])?,
+            None => Vec::new(),
+        };
         Ok(Block {
             rail,
             from,
             to,
             rms,
+            defects,
         })
     }
+}
+
+/// Places of the defects of a block \[m\], parted by semicolons.
+fn defects(cell: &[u8], [from, to]: [f64; 2]) -> Result<Vec<f64>, String> {
+    let text = String::from_utf8_lossy(cell);
+    let places = text.split(';').map(str::trim);
+    let places = places.filter(|place| !place.is_empty()).map(|place| {
+        let within = |at: &f64| (from - PLACED..=to + PLACED).contains(at);
+        place.parse().ok().filter(within).ok_or_else(|| {
+            format!("defects_m is \"{place}\", but must be a place in its block, from {from} m to {to} m")
+        })
+    });
+    places.collect()
 }
 
 /// `30_to_100_mm_um`: the band, and the unit of the RMS in metres.

@@ -41,6 +41,11 @@ impl Trend {
         self.points.len() == 1 && self.fell_from.is_some()
     }
 
+    /// By how much the level fell when the rail was ground, if it was \[dB\].
+    pub(crate) fn fall(&self) -> Option<f64> {
+        Some(self.fell_from? - self.points.first()?.1)
+    }
+
     fn means(&self) -> (f64, f64, f64) {
         let count = self.points.len() as f64;
         let time = self.points.iter().map(|(time, _)| time).sum::<f64>() / count;

@@ -1,6 +1,6 @@
 //! Where a network is roughest.
 
-use std::collections::HashMap;
+use std::collections::{HashMap, HashSet};
 
 use jiff::civil::Date;
 use rayon::prelude::*;
@@ -30,7 +30,7 @@ pub struct WorstPlace {
     pub rms_m: f64,
     /// RMS over limit: of the cells of the section, that which no more than the share allowed exceed.
     pub rms_over_limit: f64,
-    /// What makes it rough, where it is over its limit.
+    /// What makes it rough, where it is over its limit; whether it was ground, where it is within.
     pub kind: Option<DefectKind>,
     /// By how much it grows in that band \[dB a year\], where surveys show it.
     pub growth_db_per_year: Option<f64>,
@@ -60,31 +60,34 @@ pub fn worst(
         Err(NetworkError::Nothing(_)) => Vec::new(),
         Err(error) => return Err(error),
     };
-    let key = |line: &str, rail: &str, from: f64, band: [f64; 2]| {
-        (
-            line.to_owned(),
-            rail.to_owned(),
-            (from / length).round() as i64,
-            band.map(f64::to_bits),
-        )
+    let at = |line: &str, rail: &str, from: f64| {
+        let index = (from / length).round() as i64;
+        (line.to_owned(), rail.to_owned(), index)
     };
-    let grown = grown.iter().filter_map(|one| {
-        let key = key(&one.line, &one.rail, one.from_m, one.band_m);
-        Some((key, one.certain()?))
-    });
-    let grown: HashMap<_, f64> = grown.collect();
+    let (mut growing, mut ground) = (HashMap::new(), HashSet::new());
+    for one in &grown {
+        let at = at(&one.line, &one.rail, one.from_m);
+        if one.kind == Some(DefectKind::Ground) {
+            ground.insert(at.clone());
+        }
+        if let Some(growth) = one.certain() {
+            growing.insert((at, one.band_m.map(f64::to_bits)), growth);
+        }
+    }
     let found: Result<Vec<Vec<WorstPlace>>, NetworkError> = rails
         .par_iter()
         .map(|(survey, rail)| {
             let (share, here) = (judgement.share, Alignment::default());
-            let sections = Sections::placed(store, survey, rail, length, share, &here)?;
+            let sections = Sections::placed(store, survey, rail, length, share, &here, None)?;
             let mut places: Vec<WorstPlace> = sections
                 .sections
                 .into_iter()
                 .filter_map(|section| {
                     let found = judgement.worst(&section)?;
                     let band_m = judgement.ends(found.band);
-                    let growth = grown.get(&key(&survey.line, &rail.name, section.from, band_m));
+                    let at = at(&survey.line, &rail.name, section.from);
+                    let was_ground = ground.contains(&at).then_some(DefectKind::Ground);
+                    let growth = growing.get(&(at, band_m.map(f64::to_bits)));
                     Some(WorstPlace {
                         line: survey.line.clone(),
                         date: survey.date.to_string(),
@@ -94,7 +97,7 @@ pub fn worst(
                         band_m,
                         rms_m: section.rms[found.band],
                         rms_over_limit: found.ratio,
-                        kind: found.kind(),
+                        kind: found.kind().or(was_ground),
                         growth_db_per_year: growth.copied(),
                     })
                 })
@@ -111,9 +114,9 @@ pub fn worst(
 /// Keep the worst; equal ones stay in the order of lines and places.
 fn first(places: &mut Vec<WorstPlace>, most: usize) {
     let class = |place: &WorstPlace| match place.kind {
-        Some(DefectKind::Corrugation | DefectKind::JointsOrCorrugation) => 0,
-        Some(DefectKind::SinglePlaces) => 1,
-        None => 2,
+        Some(DefectKind::Corrugation | DefectKind::Unknown) => 0,
+        Some(DefectKind::Joint | DefectKind::Weld) => 1,
+        Some(DefectKind::Ground) | None => 2,
     };
     let ahead = |place: &WorstPlace| {
         place.rms_over_limit * 10f64.powf(place.growth_db_per_year.unwrap_or(0.0) / 20.0)

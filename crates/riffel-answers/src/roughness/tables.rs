@@ -26,7 +26,7 @@ impl ProfileAnswer {
         writer.flush()
     }
 
-    /// RMS of each block, and the highest moving RMS in it.
+    /// RMS of each block, the highest moving RMS in it, and where single defects are.
     ///
     /// # Errors
     /// Those of the file.
@@ -43,7 +43,7 @@ impl ProfileAnswer {
     }
 }
 
-/// RMS of each block of some rails, and the highest moving RMS in it.
+/// RMS of each block of some rails, the highest moving RMS in it, and the places of its welds, joints and squats.
 pub(crate) fn block_csv<'a>(
     rails: impl IntoIterator<Item = &'a RailAnswer>,
     file: &mut impl Write,
@@ -56,15 +56,23 @@ pub(crate) fn block_csv<'a>(
             format!("{what}_{from:.0}_to_{to:.0}_mm_m")
         }));
     }
+    header.push("defects_m".to_owned());
     writer.write_record(&header)?;
     for rail in rails {
+        let middles = rail.analysis.defects.iter();
+        let middles: Vec<f64> = middles.map(|one| 0.5 * (one.from + one.to)).collect();
         for block in &rail.analysis.blocks {
+            let defects = middles
+                .iter()
+                .filter(|at| (block.from..block.to).contains(at));
+            let defects: Vec<String> = defects.map(|at| format!("{at:.2}")).collect();
             let row = (
                 &rail.name,
                 block.from,
                 block.to,
                 &block.rms,
                 &block.moving_rms_max,
+                defects.join(";"),
             );
             writer.serialize(row)?;
         }

@@ -66,7 +66,7 @@ fn joints_a_metre_off_do_not_grow() -> Result<(), NetworkError> {
     assert!(
         places
             .iter()
-            .any(|place| place.kind == Some(DefectKind::SinglePlaces))
+            .any(|place| place.kind == Some(DefectKind::Joint))
     );
     let budget = Budget::of_length(600.0);
     let found = plan(&store, &judgement, 100.0, 12.0, &budget, Aim::WorstFirst)?;
@@ -79,6 +79,101 @@ fn joints_a_metre_off_do_not_grow() -> Result<(), NetworkError> {
     assert!(found.single_places_m > 0.0);
     let told = found.remarks.concat();
     assert!(told.contains("at single places alone"), "{told}");
+    Ok(())
+}
+
+/// The first section of a record that begins 30 m later than the one before, or a cell, where a joint or rough rail is at its beginning: what
+/// one of the two has not does not grow, and neither does it fall. All 1.6 dB of the rest are told.
+#[test]
+fn the_end_of_a_record_does_not_grow() -> Result<(), NetworkError> {
+    for (first, second, rough) in [
+        (0, 30, 0.0..20.0),
+        (30, 0, 0.0..20.0),
+        (31, 30, 30.0..31.0),
+        (30, 31, 30.0..31.0),
+        (0, 49, 48.0..49.0),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let store = store(&folder);
+        for (date, begins, level) in [("2026-03-16", first, 2.0), ("2026-11-16", second, 2.4)] {
+            let (_, file) = survey(
+                folder.path(),
+                "a.csv",
+                [begins, 300],
+                |_, place| match rough.contains(&place) {
+                    true => 60.0,
+                    false => level + 0.1 * (place * 7.3).sin(),
+                },
+            );
+            take(&store, "A", date, &file);
+        }
+        let yearly = 20.0 * 1.2f64.log10() / 245.0 * 365.2425;
+        let grown = growth(&store, &grassie(&store), 100.0, None)?;
+        assert_eq!(grown.len(), 6);
+        for section in grown {
+            let growth = section.growth_db_per_year.unwrap();
+            assert!(
+                !section.ground && (growth - yearly).abs() < 0.2,
+                "{first} {second}: {section:?}"
+            );
+        }
+    }
+    Ok(())
+}
+
+/// Cells of 10 m tell no joint by themselves; where the survey names the joints they do, and they are no corrugation, nor is what is left
+/// of corrugation once they are out a joint.
+#[test]
+fn joints_that_a_survey_names_are_told() -> Result<(), NetworkError> {
+    for (named, rail, kind) in [
+        (false, 3.0, DefectKind::Unknown),
+        (true, 3.0, DefectKind::Joint),
+        (true, 9.0, DefectKind::Corrugation),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let store = store(&folder);
+        let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um".to_owned();
+        text += if named { ",defects_m\n" } else { "\n" };
+        let joints: Vec<f64> = (0..20u32)
+            .map(|joint| 4.0 + 18.3 * f64::from(joint))
+            .collect();
+        for cell in 0..30u32 {
+            let from = 10.0 * f64::from(cell);
+            let own: Vec<String> = joints
+                .iter()
+                .filter(|at| (from..from + 10.0).contains(at))
+                .map(|at| format!("{at:.2}"))
+                .collect();
+            let rms = if own.is_empty() { rail } else { 20.0 };
+            text += &format!("left,{from},{},{rms}", from + 10.0);
+            text += &if named {
+                format!(",{}\n", own.join(";"))
+            } else {
+                "\n".to_owned()
+            };
+        }
+        let path = folder.path().join("a.csv");
+        std::fs::write(&path, &text).unwrap();
+        take(
+            &store,
+            "A",
+            "2026-03-16",
+            &SurveyFile::check(&path).unwrap(),
+        );
+        let judgement = grassie(&store);
+        for place in worst(&store, &judgement, 100.0, None, 20)? {
+            assert_eq!(place.kind, Some(kind), "{place:?}");
+        }
+        assert_eq!(judgement.remark().is_some(), !named);
+        if named {
+            std::fs::write(&path, text.replacen("4.00", "44.00", 1)).unwrap();
+            let refusal = SurveyFile::check(&path).unwrap_err().in_words();
+            assert!(
+                refusal.contains("line 2: defects_m is \"44.00\""),
+                "{refusal}"
+            );
+        }
+    }
     Ok(())
 }
 
@@ -120,7 +215,7 @@ fn welds_that_come_over_the_end_of_a_section_do_not_grow() -> Result<(), Network
                 "{first}: {section:?}"
             );
             assert_eq!(section.surveys, 4, "{first}: {section:?}");
-            let kinds = [None, Some(DefectKind::JointsOrCorrugation)];
+            let kinds = [None, Some(DefectKind::Unknown)];
             assert!(kinds.contains(&section.kind), "{section:?}");
         }
         let budget = Budget::of_length(600.0);

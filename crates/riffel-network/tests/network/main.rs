@@ -2,6 +2,7 @@
 
 mod damaged;
 mod growing;
+mod kinds;
 mod planning;
 mod records;
 
