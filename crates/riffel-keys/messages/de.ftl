@@ -679,6 +679,11 @@ harmonic-of = Harmonische { $order } von { $wavelength } mm
 means-of-energies = Mittel der Energien { $levels }
 beside-wave = kommt mit { $wavelength } mm
 comes-with-wave = Sie kommt mit { $wavelength } mm, die von Stützpunkt zu Stützpunkt an- und abschwillt (Seitenband { $order } von Stützpunkten im Abstand von { $spacing } m). Zu suchen ist die Ursache jener Welle.
+gone-by-grinding = Durch Schleifen beseitigt: Der Pegel fiel um { $fall } dB vor { $record }, und seitdem ragt die Welle aus keiner Messung heraus. Was sie gemacht hatte:
+beside-stand = { $count ->
+        [one] Daneben steht { $wavelengths }: Die Welle schwillt von Stützpunkt zu Stützpunkt an und ab.
+       *[other] Daneben stehen { $wavelengths }: Die Welle schwillt von Stützpunkt zu Stützpunkt an und ab.
+    }
 candidate-leads = { $first } führt mit einem Anteil von { $share }, dann folgt { $second } mit { $other }.
 level-falls-as-grinding-mark = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Schleifspur tut und eine wachsende Riffel nicht. Am ehesten eine abklingende Schleifspur und keine wachsende Riffel.
 level-falls = Der Pegel fällt mit einer Wahrscheinlichkeit von { $percent }, wie es eine abklingende Spur tut und eine wachsende Riffel nicht.
@@ -715,6 +720,9 @@ year = Jahr
 record = Messung
 course-since-ground = { $levels } dB re 1 µm: fiel um { $fall } dB vor { $record }, wie durch Schleifen; seitdem { $since }
 course-ends-ground = { $levels } dB re 1 µm: fiel um { $fall } dB vor { $record }, durch Schleifen oder wie eine Schleifspur verschwindet
+course-of-two-is-open = { $levels } dB re 1 µm: Zwei Messungen sagen nicht, ob er steigt, { $slope } ± { $scatter } dB je { $unit }
+course-of-two-rises = { $levels } dB re 1 µm: steigt, { $slope } ± { $scatter } dB je { $unit }
+course-of-two-falls = { $levels } dB re 1 µm: fällt, { $slope } ± { $scatter } dB je { $unit }
 course-falls = { $levels } dB re 1 µm: fällt jedes Mal, { $slope } ± { $scatter } dB je { $unit }
 course-rises = { $levels } dB re 1 µm: steigt jedes Mal, { $slope } ± { $scatter } dB je { $unit }
 course-is-open = { $levels } dB re 1 µm: steigt und fällt nicht jedes Mal, { $slope } ± { $scatter } dB je { $unit }

@@ -687,6 +687,11 @@ harmonic-of = harmonic { $order } of { $wavelength } mm
 means-of-energies = means of energies { $levels }
 beside-wave = comes with { $wavelength } mm
 comes-with-wave = It comes with { $wavelength } mm, which swells and fades from support to support (sideband { $order } of supports { $spacing } m apart). Look for the cause of that wave.
+gone-by-grinding = Gone by grinding: its level fell by { $fall } dB before { $record }, and it stands out of no record since. What had made it:
+beside-stand = { $count ->
+        [one] Beside it stands { $wavelengths }: it swells and fades from support to support.
+       *[other] Beside it stand { $wavelengths }: it swells and fades from support to support.
+    }
 candidate-leads = { $first } leads with a share of { $share }, next is { $second } with { $other }.
 level-falls-as-grinding-mark = The level falls with a probability of { $percent }, as a fading grinding mark does and growing corrugation does not. Best read as a fading grinding mark and not growing corrugation.
 level-falls = The level falls with a probability of { $percent }, as a fading mark does and growing corrugation does not.
@@ -723,6 +728,9 @@ year = year
 record = record
 course-since-ground = { $levels } dB re 1 µm: fell by { $fall } dB before { $record }, as by grinding; since then { $since }
 course-ends-ground = { $levels } dB re 1 µm: fell by { $fall } dB before { $record }, by grinding or as a mark of grinding fades
+course-of-two-is-open = { $levels } dB re 1 µm: two records do not tell whether it rises, { $slope } ± { $scatter } dB a { $unit }
+course-of-two-rises = { $levels } dB re 1 µm: rises, { $slope } ± { $scatter } dB a { $unit }
+course-of-two-falls = { $levels } dB re 1 µm: falls, { $slope } ± { $scatter } dB a { $unit }
 course-falls = { $levels } dB re 1 µm: falls every time, { $slope } ± { $scatter } dB a { $unit }
 course-rises = { $levels } dB re 1 µm: rises every time, { $slope } ± { $scatter } dB a { $unit }
 course-is-open = { $levels } dB re 1 µm: neither rises nor falls every time, { $slope } ± { $scatter } dB a { $unit }

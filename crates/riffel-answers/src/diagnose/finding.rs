@@ -9,13 +9,16 @@ use super::Sideband;
 use super::reason::{self, course_in_words};
 use crate::ridge::mechanism_name;
 
+/// Probability below which a level is not said to rise, or to fall.
+pub(super) const UNLIKELY: f64 = 0.05;
+
 /// A dominant wavelength with what may have made it.
 pub struct Finding {
     /// What stands out, and what it did in time.
     pub measured: Measured,
     /// Whether it only comes with a higher wave.
     pub sideband: Option<Sideband>,
-    /// What may have made it, the likeliest first.
+    /// What may have made it, the likeliest first; none of a sideband.
     pub candidates: Vec<Candidate>,
     /// What would tell the candidates apart.
     pub(super) measurements: Vec<Measurement>,
@@ -156,9 +159,6 @@ impl Finding {
 
     /// The candidates in sentences: who leads, who is next, and what the course rules out.
     pub fn summary(&self) -> Message {
-        let [first, second, ..] = &self.candidates[..] else {
-            return Message::verbatim("");
-        };
         if let Some(Sideband { order, of, spacing }) = self.sideband {
             return say!(
                 comes_with_wave,
@@ -167,6 +167,9 @@ impl Finding {
                 spacing = fixed(spacing, 2)
             );
         }
+        let [first, second, ..] = &self.candidates[..] else {
+            return Message::verbatim("");
+        };
         let leads = say!(
             candidate_leads,
             first = self.name(first),
@@ -174,15 +177,29 @@ impl Finding {
             second = self.name(second),
             other = fixed(second.share, 2)
         );
-        let is_mark = first.kind == MechanismKind::GrindingMark;
         let course = self.measured.course.as_ref();
+        if self.measured.gone
+            && let Some(course) = course
+        {
+            let gone = say!(
+                gone_by_grinding,
+                fall = fixed(course.fall().unwrap_or(0.0), 1),
+                record = course.on_line()[0].label.as_str()
+            );
+            return say!(two_sentences, one = gone, other = leads);
+        }
+        let is_mark = first.kind == MechanismKind::GrindingMark;
         let says = match course.map(Course::probability_of_rise) {
             Some(None) => say!(one_record_since_ground),
-            Some(Some(rises)) if rises < 0.05 && is_mark => {
+            Some(Some(rises)) if rises < UNLIKELY && is_mark => {
                 say!(level_falls_as_grinding_mark, percent = percent(1.0 - rises))
             }
-            Some(Some(rises)) if rises < 0.05 => say!(level_falls, percent = percent(1.0 - rises)),
-            Some(Some(rises)) if rises > 0.95 => say!(level_rises, percent = percent(rises)),
+            Some(Some(rises)) if rises < UNLIKELY => {
+                say!(level_falls, percent = percent(1.0 - rises))
+            }
+            Some(Some(rises)) if rises > 1.0 - UNLIKELY => {
+                say!(level_rises, percent = percent(rises))
+            }
             Some(Some(rises)) => say!(rise_is_open, percent = fixed(100.0 * rises, 0)),
             None => say!(one_record_only),
         };

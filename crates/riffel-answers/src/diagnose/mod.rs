@@ -50,7 +50,7 @@ pub struct DiagnosisSettings<'a> {
 /// All findings of a record.
 pub struct Diagnosis {
     /// The dominant wavelengths with their candidates: rail by rail, the one with the highest level first, and of a
-    /// rail the most prominent first.
+    /// rail the most prominent first; behind them those that are gone by grinding.
     pub findings: Vec<Finding>,
     /// Speeds of the traffic.
     pub speeds: TrafficSpeeds,
@@ -106,6 +106,10 @@ impl Diagnosis {
             mechanisms.splice(0..0, growth);
             mechanisms.extend(near(&own_modes, wavelength, speeds));
             warnings.extend(unknown);
+            if measured.gone {
+                // A mark is there after grinding.
+                mechanisms.retain(|mechanism| mechanism.kind != MechanismKind::GrindingMark);
+            }
             let evidence = Evidence {
                 peak: &measured.peak,
                 course: measured.course.as_ref(),
@@ -113,11 +117,15 @@ impl Diagnosis {
                 filter: &filter,
                 instrument: settings.instrument,
             };
-            let candidates = rank(&evidence, &mechanisms);
-            let course = measured.course.as_ref();
-            let measurements = tell_apart(&candidates, course);
+            let sideband = Sideband::new(measured, &records.measured, &mechanisms);
+            let (mut candidates, mut measurements) = (Vec::new(), Vec::new());
+            // A sideband has the cause of its wave.
+            if sideband.is_none() {
+                candidates = rank(&evidence, &mechanisms);
+                measurements = tell_apart(&candidates, evidence.course);
+            }
             findings.push(Finding {
-                sideband: Sideband::new(measured, &records.measured, &mechanisms),
+                sideband,
                 measured: measured.clone(),
                 candidates,
                 measurements,

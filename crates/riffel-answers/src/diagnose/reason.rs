@@ -5,6 +5,7 @@ use riffel::diagnosis::{
 };
 use riffel_keys::{Message, Value, fixed, number, say, significant};
 
+use super::finding::UNLIKELY;
 use super::mechanism_words::settled_by;
 
 /// A reason in a sentence. That of a course is not there without one.
@@ -179,7 +180,33 @@ fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
         TimeUnit::Year => say!(year),
         TimeUnit::Record => say!(record),
     };
-    if course.falls_every_time() {
+    let rises = course.probability_of_rise().unwrap_or(0.5);
+    // Two records rise or fall once, whether by chance or not.
+    if course.on_line().len() == 2 && (UNLIKELY..=1.0 - UNLIKELY).contains(&rises) {
+        say!(
+            course_of_two_is_open,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    } else if course.on_line().len() == 2 && rises > 0.5 {
+        say!(
+            course_of_two_rises,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    } else if course.on_line().len() == 2 {
+        say!(
+            course_of_two_falls,
+            levels = levels,
+            slope = slope,
+            scatter = scatter,
+            unit = unit
+        )
+    } else if course.falls_every_time() {
         say!(
             course_falls,
             levels = levels,

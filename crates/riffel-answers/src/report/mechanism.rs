@@ -153,6 +153,10 @@ fn of_finding(finding: &Finding, shown: &mut Vec<MechanismKind>, language: Langu
         let course = course.about(say!(course_capital));
         let _ = writeln!(html, "<p>{}.</p>", said(&course, language));
     }
+    let summary = escape(&finding.summary().capitalised(language));
+    if finding.candidates.is_empty() {
+        return html + &format!("<p><b>{summary}</b></p>\n");
+    }
     let rows = finding.candidates.iter().map(|candidate| {
         let [name, share, frequency, wavelengths] = candidate_row(finding, candidate, language);
         let bar = format!(
@@ -169,7 +173,6 @@ fn of_finding(finding: &Finding, shown: &mut Vec<MechanismKind>, language: Langu
         say!(predicts_in_millimetres),
     ];
     html += &table("", &texts(heads, language), &rows);
-    let summary = escape(&finding.summary().capitalised(language));
     let _ = writeln!(html, "<p><b>{summary}</b></p>");
     let candidates = finding.candidates.iter().enumerate();
     let told = candidates

@@ -14,7 +14,7 @@ use std::path::Path;
 
 use riffel_case::Case;
 use riffel_case::traffic::is_of_reported_growth;
-use riffel_keys::{Language, Message, fixed, say};
+use riffel_keys::{Language, Message, Value, fixed, say};
 use riffel_plot::PlotError;
 use riffel_rail::{LimitTable, Record};
 
@@ -374,6 +374,7 @@ fn measured(
 /// What the records say of the course of each dominant wavelength, a sentence each.
 fn since(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
     let findings = diagnosis.findings.iter();
+    let findings = findings.filter(|finding| finding.sideband.is_none());
     let courses = findings.filter_map(|finding| Some((finding, finding.measured.course.as_ref()?)));
     courses
         .filter_map(|(finding, course)| {
@@ -396,15 +397,22 @@ fn wavelength_of(finding: &Finding) -> Message {
     say!(one_wavelength, wavelength = wavelength)
 }
 
-/// The dominant wavelengths, a sentence each.
+/// The dominant wavelengths, a sentence each; sidebands are told with their wave.
 fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
     if diagnosis.findings.is_empty() {
         return vec![sentence(&say!(no_wavelength_stands_out), language)];
     }
-    let findings = diagnosis.findings.iter();
-    findings
+    let findings = || diagnosis.findings.iter();
+    findings()
+        .filter(|finding| finding.sideband.is_none())
         .map(|finding| {
             let wavelength = wavelength_of(finding);
+            let own = |other: &&Finding| {
+                let of = other.sideband.map(|sideband| sideband.of);
+                let rail = &finding.measured.rail;
+                of == Some(finding.measured.peak.wavelength) && other.measured.rail == *rail
+            };
+            let beside: Vec<Message> = findings().filter(own).map(wavelength_of).collect();
             let level = fixed(finding.measured.peak.level, 1);
             let stands = match finding.place() {
                 Some(place) => say!(
@@ -420,8 +428,14 @@ fn dominant(diagnosis: &Diagnosis, language: Language) -> Vec<String> {
                 ),
             };
             let stands = bold(&sentence(&stands, language), &wavelength.text(language));
-            let summary = finding.summary().capitalised(language);
-            format!("{stands} {}", escape(&summary))
+            let mut summary = finding.summary();
+            if !beside.is_empty() {
+                let count = beside.len();
+                let wavelengths: Value = beside.into_iter().collect();
+                let told = say!(beside_stand, count = count, wavelengths = wavelengths);
+                summary = say!(two_sentences, one = told, other = summary);
+            }
+            format!("{stands} {}", escape(&summary.capitalised(language)))
         })
         .collect()
 }

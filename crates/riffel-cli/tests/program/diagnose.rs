@@ -197,7 +197,85 @@ fn what_the_supports_make_of_a_wave_is_told_with_it() {
         assert!((number(&finding["sideband_of_m"]) - 0.045).abs() < 1e-4);
         let summary = finding["summary"].as_str().unwrap();
         assert!(summary.starts_with("It comes with 45.0 mm"), "{summary}");
+        assert_eq!(finding["candidates"].as_array().unwrap().len(), 0);
     }
+    sandbox.riffel(
+        "report cases/main-line.toml --roughness swelling.csv --speed \"70 km/h\" -o report.html",
+    );
+    let page = std::fs::read_to_string(sandbox.path("report.html")).unwrap();
+    let brief = page.split("</section>").next().unwrap();
+    assert_eq!(brief.matches("Beside it stand").count(), 1, "{brief}");
+    assert!(!brief.contains("It comes with"), "{brief}");
+}
+
+/// 50 mm that was ground away between two dates is told behind what is there, and is no mark; the 20 mm that grinding left lead. A year's
+/// rise of 1 dB in two single spectra is none.
+#[test]
+fn what_was_ground_away_does_not_lead() {
+    let sandbox = Sandbox::new();
+    let survey = |date: &str, fall: f64, corrugation: f64, mark: f64| {
+        let levels = (0..20).map(|band| {
+            let wavelength = 400.0 * 10f64.powf(-0.1 * f64::from(band));
+            let near =
+                |at: f64, height: f64| height * f64::from((wavelength / at).ln().abs() < 0.1);
+            let level = 12.0 * (wavelength / 400.0).log10() + 12.0 - fall;
+            let own = near(50.0, corrugation) + near(20.0, mark);
+            format!("{wavelength:.1},left,{date},{:.2}\n", level + own)
+        });
+        let table = levels.collect::<String>();
+        let head = "wavelength_mm,rail,date,level_db\n";
+        std::fs::write(
+            sandbox.path(&format!("{date}.csv")),
+            format!("{head}{table}"),
+        )
+        .unwrap();
+    };
+    survey("2026-05-04", 0.0, 9.0, 0.0);
+    survey("2026-06-20", 5.0, 0.0, 6.0);
+    let told = |more: &str| {
+        sandbox.json(&format!(
+            "diagnose cases/main-line.toml --roughness 2026-06-20.csv --earlier 2026-05-04.csv \
+             --dates 2026-05-04,2026-06-20 --speed \"140 km/h\" --json{more}"
+        ))
+    };
+    let document = told("");
+    let [there, gone] = &document["dominant_wavelengths"].as_array().unwrap()[..] else {
+        panic!("{document}");
+    };
+    assert!(
+        (number(&there["wavelength_m"]) - 0.02).abs() < 1e-6,
+        "{there}"
+    );
+    assert!(share(there, "grinding mark") > 0.5, "{there}");
+    let course = there["course"]["sentence"].as_str().unwrap();
+    assert!(
+        course.contains("two records do not tell whether it rises"),
+        "{course}"
+    );
+    assert!(
+        (number(&gone["wavelength_m"]) - 0.05).abs() < 1e-6,
+        "{gone}"
+    );
+    let summary = gone["summary"].as_str().unwrap();
+    assert!(
+        summary.starts_with("Gone by grinding: its level fell by 14.0 dB before 2026-06-20.csv"),
+        "{summary}"
+    );
+    let candidates = gone["candidates"].as_array().unwrap();
+    assert!(
+        candidates
+            .iter()
+            .all(|one| one["mechanism"] != "grinding mark"),
+        "{gone}"
+    );
+    // Where it is there again, or has never gone, it is no more behind.
+    survey("2026-06-20", 0.0, 9.0, 6.0);
+    let document = told("");
+    let first = &document["dominant_wavelengths"][0];
+    assert!(
+        (number(&first["wavelength_m"]) - 0.05).abs() < 1e-6,
+        "{document}"
+    );
 }
 
 /// 45 mm that grows by 2 dB a year before it is ground and after: no mark that fades.

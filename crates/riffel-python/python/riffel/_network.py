@@ -112,7 +112,8 @@ class Network:
         -------
         xarray.Dataset
             Over ``place``, the worst first: ``line``, ``date``, ``rail``, ``from``, ``to``, ``band`` (over ``end``), ``rms``,
-            ``rms_over_limit``, ``kind`` (``"corrugation"``, ``"single-places"``, or empty within the limit) and ``growth``.
+            ``rms_over_limit``, ``kind`` (``"corrugation"``, ``"joint"``, ``"weld"``, ``"unknown"``; within the
+            limit ``"ground"`` or empty) and ``growth``.
         """
         found = _riffel.network_worst(self._judged(section, limit), until, _count(most))
         return _table(found, "place")

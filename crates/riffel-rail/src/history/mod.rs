@@ -23,6 +23,8 @@ pub struct Measured {
     pub peak: DominantWavelength,
     /// The record of which the peak is told, where it was looked for in several: it stands out most there.
     pub record: Option<String>,
+    /// Whether it fell as by grinding and stands out of no record since: it tells of the rail before.
+    pub gone: bool,
     /// Its levels in time, where there are two records or more.
     pub course: Option<Course>,
     /// The same course on mean energies, where the levels are means of several spectra.
@@ -43,7 +45,7 @@ pub enum Curves {
 /// What stands out of the records of a rail, and what became of it.
 pub struct RailHistory {
     /// The dominant wavelengths: rail by rail, the one with the highest level first, and of a rail the most prominent
-    /// first.
+    /// first; behind them those that are gone.
     pub measured: Vec<Measured>,
     /// What a figure shows of the records.
     pub curves: Curves,

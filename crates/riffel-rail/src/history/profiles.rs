@@ -73,6 +73,7 @@ pub(super) fn history(
             rail: Some(rails[index].name.clone()),
             places: one.places.clone(),
             all_along: one.all_along,
+            gone: false,
             peak: one.peak.clone(),
             course: Course::new(points.collect(), unit).ok(),
             energy_levels: None,

@@ -76,15 +76,14 @@ pub(super) fn history(
     let are_several = rails.len() > 1;
     let tables = rails.into_iter().map(|rail| {
         let groups = groups(&rail, are_several, &records, &mut warnings);
-        RailTable::new(rail, groups)
+        RailTable::new(rail, groups, unit)
     });
     let mut tables: Vec<RailTable> = tables.collect();
     // The rail with the highest of all dominant levels leads.
     tables.sort_by(|a, b| b.highest().total_cmp(&a.highest()));
-    let measured = tables
-        .iter()
-        .flat_map(|table| table.measured(&tables, unit))
-        .collect();
+    let measured = tables.iter().flat_map(|table| table.measured(&tables));
+    let mut measured: Vec<Measured> = measured.collect();
+    measured.sort_by_key(|one| one.gone);
     let several = tables.len() > 1;
     let curves = tables.iter().flat_map(|table| table.curves(several));
     let curves = curves.collect();
@@ -164,25 +163,49 @@ impl Group {
 struct RailTable {
     rail: Option<String>,
     groups: Vec<Group>,
-    /// What stands out, the most prominent first, each with the record where it does most.
-    peaks: Vec<(DominantWavelength, String)>,
+    /// What stands out, the most prominent first.
+    peaks: Vec<Peak>,
+}
+
+/// A wavelength that stands out of one record or more.
+struct Peak {
+    /// In the record where it stands out most: of those since it was ground, if it stands out of any.
+    wave: DominantWavelength,
+    record: String,
+    course: Option<Course>,
+    /// Whether it stands out of none since it was ground.
+    gone: bool,
 }
 
 impl RailTable {
-    fn new(rail: Option<String>, groups: Vec<Group>) -> Self {
-        // A band counts where it stands out of one record or more; the record where it does most describes it.
-        let mut peaks: Vec<(DominantWavelength, String)> = Vec::new();
+    fn new(rail: Option<String>, groups: Vec<Group>, unit: TimeUnit) -> Self {
+        let mut found: Vec<(DominantWavelength, &Group)> = Vec::new();
         for group in &groups {
-            for peak in dominant_levels(&group.spectra) {
-                let mut known = peaks.iter_mut();
-                match known.find(|(other, _)| other.wavelength == peak.wavelength) {
-                    Some((other, _)) if other.prominence >= peak.prominence => {}
-                    Some(other) => *other = (peak, group.name.clone()),
-                    None => peaks.push((peak, group.name.clone())),
-                }
-            }
+            let peaks = dominant_levels(&group.spectra).into_iter();
+            found.extend(peaks.map(|peak| (peak, group)));
         }
-        peaks.sort_by(|a, b| b.0.prominence.total_cmp(&a.0.prominence));
+        found.sort_by(|a, b| b.0.prominence.total_cmp(&a.0.prominence));
+        let mut peaks: Vec<Peak> = Vec::new();
+        for (first, _) in &found {
+            if (peaks.iter()).any(|peak| peak.wave.wavelength == first.wavelength) {
+                continue;
+            }
+            let band = ThirdOctave::containing(first.wavelength).ok();
+            let points = groups.iter().filter_map(|group| group.point(band?));
+            let course = Course::new(points.collect(), unit).ok();
+            let since = course.as_ref().map(|course| course.on_line()[0].time);
+            let mut own = (found.iter()).filter(|(peak, _)| peak.wavelength == first.wavelength);
+            let most = own
+                .clone()
+                .find(|(_, group)| since.is_none_or(|since| group.time >= since));
+            peaks.extend(most.or(own.next()).map(|(wave, group)| Peak {
+                wave: wave.clone(),
+                record: group.name.clone(),
+                gone: most.is_none(),
+                course,
+            }));
+        }
+        peaks.sort_by(|a, b| b.wave.prominence.total_cmp(&a.wave.prominence));
         Self {
             rail,
             groups,
@@ -192,38 +215,34 @@ impl RailTable {
 
     /// The highest level of what stands out.
     fn highest(&self) -> f64 {
-        let levels = self.peaks.iter().map(|peak| peak.0.level);
+        let peaks = self.peaks.iter().filter(|peak| !peak.gone);
+        let levels = peaks.map(|peak| peak.wave.level);
         levels.fold(f64::NEG_INFINITY, f64::max)
     }
 
     /// What stands out of this rail, with the levels of all rails in the record where it does most.
-    fn measured<'a>(
-        &'a self,
-        all: &'a [Self],
-        unit: TimeUnit,
-    ) -> impl Iterator<Item = Measured> + 'a {
-        self.peaks.iter().map(move |(peak, record)| {
-            let band = ThirdOctave::containing(peak.wavelength).ok();
-            let groups = || self.groups.iter();
-            let points = groups().filter_map(|group| group.point(band?));
-            let course = Course::new(points.collect(), unit).ok();
-            let energy = groups()
+    fn measured<'a>(&'a self, all: &'a [Self]) -> impl Iterator<Item = Measured> + 'a {
+        self.peaks.iter().map(move |peak| {
+            let band = ThirdOctave::containing(peak.wave.wavelength).ok();
+            let groups = self.groups.iter();
+            let energy = groups
                 .filter_map(|group| Spectrum::energy_mean(&group.spectra)?.level(band?))
                 .collect();
             let rails = all.iter().filter(|_| all.len() > 1);
             let rails = rails.filter_map(|table| {
                 let mut groups = table.groups.iter();
-                let level = groups.find(|group| group.name == *record)?.level(band?)?;
-                Some((table.rail.clone()?, level))
+                let group = groups.find(|group| group.name == peak.record)?;
+                Some((table.rail.clone()?, group.level(band?)?))
             });
             Measured {
                 rail: self.rail.clone(),
                 places: Vec::new(),
                 all_along: true,
-                energy_levels: course.is_some().then_some(energy),
-                peak: peak.clone(),
-                record: (self.groups.len() > 1).then(|| record.clone()),
-                course,
+                gone: peak.gone,
+                energy_levels: peak.course.is_some().then_some(energy),
+                peak: peak.wave.clone(),
+                record: (self.groups.len() > 1).then(|| peak.record.clone()),
+                course: peak.course.clone(),
                 rails: rails.collect(),
             }
         })

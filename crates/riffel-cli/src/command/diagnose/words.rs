@@ -35,6 +35,9 @@ fn of_finding(finding: &Finding) -> String {
     if let Some(course) = finding.course() {
         text += &format!("  course: {}\n", words(course));
     }
+    if finding.candidates.is_empty() {
+        return text + &format!("{}\n", finding.summary().capitalised(language()));
+    }
     let mut rows = table(&["candidate", "share", "Hz", "predicts mm"]);
     for candidate in &finding.candidates {
         rows.add_row(candidate_row(finding, candidate, language()));
