@@ -41,23 +41,26 @@ impl GivenReceptance {
         let measured = measurement::of_universal(function).map_err(|error| CaseError::Data {
             path: function.title.clone().into(),
             line: None,
-            message: error.message.into(),
+            message: error.message,
             help: None,
         })?;
         Ok(Self::of_table(measured.receptance, measured.remarks))
     }
 
-    /// A table, with a remark where it is not passive.
-    pub fn measured(receptance: MeasuredReceptance) -> Self {
-        let remarks = measurement::activity(&receptance, measurement::Remedy::Conjugate);
-        Self::of_table(receptance, remarks.into_iter().collect())
+    /// A table, with remarks where it is not passive, delayed or of two hits.
+    ///
+    /// # Errors
+    /// The sentence for one with the wrong signs.
+    pub fn measured(receptance: MeasuredReceptance) -> Result<Self, Message> {
+        let remarks = measurement::doubts(&receptance, measurement::Remedy::Values)?;
+        Ok(Self::of_table(receptance, remarks))
     }
 
-    /// A table that was measured on a rail, with remarks where it is not passive or not like a rail.
+    /// A table that was measured on a rail, with remarks as of [`measured`](Self::measured) and where it is not like a rail.
     ///
     /// # Errors
     /// The sentence for one that no rail has.
-    pub fn measured_on_rail(receptance: MeasuredReceptance) -> Result<Self, String> {
+    pub fn measured_on_rail(receptance: MeasuredReceptance) -> Result<Self, Message> {
         let remarks = measurement::doubts_about_rail(&receptance)?;
         Ok(Self::of_table(receptance, remarks))
     }

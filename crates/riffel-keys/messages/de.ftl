@@ -18,9 +18,24 @@ preset-changes-nothing = { $key } = "{ $name }" ändert nichts: der Fall gibt al
 ## Measured receptances
 
 value-at-zero-left-out = der gemessene Wert bei 0 Hz bleibt weg
-set-conjugate = { KEY("track.measurement.conjugate") } setzen
+set-signs = { KEY("track.measurement.conjugate") } = { $conjugate } und { KEY("track.measurement.negate") } = { $negate } schreiben
+set-one-of-the-signs = { KEY("track.measurement.conjugate") } oder { KEY("track.measurement.negate") } setzen, je nachdem
 conjugate-it = konjugieren
-receptance-gives-energy = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz: Phase und Rauschen prüfen, und ob sie exp(+iωt) folgt (sonst { $remedy })
+negate-it = das Vorzeichen wechseln
+conjugate-and-negate-it = konjugieren und das Vorzeichen wechseln
+conjugate-or-negate-it = konjugieren oder das Vorzeichen wechseln, je nachdem
+receptance-gives-energy = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen zwischen { $first } und { $last } Hz: Phase und Rauschen prüfen
+    .short = die gemessene Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen: Phase prüfen
+response-conjugated = die Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen, und das Vorzeichen ihres Realteils stimmt: sie ist konjugiert, wie mit exp(−iωt). Um sie mit exp(+iωt) zu haben, { $remedy }
+response-negated = die Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen, und auch das Vorzeichen ihres Realteils ist falsch: sie ist negativ, weil Aufnehmer und Kraft gegeneinander zeigen. Um sie umzukehren, { $remedy }
+response-conjugated-and-negated = der Realteil der Rezeptanz hat das falsche Vorzeichen für ihren Betrag: sie ist konjugiert, wie mit exp(−iωt), und negativ. Um sie umzukehren, { $remedy }
+response-conjugated-or-negated = die Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen: sie ist konjugiert, wie mit exp(−iωt), oder negativ. Um sie umzukehren, { $remedy }
+response-of-other-quantity = die Rezeptanz gibt Energie ab (Im H > 0), bei { $count } von { $points } Frequenzen, doch ihre Phase passt zu ihrem Betrag, wie die einer Mobilität oder Akzeleranz: prüfen, was gemessen wurde, und die Einheit
+response-mirrored = oberhalb von { $hertz } Hz läuft der Frequenzgang rückwärts durch seine eigenen konjugierten Werte, wie die obere Hälfte eines zweiseitigen Spektrums: die Linien darüber weglassen
+response-delayed = die Phase des gemessenen Frequenzgangs dreht bis { $hertz } Hz um { $degrees }° gegen die, die zu seinem Betrag gehört, wie bei { $milliseconds } ms zwischen den Kanälen von Kraft und Antwort: die Verzögerung herausrechnen, sonst gilt das Wachstum für ein anderes Gleis
+    .short = die Phase des gemessenen Frequenzgangs dreht um { $degrees }°, wie bei einer Verzögerung von { $milliseconds } ms: herausrechnen
+response-ripples = der Betrag des gemessenen Frequenzgangs ist alle { $hertz } Hz wellig, wie wenn der Hammer zweimal trifft, im Abstand von { $milliseconds } ms: solche Schläge weglassen
+    .short = der gemessene Frequenzgang ist alle { $hertz } Hz wellig, wie wenn der Hammer zweimal trifft
 receptance-in-si = Rezeptanz in m/N
 mobility-in-si = Mobilität in m/s/N
 accelerance-in-si = Akzeleranz in m/s²/N

@@ -17,10 +17,24 @@ preset-changes-nothing = { $key } = "{ $name }" changes nothing: the case gives 
 ## Measured receptances
 
 value-at-zero-left-out = the measured value at 0 Hz is left out
-set-conjugate = set { KEY("track.measurement.conjugate") }
+set-signs = write { KEY("track.measurement.conjugate") } = { $conjugate } and { KEY("track.measurement.negate") } = { $negate }
+set-one-of-the-signs = set { KEY("track.measurement.conjugate") } or { KEY("track.measurement.negate") }, whichever it is
 conjugate-it = conjugate it
-receptance-gives-energy = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, between { $first } and { $last } Hz: check its phase, its noise, and whether it follows exp(+iωt) (else { $remedy })
+negate-it = change its sign
+conjugate-and-negate-it = conjugate it and change its sign
+conjugate-or-negate-it = conjugate it or change its sign, whichever it is
+receptance-gives-energy = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, between { $first } and { $last } Hz: check its phase and its noise
     .short = the measured receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies: check its phase
+response-conjugated = the receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, and the sign of its real part is right: it is conjugated, as with exp(−iωt). To have it with exp(+iωt), { $remedy }
+response-negated = the receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, and its real part has the wrong sign as well: it is turned in sign, for sensor and force point against each other. To turn it, { $remedy }
+response-conjugated-and-negated = the real part of the receptance has the wrong sign for its modulus: it is conjugated, as with exp(−iωt), and turned in sign. To turn it, { $remedy }
+response-conjugated-or-negated = the receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies: it is conjugated, as with exp(−iωt), or turned in sign. To turn it, { $remedy }
+response-of-other-quantity = the receptance gives energy away (Im H > 0) at { $count } of { $points } frequencies, but its phase goes with its modulus, as that of a mobility or an accelerance does: check what was measured, and its unit
+response-mirrored = above { $hertz } Hz the response runs backwards through the conjugates of its own values, as the upper half of a two-sided spectrum does: leave out the lines above
+response-delayed = the phase of the measured response turns by { $degrees }° up to { $hertz } Hz beside the one that goes with its modulus, as with { $milliseconds } ms between the channels of force and response: take the delay off, else growth is that of another track
+    .short = the phase of the measured response turns by { $degrees }° as with a delay of { $milliseconds } ms: take it off
+response-ripples = the modulus of the measured response ripples every { $hertz } Hz, as where the hammer hit twice, { $milliseconds } ms apart: leave such blows out
+    .short = the measured response ripples every { $hertz } Hz, as where the hammer hit twice
 receptance-in-si = a receptance in m/N
 mobility-in-si = a mobility in m/s/N
 accelerance-in-si = an accelerance in m/s²/N

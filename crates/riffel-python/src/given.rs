@@ -243,8 +243,9 @@ pub(crate) fn extract(
     let angular: Vec<f64> = table.0.as_array().iter().map(|f| TAU * f).collect();
     let measured = MeasuredReceptance::new(&angular, owned(&table.1)).map_err(of_physics)?;
     let given = match what {
-        "track" => GivenReceptance::measured_on_rail(measured).map_err(wrong)?,
+        "track" => GivenReceptance::measured_on_rail(measured),
         _ => GivenReceptance::measured(measured),
     };
+    let given = given.map_err(|refusal| wrong(refusal.to_string()))?;
     Ok((given, None))
 }

@@ -63,8 +63,17 @@ def test_tables_are_interpolated_and_not_extrapolated(nominal: riffel.Case) -> N
         table.point(wavelength=0.01, speed=60.0)
     with pytest.raises(ValueError, match="receptance given for the track is vertical only"):
         table.receptance(direction="lateral")
-    leads = nominal.with_track((frequency, free_beam(frequency).conj()))
-    assert any("gives energy away" in remark for remark in leads.remarks)
+    for change, says in (
+        (np.conj, "it is conjugated"),
+        (np.negative, "it is turned in sign"),
+        (lambda h: -h.conj(), "conjugated, as with .*, and turned in sign"),
+    ):
+        with pytest.raises(ValueError, match=says):
+            nominal.with_track((frequency, change(free_beam(frequency))))
+        with pytest.raises(ValueError, match=says):
+            nominal.with_wheel((frequency, change(free_beam(frequency))))
+    late = free_beam(frequency) * np.exp(-2j * np.pi * frequency * 0.5e-3)
+    assert any("0.50 ms between the channels" in remark for remark in nominal.with_track((frequency, late)).remarks)
 
 
 @pytest.mark.parametrize(

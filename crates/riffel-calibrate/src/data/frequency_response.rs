@@ -79,7 +79,7 @@ impl FrequencyResponses {
         }
         let position = numbers.others[0].clone();
         let doubts = doubts(frequency, &response, position.as_deref());
-        let doubts = doubts.map_err(|message| numbers.refuse(path, 0, &message))?;
+        let doubts = doubts.map_err(|message| numbers.refuse(path, 0, &message.to_string()))?;
         let coherence = numbers.others[1].as_ref();
         if let Some(coherence) = coherence {
             let rule = "must be above 0 and below 1";
@@ -136,12 +136,12 @@ impl FrequencyResponses {
     }
 }
 
-/// What is to be asked of the responses of each place: unit and phase. Lines of which two have one frequency are not looked at.
+/// What is to be asked of the responses of each place: unit and phase. Of lines at one frequency the first is looked at.
 fn doubts(
     frequency: &[f64],
     response: &[Complex64],
     position: Option<&[f64]>,
-) -> Result<Vec<Message>, String> {
+) -> Result<Vec<Message>, Message> {
     let place = |row: usize| position.map_or(0.0, |position| position[row]);
     let mut rows: Vec<usize> = (0..frequency.len()).collect();
     rows.sort_by(|a, b| {
@@ -150,6 +150,7 @@ fn doubts(
         at.total_cmp(&other).then(f.total_cmp(&g))
     });
     let mut doubts: Vec<Message> = Vec::new();
+    rows.dedup_by(|b, a| place(*a) == place(*b) && frequency[*a] == frequency[*b]);
     for rows in rows.chunk_by(|a, b| place(*a) == place(*b)) {
         let angular: Vec<f64> = rows.iter().map(|row| TAU * frequency[*row]).collect();
         let values = rows.iter().map(|row| response[*row]).collect();

@@ -509,27 +509,50 @@ fn pass_bys_that_cannot_be_used_are_said() {
     }
 }
 
-/// Levels re 1 m, and responses of the other phase, are taken, and asked about.
+/// Levels re 1 m are taken, and asked about; responses with the wrong signs are refused.
 #[test]
-fn data_that_no_rail_has_are_asked_about() {
-    let of_metres = |level: f64| level - 120.0;
-    let conjugate = |imaginary: f64| -imaginary;
-    let cases: [(_, _, &dyn Fn(f64) -> f64, _); 2] = [
-        ("roughness.csv", 2, &of_metres, "they look like dB re 1 m"),
-        ("hammer.csv", 3, &conjugate, "gives energy away"),
-    ];
-    for (file, column, change, words) in cases {
+fn data_that_no_rail_has_are_asked_about_or_refused() {
+    let changed_file = |file: &str, change: &dyn Fn(usize, f64) -> f64| {
         let text = fs::read_to_string(folder("c-all-together").join(file)).unwrap();
         let (head, rows) = text.split_once('\n').unwrap();
-        let rows = rows.lines().map(|row| {
-            let mut cells: Vec<String> = row.split(',').map(str::to_owned).collect();
-            cells[column] = change(cells[column].parse().unwrap()).to_string();
-            cells.join(",")
-        });
-        let other = format!("{head}\n{}\n", rows.collect::<Vec<_>>().join("\n"));
-        let (_folder, plan) = changed("c-all-together", file, &text, &other);
-        let remarks = plan.unwrap_or_else(|error| panic!("{error}")).remarks;
-        let told = remarks.iter().any(|it| it.to_string().contains(words));
-        assert!(told, "{words}: {remarks:?}");
+        let row = |row: &str| {
+            let cells = row.split(',').enumerate();
+            let cells =
+                cells.map(|(column, cell)| change(column, cell.parse().unwrap()).to_string());
+            cells.collect::<Vec<_>>().join(",")
+        };
+        let other = format!(
+            "{head}\n{}\n",
+            rows.lines().map(row).collect::<Vec<_>>().join("\n")
+        );
+        changed("c-all-together", file, &text, &other).1
+    };
+    let of_metres = |column: usize, level: f64| level - if column == 2 { 120.0 } else { 0.0 };
+    let remarks = changed_file("roughness.csv", &of_metres).unwrap().remarks;
+    let told = remarks
+        .iter()
+        .any(|it| it.to_string().contains("they look like dB re 1 m"));
+    assert!(told, "{remarks:?}");
+    let of_sign = |turned: &'static [usize]| {
+        move |column: usize, value: f64| {
+            if turned.contains(&column) {
+                -value
+            } else {
+                value
+            }
+        }
+    };
+    for (turned, words) in [
+        (&[3][..], "it is conjugated"),
+        (&[2, 3], "it is turned in sign"),
+    ] {
+        let refusal = changed_file("hammer.csv", &of_sign(turned))
+            .map(|_| ())
+            .unwrap_err();
+        let refusal = refusal.to_string();
+        assert!(
+            refusal.contains("hammer.csv") && refusal.contains(words),
+            "{refusal}"
+        );
     }
 }

@@ -52,6 +52,9 @@ pub struct Measurement {
     /// True for values that follow exp(−iωt): their imaginary parts change sign.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     pub conjugate: bool,
+    /// True for values of a sensor that points against the force: they change sign.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    pub negate: bool,
 }
 
 /// An axis of a tested structure.

@@ -1,6 +1,7 @@
 //! A measured receptance, read from a file that the case names.
 
 mod columns;
+mod doubts;
 mod layout;
 mod response_unit;
 mod smoothing;
@@ -14,9 +15,11 @@ use std::path::Path;
 
 use riffel::receptance::MeasuredReceptance;
 use riffel::{Complex64, Receptance};
-use riffel_keys::{Exponents, Message, fixed, number, say, text_file};
+use riffel_keys::{Exponents, Message, say, text_file};
 
 use crate::file::{Measurement, Response};
+pub use doubts::doubts_about_rail;
+pub(crate) use doubts::{Remedy, doubts};
 pub use universal_function::UniversalFunction;
 pub(crate) use wheelset_modes::WheelsetModes;
 pub(crate) use wheelset_receptances::WheelsetReceptances;
@@ -25,31 +28,24 @@ pub(crate) use wheelset_receptances::WheelsetReceptances;
 /// between.
 const WIDEST_STEP: f64 = 2.0;
 
-/// Receptances that a rail may have \[m/N\]: those of tracks under `presets/` are 1e-11 to 3e-8 from 20 Hz to 5 kHz. The
-/// median of a table lies between these, or its unit is another one.
-const OF_A_RAIL: (f64, f64) = (1e-14, 1e-4);
-
-/// Receptances \[m/N\] of which every measured rail has some: those of the presets, with room for softer tracks.
-const USUAL: (f64, f64) = (1e-11, 1e-7);
-
 /// What is wrong with a measurement.
 #[derive(Debug)]
 pub(crate) struct MeasurementError {
     /// Key below `track.measurement` that is at fault, or whose file is; of a file of a wheelset it is always `file`.
     pub(crate) key: &'static str,
     /// The sentence.
-    pub(crate) message: String,
+    pub(crate) message: Message,
 }
 
 impl MeasurementError {
-    fn new(key: &'static str, message: impl Into<String>) -> Self {
+    fn new(key: &'static str, message: impl Into<Message>) -> Self {
         Self {
             key,
             message: message.into(),
         }
     }
 
-    fn file(message: impl Into<String>) -> Self {
+    fn file(message: impl Into<Message>) -> Self {
         Self::new("file", message)
     }
 }
@@ -76,20 +72,23 @@ pub(crate) struct Measured {
 pub(crate) fn read(measurement: &Measurement, folder: &Path) -> Result<Measured, MeasurementError> {
     let path = folder.join(&measurement.file);
     let bytes = bytes_of(&path, "measurement")?;
-    let remedy = Remedy::SetKey;
-    if is_universal_file(&path) {
-        let universal::Chosen { response, remarks } = universal::read(&bytes, measurement)?;
-        let mut measured = response.measured(measurement.conjugate, remedy)?;
-        measured.remarks.splice(0..0, remarks);
-        return Ok(measured);
+    let Measurement {
+        conjugate, negate, ..
+    } = *measurement;
+    let remedy = Remedy::Keys { conjugate, negate };
+    let is_universal = is_universal_file(&path);
+    let (response, remarks) = match is_universal {
+        true => universal::read(&bytes, measurement)?,
+        false => table::read(&decoded(bytes)?, measurement)?,
+    };
+    let mut read = response.turned(conjugate, negate).read()?;
+    read.remarks.splice(0..0, remarks);
+    if !is_universal {
+        let unusual = doubts::doubts_about_size(&read.receptance);
+        read.remarks
+            .extend(unusual.map_err(MeasurementError::file)?);
     }
-    let text = decoded(bytes)?;
-    let table::Table { response, remarks } = table::read(&text, measurement)?;
-    let mut measured = response.measured(measurement.conjugate, remedy)?;
-    measured.remarks.splice(0..0, remarks);
-    let unusual = check_size(&measured.receptance)?;
-    measured.remarks.extend(unusual);
-    Ok(measured)
+    read.doubted(remedy)
 }
 
 fn bytes_of(path: &Path, what: &'static str) -> Result<Vec<u8>, MeasurementError> {
@@ -103,7 +102,9 @@ fn decoded(bytes: Vec<u8>) -> Result<String, MeasurementError> {
 
 /// A function that was read elsewhere.
 pub(crate) fn of_universal(function: &UniversalFunction) -> Result<Measured, MeasurementError> {
-    universal::of_function(function)?.measured(false, Remedy::Conjugate)
+    universal::of_function(function)?
+        .read()?
+        .doubted(Remedy::Values)
 }
 
 fn is_universal_file(path: &Path) -> bool {
@@ -114,22 +115,31 @@ fn is_universal_file(path: &Path) -> bool {
     })
 }
 
+impl Measured {
+    /// With what is to be asked of a receptance at a point.
+    fn doubted(mut self, remedy: Remedy) -> Result<Self, MeasurementError> {
+        let doubts = doubts(&self.receptance, remedy).map_err(MeasurementError::file)?;
+        self.remarks.extend(doubts);
+        Ok(self)
+    }
+}
+
 impl FrequencyResponse {
-    /// Checked, as a receptance at a point; `remedy` as for [`activity`].
-    fn measured(self, conjugate: bool, remedy: Remedy) -> Result<Measured, MeasurementError> {
-        let mut measured = self.read(conjugate)?;
-        measured
-            .remarks
-            .extend(activity(&measured.receptance, remedy));
-        Ok(measured)
+    /// The conjugate or the negative of every value, or both.
+    fn turned(mut self, conjugate: bool, negate: bool) -> Self {
+        let sign = if negate { -1.0 } else { 1.0 };
+        for value in &mut self.values {
+            *value = sign * if conjugate { value.conj() } else { *value };
+        }
+        self
     }
 
     /// Checked, as a receptance between any two points.
-    fn read(mut self, conjugate: bool) -> Result<Measured, MeasurementError> {
+    fn read(mut self) -> Result<Measured, MeasurementError> {
         let mut remarks = Vec::new();
         remarks.extend(self.leave_out_zero());
         self.check()?;
-        let (angular, mut receptances) = self.receptances(conjugate);
+        let (angular, mut receptances) = self.receptances();
         if let Some(coherence) = &self.coherence {
             remarks.extend(smoothing::smooth(&angular, &mut receptances, coherence));
         }
@@ -192,7 +202,7 @@ impl FrequencyResponse {
     }
 
     /// Angular frequencies \[rad/s\] and receptances \[m/N\].
-    fn receptances(&self, conjugate: bool) -> (Vec<f64>, Vec<Complex64>) {
+    fn receptances(&self) -> (Vec<f64>, Vec<Complex64>) {
         let angular: Vec<f64> = self
             .frequencies
             .iter()
@@ -206,83 +216,10 @@ impl FrequencyResponse {
         let receptances = angular
             .iter()
             .zip(&self.values)
-            .map(|(&w, &value)| {
-                let value = if conjugate { value.conj() } else { value };
-                value / Complex64::new(0.0, w).powi(power)
-            })
+            .map(|(&w, &value)| value / Complex64::new(0.0, w).powi(power))
             .collect();
         (angular, receptances)
     }
-}
-
-/// What is to be asked of a receptance that was measured on a rail: whether it has the size of one, and is passive.
-///
-/// # Errors
-/// The sentence for one that no rail has.
-pub fn doubts_about_rail(receptance: &MeasuredReceptance) -> Result<Vec<Message>, String> {
-    let size = check_size(receptance).map_err(|error| error.message)?;
-    let passive = activity(receptance, Remedy::Conjugate);
-    Ok(size.into_iter().chain(passive).collect())
-}
-
-/// `Ok` where the median of the modulus is one that a rail may have, with a remark where none of its lines is one
-/// that rails do have.
-fn check_size(receptance: &MeasuredReceptance) -> Result<Option<Message>, MeasurementError> {
-    let mut moduli: Vec<f64> = receptance.lines().map(|(_, h)| h.norm()).collect();
-    let middle = moduli.len() / 2;
-    let (_, &mut median, _) = moduli.select_nth_unstable_by(middle, f64::total_cmp);
-    if (OF_A_RAIL.0..=OF_A_RAIL.1).contains(&median) {
-        let least = moduli.iter().copied().fold(f64::INFINITY, f64::min);
-        let most = moduli.iter().copied().fold(0.0, f64::max);
-        let unusual = least > USUAL.1 || most < USUAL.0;
-        return Ok(unusual.then(|| {
-            say!(
-                receptance_unlike_rail,
-                least = number(format_args!("{least:.0e}")),
-                most = number(format_args!("{most:.0e}"))
-            )
-        }));
-    }
-    Err(MeasurementError::file(format!(
-        "half of its receptances are above {median:.1e} m/N, but those of rails are some 1e-11 to 1e-7 m/N: check \
-             track.measurement.quantity and unit (a modulus in decibels has unit = \"dB re 1 m/N\")"
-    )))
-}
-
-/// What helps against a receptance that follows exp(−iωt).
-#[derive(Clone, Copy)]
-pub(crate) enum Remedy {
-    /// A key of the case.
-    SetKey,
-    /// Whoever has the values can do it.
-    Conjugate,
-}
-
-impl Remedy {
-    fn message(self) -> Message {
-        match self {
-            Self::SetKey => say!(set_conjugate),
-            Self::Conjugate => say!(conjugate_it),
-        }
-    }
-}
-
-/// Where a receptance is not passive, in one sentence.
-pub(crate) fn activity(receptance: &MeasuredReceptance, remedy: Remedy) -> Option<Message> {
-    let active: Vec<f64> = receptance
-        .active()
-        .map(|w| w / std::f64::consts::TAU)
-        .collect();
-    let (first, last) = (active.first()?, active.last()?);
-    let (count, points) = (active.len(), receptance.points());
-    Some(say!(
-        receptance_gives_energy,
-        count = count,
-        points = points,
-        first = fixed(*first, 0),
-        last = fixed(*last, 0),
-        remedy = remedy.message()
-    ))
 }
 
 impl Response {

@@ -10,14 +10,11 @@ use super::response_unit::{Decoded, ValueUnit};
 use super::{FrequencyResponse, MeasurementError};
 use crate::file::{AngleUnit, Measurement};
 
-/// A table as it was read, and what was taken for granted.
-pub(super) struct Table {
-    pub(super) response: FrequencyResponse,
-    pub(super) remarks: Vec<Message>,
-}
-
-/// Read a table below the names of its columns.
-pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, MeasurementError> {
+/// Read a table below the names of its columns, with what was taken for granted.
+pub(super) fn read(
+    text: &str,
+    measurement: &Measurement,
+) -> Result<(FrequencyResponse, Vec<Message>), MeasurementError> {
     let layout = layout(text, measurement)?;
     let units = Units::new(&layout, measurement)?;
     let Columns {
@@ -25,22 +22,18 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
         values,
         coherence,
     } = layout.columns;
-    let mut table = Table {
-        response: FrequencyResponse {
-            response: units.decoded.response,
-            frequencies: Vec::new(),
-            values: Vec::new(),
-            coherence: coherence.map(|_| Vec::new()),
-            places: Vec::new(),
-        },
-        remarks: units.decoded.remarks.clone(),
+    let mut response = FrequencyResponse {
+        response: units.decoded.response,
+        frequencies: Vec::new(),
+        values: Vec::new(),
+        coherence: coherence.map(|_| Vec::new()),
+        places: Vec::new(),
     };
     let mut largest_phase = 0.0_f64;
     // As they stand in the file, column by column.
     let mut written: Vec<Vec<f64>> = vec![Vec::new(); values.all().len()];
     for row in rows(&layout) {
         let row = row?;
-        let response = &mut table.response;
         response
             .frequencies
             .push(units.to_hertz * row.number(frequency)?);
@@ -80,16 +73,16 @@ pub(super) fn read(text: &str, measurement: &Measurement) -> Result<Table, Measu
         response.places.push(row.place);
     }
     for (column, written) in values.all().into_iter().zip(&written) {
-        check_marks(written, &layout.names[column], &table.response.places)?;
+        check_marks(written, &layout.names[column], &response.places)?;
     }
-    let is_course = table.response.values.len() > 1;
+    let is_course = response.values.len() > 1;
     if let Parts::Polar([_, phase]) = values
         && !units.phase_is_known
         && is_course
     {
         check_phase(&layout.names[phase], largest_phase)?;
     }
-    Ok(table)
+    Ok((response, units.decoded.remarks))
 }
 
 /// The columns: those of parts by their names, or whole complex numbers.

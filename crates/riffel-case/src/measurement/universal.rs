@@ -19,14 +19,11 @@ const EXCITATION_FORCE: i32 = 13;
 /// Of a function that says by its units alone what it is, or not at all.
 const GENERAL: [i32; 2] = [0, 1];
 
-/// The response of a file, and what its reader should know.
-pub(super) struct Chosen {
-    pub(super) response: FrequencyResponse,
-    pub(super) remarks: Vec<Message>,
-}
-
-/// The function that the case asks for, or the only vertical frequency response of the file.
-pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, MeasurementError> {
+/// The function that the case asks for, or the only vertical frequency response of the file, and what its reader should know.
+pub(super) fn read(
+    bytes: &[u8],
+    measurement: &Measurement,
+) -> Result<(FrequencyResponse, Vec<Message>), MeasurementError> {
     let axis = measurement.vertical_axis;
     let file =
         universal_file::read(bytes).map_err(|error| MeasurementError::file(error.to_string()))?;
@@ -45,10 +42,8 @@ pub(super) fn read(bytes: &[u8], measurement: &Measurement) -> Result<Chosen, Me
             })?,
         None => only(&file.functions, axis)?,
     };
-    Ok(Chosen {
-        response: response(function, file.units, measurement)?,
-        remarks: between_nodes(function).into_iter().collect(),
-    })
+    let remarks = between_nodes(function).into_iter().collect();
+    Ok((response(function, file.units, measurement)?, remarks))
 }
 
 /// A point receptance has response and force at one node; on a rail head they stand side by side.

@@ -8,6 +8,7 @@ use riffel::{Complex64, Direction, Rail};
 use riffel_keys::{Message, fixed, say};
 
 use super::columns::{Parts, Role, without_unit};
+use super::doubts::check_sign;
 use super::layout::{Layout, Row, find, rows, unit};
 use super::response_unit::{Decoded, ValueUnit, after_decibel, response_of};
 use super::table::{angle, hertz_of};
@@ -73,8 +74,14 @@ impl WheelsetReceptances {
         }
         let mut left_out = Vec::new();
         let mut receptances = Vec::with_capacity(responses.len());
-        for (_, response) in responses {
-            let measured = response.read(false)?;
+        for ((_, response), entry) in responses.into_iter().zip(entries) {
+            let measured = response.read()?;
+            if let Some(port) = entry.ports.own() {
+                let check = check_sign(&measured.receptance, ROUNDING);
+                check.map_err(|rule| {
+                    MeasurementError::file(say!(about, subject = port, remark = rule))
+                })?;
+            }
             left_out = measured.remarks;
             receptances.push(measured.receptance);
         }
@@ -179,6 +186,16 @@ impl Ports {
         let at = Port::new(rail, axis(words.next()?)?);
         let rail = self::rail(words.next()?)?;
         Some(Self::Both(at, Port::new(rail, axis(words.next()?)?)))
+    }
+}
+
+impl Ports {
+    /// What columns call the port whose displacement and force these are; None of two ports.
+    fn own(self) -> Option<String> {
+        match self {
+            Self::Both(at, from) => (at == from).then(|| name(at)),
+            Self::OneWheel(at, from) => (at == from).then(|| axis_name(at).to_owned()),
+        }
     }
 }
 

@@ -85,29 +85,73 @@ fn reads_a_table_as_instruments_write_it() {
     check(&case("rail.csv", text.as_bytes(), keys).unwrap());
 }
 
-/// The other sign of time is told, and can be turned.
+/// Responses with the wrong signs are refused by their name, whatever keys are set, and turned by the keys that the refusal names.
 #[test]
-fn warns_where_the_receptance_is_not_passive() {
+fn responses_with_the_wrong_signs_are_refused_and_turned() {
+    let text = |signs: [f64; 2]| {
+        table("frequency_hz,re,im", |f, h| {
+            format!("{f},{:e},{:e}", signs[0] * h.re, signs[1] * h.im)
+        })
+    };
+    let active = "gives energy away (Im H > 0) at 40 of 40 frequencies, and";
+    for (signs, says, keys) in [
+        ([1.0, 1.0], "", [false, false]),
+        (
+            [1.0, -1.0],
+            "the sign of its real part is right: it is conjugated",
+            [true, false],
+        ),
+        ([-1.0, -1.0], "it is turned in sign", [false, true]),
+        (
+            [-1.0, 1.0],
+            "it is conjugated, as with exp(−iωt), and turned in sign",
+            [true, true],
+        ),
+    ] {
+        for set in [[false, false], [true, false], [false, true], [true, true]] {
+            let of = |keys: [bool; 2]| format!("conjugate = {}\nnegate = {}", keys[0], keys[1]);
+            let read = case(
+                "rail.csv",
+                text(signs).as_bytes(),
+                &format!("{CARTESIAN}\n{}", of(set)),
+            );
+            if set == keys {
+                check(&read.unwrap());
+                continue;
+            }
+            let refusal = read.err().unwrap().to_string();
+            let key = |name: &str, value: bool| format!("track.measurement.{name} = {value}");
+            for part in [key("conjugate", keys[0]), key("negate", keys[1])] {
+                assert!(refusal.contains(&part), "{signs:?} {set:?}: {refusal}");
+            }
+            if set == [false, false] {
+                assert!(refusal.contains(says), "{signs:?}: {refusal}");
+                assert_eq!(refusal.contains(active), signs[1] < 0.0);
+            }
+        }
+    }
+}
+
+/// A mobility that is read as a receptance is none that is conjugated.
+#[test]
+fn another_quantity_is_told_from_a_wrong_sign() {
     let text = table("frequency_hz,re,im", |f, h| {
-        format!("{f},{:e},{:e}", h.re, -h.im)
+        let mobility = 1e-3 * h * Complex64::new(0.0, std::f64::consts::TAU * f);
+        format!("{f},{:e},{:e}", mobility.re, mobility.im)
     });
-    let wrong = case("rail.csv", text.as_bytes(), CARTESIAN).unwrap();
-    let warned = "gives energy away (Im H > 0) at 40 of 40 frequencies, between 50 and 2500 Hz";
+    let refusal = case("rail.csv", text.as_bytes(), CARTESIAN)
+        .err()
+        .unwrap()
+        .to_string();
     assert!(
-        wrong
-            .remarks
-            .iter()
-            .any(|remark| remark.to_string().contains(warned)),
-        "{:?}",
-        wrong.remarks
+        refusal.contains("as that of a mobility or an accelerance does"),
+        "{refusal}"
     );
-    let turned = format!("{CARTESIAN}\nconjugate = true");
-    check(&case("rail.csv", text.as_bytes(), &turned).unwrap());
 }
 
 /// Files written by pyuff: see tests/universal-files/make_fixtures.py. Their displacement points up
-/// (direction 3) and their force down (−3), so the receptance in one direction is the negative. An
-/// uneven abscissa in text has six digits, which near a
+/// (direction 3) and their force down (−3), so the receptance in one direction is the negative, which is turned back, for
+/// their values are those of one direction. An uneven abscissa in text has six digits, which near a
 /// resonance is five of the value, and all values in single precision have six.
 #[test]
 fn reads_universal_files() {
@@ -119,7 +163,7 @@ fn reads_universal_files() {
         ("accelerance_single_uneven.uff", 1e-4),
     ] {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/universal-files");
-        let case = case(name, &fs::read(folder.join(name)).unwrap(), "").unwrap();
+        let case = case(name, &fs::read(folder.join(name)).unwrap(), "negate = true").unwrap();
         let exact = fs::read_to_string(folder.join("exact.csv")).unwrap();
         let mut compared = 0;
         for line in exact.lines().skip(1) {
@@ -142,7 +186,7 @@ fn reads_universal_files() {
             if h.is_nan() {
                 continue; // the last frequency, rounded down in the file
             }
-            let expected = -Complex64::new(re, im);
+            let expected = Complex64::new(re, im);
             assert!(
                 (h - expected).norm() < tolerance * expected.norm(),
                 "{frequency} {h} {expected}"
@@ -325,7 +369,9 @@ fn what_a_universal_file_leaves_unsaid_is_asked_for() {
             assert!(text.contains(from), "{from}");
             text.replace(from, to)
         });
-        case("rail.uff", text.as_bytes(), keys).map_err(|error| error.to_string())
+        // Its displacement and its force point against each other, its values do not.
+        let negate = format!("negate = {}\n{keys}", !keys.contains("function"));
+        case("rail.uff", text.as_bytes(), &negate).map_err(|error| error.to_string())
     };
     let at = |case: &Case, omega: f64| case.track.receptance.receptance(omega, 0.0);
     let plain = at(&changed(&[], "").unwrap(), std::f64::consts::TAU * 400.0);
@@ -340,28 +386,21 @@ fn what_a_universal_file_leaves_unsaid_is_asked_for() {
         ("RAIL         1   3", "RAIL         1   0"),
         ("RAIL         1  -3", "RAIL         1   0"),
     ];
-    for (changes, key, says, sign) in [
-        (
-            &[no_unit][..],
-            "unit = \"m/N\"",
-            "track.measurement.unit",
-            1.0,
-        ),
+    for (changes, key, says) in [
+        (&[no_unit][..], "unit = \"m/N\"", "track.measurement.unit"),
         (
             &[general],
             "quantity = \"receptance\"",
             "track.measurement.quantity",
-            1.0,
         ),
-        // Its displacement and its force pointed against each other.
-        (&nowhere, "function = 1", "track.measurement.function", -1.0),
+        (&nowhere, "function = 1", "track.measurement.function"),
     ] {
         let refusal = changed(changes, "").err().unwrap();
         assert!(refusal.contains(says), "{refusal}");
         let read = changed(changes, key).unwrap();
         let found = at(&read, std::f64::consts::TAU * 400.0);
         assert!(
-            (found / plain - sign).norm() < 1e-9,
+            (found / plain - 1.0).norm() < 1e-9,
             "{key}: {found} {plain}"
         );
     }

@@ -76,10 +76,10 @@ impl Form {
         matches!(self.spacing, Spacing::Uneven)
     }
 
-    /// Step of the abscissa; none where it is uneven.
-    pub(super) fn increment(&self) -> Option<f64> {
+    /// First value and step of the abscissa; none where it is uneven.
+    pub(super) fn even(&self) -> Option<(f64, f64)> {
         match self.spacing {
-            Spacing::Even { increment, .. } => Some(increment),
+            Spacing::Even { minimum, increment } => Some((minimum, increment)),
             Spacing::Uneven => None,
         }
     }

@@ -32,8 +32,8 @@ pub struct Signal {
     pub function: Function,
     /// How many points it has.
     pub points: usize,
-    /// Step of the abscissa in the units of the file; none where it is uneven.
-    pub step: Option<f64>,
+    /// First value and step of the abscissa in the units of the file; none where it is uneven.
+    pub even: Option<(f64, f64)>,
     form: Form,
     /// How binary values are encoded, and the bytes of each number of a point.
     encoding: Option<(Encoding, Vec<usize>)>,
@@ -217,7 +217,7 @@ fn dataset<R: BufRead + Seek>(
     };
     Ok(Some(Signal {
         points: form.points,
-        step: form.increment(),
+        even: form.even(),
         function,
         form,
         encoding,

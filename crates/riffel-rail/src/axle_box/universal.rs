@@ -100,27 +100,31 @@ impl AxleBoxUniversal {
             );
         };
         let names = names(&channels);
-        let (points, step) = (first.points, first.step.unwrap_or(1.0));
+        let points = first.points;
+        let (begin, step) = times(first).map_err(|refusal| refusal.of(path))?;
         for (signal, _) in channels.iter().chain(&places.signal).chain(&places.witness) {
-            let same = signal
-                .step
-                .is_some_and(|other| (other / step - 1.0).abs() < SAME_STEP);
-            if signal.function.complex || !same || signal.points != points {
-                let (line, title) = (signal.function.line, &signal.function.title);
-                let message = format!(
+            let (other_begin, other) = times(signal).map_err(|refusal| refusal.of(path))?;
+            let (line, title) = (signal.function.line, &signal.function.title);
+            let refuse = |message: String| Err(Refusal::new(Some(line), message).of(path));
+            if signal.function.complex
+                || (other / step - 1.0).abs() > SAME_STEP
+                || signal.points != points
+            {
+                return refuse(format!(
                     "\"{title}\" must have {points} real values with a step of {step} s, as the first acceleration has"
-                );
-                return Err(Refusal::new(Some(line), message).of(path));
+                ));
+            }
+            // Signals a step apart or more stand at other places.
+            if (other_begin - begin).abs() > 0.5 * step {
+                let first = &first.function.title;
+                return refuse(format!(
+                    "\"{title}\" begins at {other_begin} s and \"{first}\" at {begin} s, but all signals of a run must begin \
+                     together: cut them to the times that all have"
+                ));
             }
         }
         // Steps are printed with six digits, as 4.00000e-04.
-        let time = &first.function.abscissa_axis;
-        let Some(second) = unit_size(time, Exponents::new(0, 0, 1), 1.0) else {
-            let (line, unit) = (first.function.line, time.unit.trim());
-            let message = format!("the times are in {unit}, which is no unit of time");
-            return Err(Refusal::new(Some(line), message).of(path));
-        };
-        let rate = 1.0 / (second * step);
+        let rate = 1.0 / step;
         let digits = 10f64.powi(6 - rate.log10().ceil() as i32);
         let rate = (rate * digits).round() / digits;
         if let Some(given) = layout.rate
@@ -181,6 +185,25 @@ impl AxleBoxUniversal {
         }
         Ok(())
     }
+}
+
+/// Begin and step of a signal over even times \[s\].
+fn times(signal: &Signal) -> Result<(f64, f64), Refusal> {
+    let (line, title) = (signal.function.line, &signal.function.title);
+    let refuse = |message: String| Refusal::new(Some(line), message);
+    let (begin, step) = (signal.even).ok_or_else(|| {
+        refuse(format!(
+            "the times of \"{title}\" are uneven, but must have one step"
+        ))
+    })?;
+    let time = &signal.function.abscissa_axis;
+    let second = unit_size(time, Exponents::new(0, 0, 1), 1.0).ok_or_else(|| {
+        refuse(format!(
+            "the times of \"{title}\" are in {}, which is no unit of time",
+            time.unit.trim()
+        ))
+    })?;
+    Ok((second * begin, second * step))
 }
 
 /// SI units in one of a signal's.

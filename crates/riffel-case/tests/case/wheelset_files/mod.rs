@@ -229,6 +229,10 @@ fn rounding_raises_no_doubt() {
 fn refuses_what_is_no_measured_wheelset() {
     for (file, sentence) in [
         (
+            ONE_ENTRY.replace(",-1e-10", ",1e-10"),
+            "z: the receptance gives energy away (Im H > 0) at 6 of 6 frequencies: it is conjugated",
+        ),
+        (
             ONE_ENTRY.replace("zz_im", "zz_imaginery"),
             "has column `zz_imaginery`, which is no frequency and no part of a receptance",
         ),
