@@ -48,10 +48,10 @@ pub(super) enum PhaseFault {
 /// neither poles nor zeros in the lower half plane, so that the phase of its mobility is Bode's integral of the slope of its modulus. A
 /// delay is the one that makes the phases agree best.
 ///
-/// Source: Bode (1945), *Network Analysis and Feedback Amplifier Design*, chapter XIV. Accuracy, of 200 made-up responses each with noise of
-/// 1 to 5 % (test `faults_of_phase_are_found`): none that is right is doubted; all that are conjugated, negated or both are found and
-/// named, and 199 with a delay that turns the phase by 120° to 1500°, early or late. Range: three octaves for the sign of Re H and delays.
-/// Cost: some milliseconds.
+/// Source: Bode (1945), *Network Analysis and Feedback Amplifier Design*, chapter XIV. Accuracy, of 200 made-up responses with noise of
+/// 1 to 5 % (test `faults_of_phase_are_found`): none that is right is doubted; 200 that are conjugated, 199 that are negated, 199 that
+/// are both, and 199 with a delay that turns the phase by 180° to 1500°, early or late, are found and named. Range: three octaves for the sign
+/// of Re H and delays. Cost: some milliseconds.
 pub(super) fn phase_fault(lines: &[Line]) -> Option<PhaseFault> {
     let thinned: Vec<Line> = lines
         .iter()

@@ -143,7 +143,6 @@ fn faults_of_phase_are_found() {
         found[0] >= 198 && found.iter().all(|count| *count >= 190),
         "{found:?}"
     );
-    println!("{found:?}");
 }
 
 #[test]
@@ -164,7 +163,6 @@ fn double_hits_are_found() {
         time_between_hits(&lines).is_some_and(|found| (found / tau - 1.0).abs() < 0.05)
     });
     assert!(right >= 198 && found >= 190, "{right} {found}");
-    println!("{right} {found}");
 }
 
 #[test]
@@ -184,5 +182,4 @@ fn mirrored_halves_are_found() {
         mirrored_from(&draws.noisy(lines)).is_some_and(|found| (found / last - 1.0).abs() < 0.01)
     });
     assert!(right >= 198 && found >= 190, "{right} {found}");
-    println!("{right} {found}");
 }
