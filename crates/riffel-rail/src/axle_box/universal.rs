@@ -258,3 +258,68 @@ fn at_fault(path: &Path, error: SignalError) -> CaseError {
         SignalError::File(error) => CaseError::data(path, error.to_string()),
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// A signal at 1 kHz from a time \[s\] on.
+    fn dataset(title: &str, kind: &str, unit: &str, begin: f64, second: (&str, f64)) -> String {
+        let values = (0..400).map(|row| {
+            format!(
+                "{:13.5e}{}",
+                f64::from(row) / 50.0,
+                if row % 6 == 5 { "\n" } else { "" }
+            )
+        });
+        let (time, size) = second;
+        let none = "         0    0    0    0 NONE                 NONE                \n";
+        format!(
+            "    -1\n    58\n{title}\nNONE\nNONE\nNONE\nNONE\n    1         0    0         0 NONE               1   3 NONE               0   0\n\
+             {:10}{:10}{:10}{:13.5e}{:13.5e}{:13.5e}\n        17    0    0    0 Time                 {time:<20}\n\
+             {kind:>10}    0    0    0 Ordinate             {unit:<20}\n{none}{none}{}\n    -1\n",
+            2,
+            400,
+            1,
+            begin / size,
+            1e-3 / size,
+            0.0,
+            values.collect::<String>()
+        )
+    }
+
+    /// Signals that begin at one time, in whatever unit, are laid on one another; others are refused with both begins.
+    #[test]
+    fn signals_begin_together() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.uff");
+        let found = |begins: [f64; 2], second: (&str, f64)| {
+            let left = dataset("left", "12", "m/s^2", begins[0], ("s", 1.0));
+            let odometer = dataset("odometer", "8", "m", begins[1], second);
+            std::fs::write(&path, left + &odometer).unwrap();
+            let found = AxleBoxUniversal::find(&path, &AxleBoxLayout::default());
+            found
+                .map(|(_, head)| head.rate)
+                .map_err(|error| error.to_string())
+        };
+        for (begins, second) in [
+            ([0.0, 0.0], ("s", 1.0)),
+            ([5.0, 5.0], ("s", 1.0)),
+            ([5.0, 5.0], ("ms", 1e-3)),
+            ([0.0, 4e-4], ("s", 1.0)),
+        ] {
+            assert_eq!(found(begins, second), Ok(1000.0), "{begins:?}");
+        }
+        for (begins, says) in [
+            ([0.0, 3.0], "\"odometer\" begins at 3 s and \"left\" at 0 s"),
+            ([0.0, 1e-3], "\"odometer\" begins at 0.001 s"),
+            (
+                [2.5, 0.0],
+                "\"odometer\" begins at 0 s and \"left\" at 2.5 s",
+            ),
+        ] {
+            let refusal = found(begins, ("s", 1.0)).unwrap_err();
+            assert!(refusal.contains(says), "{refusal}");
+        }
+    }
+}
