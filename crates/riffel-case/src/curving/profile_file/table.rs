@@ -5,10 +5,10 @@ use riffel_keys::table::{Delimiter, cells, is_one_of, label, number_in, words};
 
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
 
-/// The points of two columns, x and y, in millimetres or metres as a head says or their size.
+/// The points of two columns, lateral coordinate and height, in millimetres or metres as a head says or their size.
 pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     let mut written = WrittenProfile::default();
-    let mut unit = None;
+    let mut head = Head::default();
     let mut may_be_head = true;
     for (index, line) in text.lines().enumerate() {
         let line = without_comment(line);
@@ -17,28 +17,44 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
         }
         let cells = cells_of(line);
         let numbers: Vec<Option<f64>> = cells.iter().map(|cell| number_in(cell)).collect();
-        match numbers[..] {
-            [Some(x), Some(height)] => written.push([x, height], index + 1),
-            _ if may_be_head && numbers.iter().all(Option::is_none) => {
-                unit = unit_of_head(&cells).map_err(|rule| Fault::at(index + 1, rule))?;
-            }
-            _ => {
-                let shown = clipped(line);
-                return Err(Fault::at(
-                    index + 1,
-                    format!("\"{shown}\" is not a pair of numbers x, y"),
-                ));
+        if may_be_head && numbers.iter().all(Option::is_none) {
+            head = Head::read(&cells).map_err(|rule| Fault::at(index + 1, rule))?;
+        } else {
+            let point = head
+                .columns
+                .map(|column| numbers.get(column).copied().flatten());
+            match point {
+                [Some(x), Some(height)] if numbers.len() == head.width => {
+                    written.push([x, height], index + 1);
+                }
+                [Some(_), Some(_)] => {
+                    return Err(Fault::at(index + 1, columns_there(numbers.len())));
+                }
+                _ => {
+                    let shown = clipped(line);
+                    return Err(Fault::at(
+                        index + 1,
+                        format!("\"{shown}\" is not a pair of numbers x, y"),
+                    ));
+                }
             }
         }
         may_be_head = false;
     }
-    let factor = match unit {
+    let factor = match head.unit {
         Some(factor) => factor,
         None if written.width() > WIDEST_IN_METRES => 1e-3,
         None => 1.0,
     };
     written.scale(factor);
     Ok(written)
+}
+
+fn columns_there(count: usize) -> String {
+    format!(
+        "there are {count} columns, but a profile has two: lateral coordinate and height, under a head such as y_mm,z_mm where there \
+         are others; give one rail or wheel at a time"
+    )
 }
 
 /// A line without what follows #, ! or %, and without blanks around it.
@@ -67,31 +83,73 @@ fn cells_of(line: &str) -> Vec<String> {
     cells
 }
 
-/// Millimetres or metres, if a head says so, of columns named x and then y or another height.
-fn unit_of_head(cells: &[String]) -> Result<Option<f64>, String> {
-    let columns: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
-    let begins = |column: usize, names: &[&str]| {
-        let first = columns.get(column).and_then(|words| words.first());
-        first.is_some_and(|first| names.contains(&first.as_str()))
-    };
-    if begins(1, &["x"]) && !begins(0, &["x"]) {
-        return Err("the columns are in the order y, x: the lateral coordinate x comes first, the height second".to_owned());
+/// What a head says.
+struct Head {
+    /// Of the lateral coordinate and of the height.
+    columns: [usize; 2],
+    /// How many there are.
+    width: usize,
+    /// Metres in a unit; None where the head names none.
+    unit: Option<f64>,
+}
+
+impl Default for Head {
+    fn default() -> Self {
+        Self {
+            columns: [0, 1],
+            width: 2,
+            unit: None,
+        }
     }
-    let units = columns
-        .iter()
-        .flatten()
-        .filter_map(|word| match word.as_str() {
+}
+
+impl Head {
+    /// The columns by their names, x or y across and y or z upward, else in their order; row numbers are left out.
+    fn read(cells: &[String]) -> Result<Self, String> {
+        let names: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
+        let first = |column: usize| names[column].first().map_or("", String::as_str);
+        let is = |column: usize, known: &str| is_one_of(first(column), known);
+        let numbers_rows = |column: usize| {
+            first(column).is_empty()
+                || is(column, "index|idx|row|line|point|punkt|zeile|nr|no|id|i|n")
+        };
+        let columns: Vec<usize> = (0..cells.len())
+            .filter(|column| !numbers_rows(*column))
+            .collect();
+        let of = |known: &str| {
+            let mut found = columns.iter().copied().filter(|column| is(*column, known));
+            found.next().filter(|_| found.next().is_none())
+        };
+        let (x, y) = (of("x|lateral|across|quer"), of("y"));
+        let z = of("z|h|height|höhe|hoehe|elevation|vertical");
+        let by_name = match (x, y, z) {
+            (Some(x), Some(height), None) | (Some(x), None, Some(height)) => Some([x, height]),
+            (None, Some(y), Some(z)) => Some([y, z]),
+            _ => None,
+        };
+        let columns = match (by_name, &columns[..]) {
+            (Some(columns), _) => columns,
+            (None, [across, up]) => [*across, *up],
+            _ => return Err(columns_there(cells.len())),
+        };
+        let units = columns.into_iter().flat_map(|column| &names[column]);
+        let units = units.filter_map(|word| match word.as_str() {
             "mm" => Some(Ok(1e-3)),
             "m" => Some(Ok(1.0)),
             word => is_one_of(word, "um|µm|μm|cm|dm|nm|km|in|inch|inches|ft|mil")
                 .then(|| Err(format!("the head says {word}: give a profile in mm or m"))),
         });
-    let units: Vec<f64> = units.collect::<Result<_, _>>()?;
-    match units[..] {
-        [one, other] if one != other => Err(
-            "the head gives both columns units of their own: give a profile in mm or m throughout"
-                .to_owned(),
-        ),
-        _ => Ok(units.first().copied()),
+        let units: Vec<f64> = units.collect::<Result<_, _>>()?;
+        let unit = match units[..] {
+            [one, other] if one != other => {
+                return Err("the head gives both columns units of their own: give a profile in mm or m throughout".to_owned());
+            }
+            _ => units.first().copied(),
+        };
+        Ok(Self {
+            columns,
+            width: cells.len(),
+            unit,
+        })
     }
 }

@@ -92,7 +92,6 @@ fn every_way_of_writing_is_one_profile() {
         ("x_um,y_um", "the head says um"),
         ("x [µm], y [µm]", "the head says µm"),
         ("x_mm,y_m", "units of their own"),
-        ("y_mm,x_mm", "in the order y, x"),
         ("x_m,y_m", "40.0000 m across"),
     ] {
         let message = refused(format!("{head}\n{}", arc(1e3, ",")));
@@ -506,4 +505,54 @@ fn gaps_are_told() {
     );
     assert_eq!(of_gaps("w", &points(|_| true, 0.25e-3)), None);
     assert_eq!(of_gaps("w", &points(|_| true, 8e-3)), None);
+}
+
+/// Columns are taken by their names in whichever order, beside row numbers; of two rails in one file none is taken.
+#[test]
+fn columns_are_found_by_their_names() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("rail.csv");
+    let read = |head: &str, row: &dyn Fn(usize, f64, f64) -> String| {
+        let rows = (0..=40).map(|index| {
+            let across = f64::from(index) - 20.0;
+            row(index as usize, across, -across * across / 600.0) + "\n"
+        });
+        std::fs::write(&path, format!("{head}\n{}", rows.collect::<String>())).unwrap();
+        let read = read_profile(&path, ProfileReading::default());
+        read.map(|read| read.profile.at(5e-3).unwrap().height)
+            .map_err(|error| error.to_string())
+    };
+    let there = |_: usize, across: f64, up: f64| format!("{across},{up}");
+    let back = |_: usize, across: f64, up: f64| format!("{up},{across}");
+    let numbered = |index: usize, across: f64, up: f64| format!("{index},{across},{up}");
+    let twice = |_: usize, across: f64, up: f64| format!("{across},{up},{across},{up}");
+    let cases: [(&str, &dyn Fn(usize, f64, f64) -> String); 9] = [
+        ("y_mm,z_mm", &there),
+        ("z_mm,y_mm", &back),
+        ("Y [mm];Z [mm]", &|i, x, h| there(i, x, h).replace(',', ";")),
+        ("y_mm,x_mm", &back),
+        ("height_mm,lateral_mm", &back),
+        (",y_mm,z_mm", &numbered),
+        ("Nr,x_mm,y_mm", &numbered),
+        (",z_mm,y_mm", &|i, x, h| numbered(i, h, x)),
+        ("station_mm,y_mm,z_mm", &numbered),
+    ];
+    for (head, row) in cases {
+        let height = read(head, row).unwrap();
+        assert!((height + 25e-3 / 600.0).abs() < 1e-9, "{head}: {height}");
+    }
+    let four = "y_left_mm,z_left_mm,y_right_mm,z_right_mm";
+    for (head, row, says) in [
+        (
+            four,
+            &twice as &dyn Fn(usize, f64, f64) -> String,
+            "line 1: there are 4 columns",
+        ),
+        ("# no head", &twice, "line 2: there are 4 columns"),
+        ("x_mm,y_mm,z_mm", &numbered, "line 1: there are 3 columns"),
+        ("# no head", &numbered, "line 2: there are 3 columns"),
+    ] {
+        let refusal = read(head, row).unwrap_err();
+        assert!(refusal.contains(says), "{head}: {refusal}");
+    }
 }
