@@ -402,8 +402,7 @@ impl Case {
     pub fn curving(&self, overrides: &[String]) -> Result<CurvingCase, CaseError> {
         let mut text = self.unfilled.clone();
         text.apply(overrides)?;
-        let folder = self.keys.folder.as_deref().unwrap_or(Path::new(""));
-        CurvingCase::of_text(text, folder)
+        CurvingCase::of_tables(text, self.keys.folder.as_deref())
     }
 
     /// A sentence about a key of the case.

@@ -1,6 +1,6 @@
 //! The keys of a case, checked one by one.
 
-use riffel_keys::{CaseError, Message, Value, number, say};
+use riffel_keys::{CaseError, Message, Value, number, say, seal};
 use std::fmt::Display;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -42,6 +42,8 @@ impl CheckedKeys {
         given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
+        // What a page has sent is read as a case that names no file, whichever way it comes to be one.
+        let folder = folder.filter(|_| !seal::is_sealed());
         let unfilled = text.clone();
         text.fill_in()?;
         text.fill_in_from_curve(&unfilled, folder, given.equilibrium.as_deref())?;

@@ -40,11 +40,18 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
     match parse(&words) {
         Ok((
             arguments @ Arguments {
-                command: Command::Ask(Ask { translations, .. }),
+                command:
+                    Command::Ask(Ask {
+                        translations, page, ..
+                    }),
                 ..
             },
             _,
         )) => {
+            if let Some(process) = page {
+                riffel_keys::seal::seal();
+                end_with(process);
+            }
             let reader = Reader::Program { translations };
             messages::begin(arguments.verbosity(), arguments.language(), reader);
             match asked(&arguments) {
@@ -58,6 +65,21 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, program: &[OsString]) 
         parsed => run_parsed(parsed, &words, Reader::Person, program),
     }
 }
+
+/// End this process soon after its parent has ended, whose number it was told: nobody waits for an answer any more.
+#[cfg(unix)]
+fn end_with(parent: u32) {
+    std::thread::spawn(move || {
+        while std::os::unix::process::parent_id() == parent {
+            std::thread::sleep(std::time::Duration::from_millis(200));
+        }
+        std::process::exit(i32::from(BAD_INPUT));
+    });
+}
+
+/// Windows does not tell who the parent is.
+#[cfg(not(unix))]
+fn end_with(_: u32) {}
 
 /// A command line read, with the files that it names as inputs.
 type Parsed = Result<(Arguments, Vec<PathBuf>), clap::Error>;

@@ -30,6 +30,7 @@ mod physics_in_words;
 pub mod quantity;
 pub mod question;
 mod range;
+pub mod seal;
 mod standard_input;
 pub mod table;
 pub mod text_file;

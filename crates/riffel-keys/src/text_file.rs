@@ -2,7 +2,6 @@
 
 use std::borrow::Cow;
 use std::fmt;
-use std::fs::File;
 use std::io;
 use std::path::Path;
 
@@ -11,7 +10,7 @@ use crate::given_text::given;
 pub use crate::given_text::with_texts;
 pub use crate::standard_input::LARGEST_RESPONSES;
 use crate::standard_input::{read_to, standard_input};
-use crate::{CaseError, question};
+use crate::{CaseError, question, seal};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
 /// table of observations.
@@ -160,7 +159,7 @@ pub fn read_bounded(path: &Path, what: &'static str, largest: u64) -> Result<Vec
     } else if is_standard_input(path) {
         standard_input(largest + 1)
     } else {
-        File::open(path).and_then(|file| read_to(file, largest + 1))
+        seal::open(path).and_then(|file| read_to(file, largest + 1))
     };
     let bytes = bytes.map_err(failed)?;
     if bytes.len() as u64 > largest {

@@ -1,11 +1,10 @@
 //! The bytes of a record, which may be large: looked at first, then read within bounds.
 
-use std::fs::File;
 use std::io::{self, Cursor, Read};
 use std::path::Path;
 
 use riffel_keys::text_file::{Encoding, decode, is_standard_input};
-use riffel_keys::{CaseError, question};
+use riffel_keys::{CaseError, question, seal};
 
 use crate::refusal::Refusal;
 
@@ -34,7 +33,7 @@ pub(super) fn read(
     } else if is_standard_input(path) {
         Box::new(io::stdin().lock())
     } else {
-        Box::new(File::open(path).map_err(failed)?)
+        Box::new(seal::open(path).map_err(failed)?)
     };
     let size = std::fs::metadata(path).ok();
     let size = size.filter(std::fs::Metadata::is_file);

@@ -14,7 +14,7 @@ import { Noise } from './noise.js';
 import { inWords, said } from './german.js';
 import { remember, remembered } from './remembered.js';
 import { underWay } from './sent-files.js';
-import { Fault, Line, askOnce, json, send } from './server.js';
+import { Fault, Line, askOnce, fetched, json, send } from './server.js';
 import { caseTitle, currentLanguage, fileSize, number, power, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
@@ -145,7 +145,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   async function trySample() {
     sample.disabled = true;
     try {
-      const answered = await fetch('/api/sample');
+      const answered = await fetched('/api/sample');
       if (!answered.ok) throw new Fault(await json(answered), answered.status);
       take(Object.assign(new File([await answered.blob()], 'sample.csv', { type: 'text/csv' }), { isSample: true }));
     } catch (fault) {

@@ -23,10 +23,20 @@ async function packed({ file, name, kept }) {
   return { name, gzip_base64: reader.result.split(',')[1] };
 }
 
-/** The file of before; what is damaged throws. */
-async function unpacked({ name, gzip_base64: letters }) {
+/** Most that the files of a project hold together [bytes], the largest that the program gives back; a few letters of it can stand for any number. */
+const LARGEST = 256 * 2 ** 20;
+
+/** The file of before, from what is left of a room; what is damaged or has no room throws. */
+async function unpacked({ name, gzip_base64: letters }, room) {
   const bytes = Uint8Array.from(atob(letters), (letter) => letter.charCodeAt(0));
-  const blob = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip'))).blob();
+  const bounded = new TransformStream({
+    transform(piece, controller) {
+      room.left -= piece.length;
+      if (room.left < 0) throw RangeError();
+      controller.enqueue(piece);
+    },
+  });
+  const blob = await new Response(new Blob([bytes]).stream().pipeThrough(new DecompressionStream('gzip')).pipeThrough(bounded)).blob();
   return new File([blob], String(name), { type: /\.csv$/i.test(name) ? 'text/csv' : 'text/plain' });
 }
 
@@ -74,13 +84,15 @@ export async function read(file) {
   const { case: keys, record, plan } = project;
   if (!isTable(keys)) throw t('project_broken', file.name);
   const given = { case: keys, variants: readVariants(project), traffic: readTraffic(project.traffic), costs: readCosts(project.costs) };
+  const room = { left: LARGEST };
+  const opened = (one) => unpacked(one, room);
   try {
-    if (plan) given.plan = { data: await Promise.all(plan.data.map(unpacked)), priors: isTable(plan.priors) ? plan.priors : {}, draws: plan.draws, costs: isTable(plan.costs) ? plan.costs : {} };
+    if (plan) given.plan = { data: await Promise.all(plan.data.map(opened)), priors: isTable(plan.priors) ? plan.priors : {}, draws: plan.draws, costs: isTable(plan.costs) ? plan.costs : {} };
     if (!record) return given;
-    const files = await Promise.all((record.earlier ?? []).map(async (one) => ({ file: await unpacked(one), date: String(one.date ?? '') })));
+    const files = await Promise.all((record.earlier ?? []).map(async (one) => ({ file: await opened(one), date: String(one.date ?? '') })));
     const earlier = files.length ? { date: String(record.date ?? ''), files } : null;
-    return { ...given, record: { file: await unpacked(record), format: record.format ?? null, table: record.table ?? null, earlier } };
+    return { ...given, record: { file: await opened(record), format: record.format ?? null, table: record.table ?? null, earlier } };
   } catch {
-    throw t('project_broken', file.name);
+    throw room.left < 0 ? t('project_large', { name: file.name, most: LARGEST / 2 ** 20 }) : t('project_broken', file.name);
   }
 }

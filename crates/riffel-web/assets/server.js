@@ -115,6 +115,9 @@ export async function askOnce(path, body, headers) {
   }
 }
 
+/** A file that the program makes for this page. */
+export const fetched = (path) => reach(path, { headers: { 'X-Riffel-Page': page } });
+
 /** A question that is no work, such as how far work is. */
 export const peek = (path) => ask(path, {}).then(json);
 

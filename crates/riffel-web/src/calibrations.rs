@@ -55,9 +55,7 @@ impl Calibrations {
         if let Ok(calibration) = self.of(&page) {
             return Ok(calibration);
         }
-        let folder = uploads.folder();
-        let folder = folder
-            .map_err(|error| Fault::defect(say!(there_is_no_place, error = error.to_string())))?;
+        let folder = uploads.folder()?;
         let calibration = Arc::new(Calibration {
             folder,
             data: NumberedFiles::default(),

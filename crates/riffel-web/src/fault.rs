@@ -16,6 +16,16 @@ pub(crate) fn file_is_gone() -> Fault {
     )
 }
 
+/// A file of a page cannot be written: most often the disk is full.
+pub(crate) fn disk(error: impl ToString) -> Fault {
+    let folder = std::env::temp_dir().display().to_string();
+    Fault::refused(
+        StatusCode::INSUFFICIENT_STORAGE,
+        say!(the_file_cannot_be_stored, error = error.to_string()),
+        say!(free_room_on_the_disk, folder = folder),
+    )
+}
+
 /// A fault that is sent in place of an answer.
 #[derive(Debug)]
 pub(crate) struct Refusal(pub(crate) Fault);

@@ -8,7 +8,7 @@
 use std::net::IpAddr;
 
 use axum::extract::Request;
-use axum::http::{HeaderMap, HeaderName, HeaderValue, Method, StatusCode, header};
+use axum::http::{HeaderName, HeaderValue, Method, StatusCode, header};
 use axum::middleware::Next;
 use axum::response::{IntoResponse, Response};
 
@@ -44,7 +44,7 @@ const HEADERS: [(HeaderName, &str); 7] = [
 
 /// Check a request, pass it on and put the headers on its answer.
 pub(crate) async fn guard(request: Request, next: Next) -> Response {
-    let mut response = match check(request.method(), request.headers()) {
+    let mut response = match check(&request) {
         Ok(()) => next.run(request).await,
         Err(fault) => Refusal(fault).into_response(),
     };
@@ -58,7 +58,8 @@ pub(crate) async fn guard(request: Request, next: Next) -> Response {
     response
 }
 
-fn check(method: &Method, headers: &HeaderMap) -> Result<(), Fault> {
+fn check(request: &Request) -> Result<(), Fault> {
+    let headers = request.headers();
     let text = |name: HeaderName| headers.get(name).and_then(|value| value.to_str().ok());
     let host = text(header::HOST).unwrap_or_default();
     if !is_this_machine(host) {
@@ -68,15 +69,16 @@ fn check(method: &Method, headers: &HeaderMap) -> Result<(), Fault> {
             "open it by the address that riffel serve prints",
         ));
     }
-    if matches!(*method, Method::GET | Method::HEAD) {
-        return Ok(());
-    }
+    let site = text(HeaderName::from_static("sec-fetch-site"));
     let same_origin = match text(header::ORIGIN) {
-        Some(origin) => origin == format!("http://{host}"),
-        // Browsers of before 2023 leave one of the two out, never both.
-        None => text(HeaderName::from_static("sec-fetch-site")) == Some("same-origin"),
+        Some(origin) => Some(origin == format!("http://{host}")),
+        None => site.map(|site| site == "same-origin"),
     };
-    if same_origin {
+    let gets = matches!(*request.method(), Method::GET | Method::HEAD);
+    // A link leads here from anywhere, but nobody else asks.
+    let is_file = gets && !request.uri().path().starts_with("/api/");
+    // Of a question, browsers of before 2023 leave one of the two out, never both.
+    if is_file || same_origin.unwrap_or(gets) {
         return Ok(());
     }
     Err(Fault::refused(

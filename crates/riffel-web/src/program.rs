@@ -8,7 +8,7 @@ use riffel_keys::message::Translations;
 use riffel_keys::say;
 use std::ffi::OsString;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Write};
 use std::path::Path;
 use std::process::{Child, Command};
 use std::time::{Duration, Instant};
@@ -18,7 +18,7 @@ use serde::{Deserialize, Serialize};
 use serde_json::Value;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
-use crate::fault::Fault;
+use crate::fault::{Fault, disk};
 use crate::queue::Wanted;
 
 /// What ends a run, on a line of standard error.
@@ -51,6 +51,9 @@ struct ErrorDocument {
     #[serde(flatten)]
     known: Translations,
 }
+
+/// How systems say that a disk is full, Linux and macOS, then Windows.
+const NO_ROOM: [&str; 2] = ["(os error 28)", "(os error 112)"];
 
 /// How often is looked whether the result is still wanted.
 const LOOK: Duration = Duration::from_millis(10);
@@ -142,9 +145,10 @@ impl Program {
         wanted: &Wanted,
         tell: &dyn Fn(Progress),
     ) -> Result<Value, Fault> {
+        let own = std::process::id().to_string();
         let printed = self.run_telling(
             folder,
-            &["ask", "--translations", name],
+            &["ask", "--translations", "--page", &own, name],
             question,
             wanted,
             tell,
@@ -175,10 +179,10 @@ impl Program {
         let failed =
             |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
         // Files, not pipes: nobody has to read while it runs.
-        let place = tempfile::tempdir_in(folder).map_err(failed)?;
+        let place = tempfile::tempdir_in(folder).map_err(disk)?;
         let file = |name| place.path().join(name);
         let (input_file, out, err) = (file("in"), file("out"), file("err"));
-        fs::write(&input_file, input.to_string()).map_err(failed)?;
+        fs::write(&input_file, input.to_string()).map_err(disk)?;
         let (program, first) = self
             .command
             .split_first()
@@ -188,8 +192,8 @@ impl Program {
             .args(arguments)
             .current_dir(folder)
             .stdin(File::open(&input_file).map_err(failed)?)
-            .stdout(File::create(&out).map_err(failed)?)
-            .stderr(File::create(&err).map_err(failed)?)
+            .stdout(File::create(&out).map_err(disk)?)
+            .stderr(File::create(&err).map_err(disk)?)
             .spawn()
             .map_err(failed)?;
         let mut memory = Memory::of(&child);
@@ -221,8 +225,17 @@ impl Program {
             return fs::read_to_string(&out).map_err(failed);
         }
         let words = fs::read_to_string(&err).unwrap_or_default();
+        has_room(folder)?;
         Err(fault_of(&words))
     }
+}
+
+/// `Err` where the disk is full: what a run that broke off has said of it may be lost.
+fn has_room(folder: &Path) -> Result<(), Fault> {
+    const PROBE: [u8; 1 << 16] = [0; 1 << 16];
+    let file = tempfile::tempfile_in(folder);
+    file.and_then(|mut file| file.write_all(&PROBE))
+        .map_err(disk)
 }
 
 /// How far a run has last said to be.
@@ -236,6 +249,11 @@ fn fault_of(words: &str) -> Fault {
     let lines = words.lines().rev();
     let mut lines = lines.filter_map(|line| serde_json::from_str::<Line>(line).ok());
     match lines.next().map(|line| line.error) {
+        Some(ErrorDocument { message, .. })
+            if NO_ROOM.iter().any(|words| message.contains(words)) =>
+        {
+            disk(message)
+        }
         Some(ErrorDocument {
             message,
             help,
@@ -285,6 +303,20 @@ mod tests {
         assert_eq!(fault["help"], help);
         let silent = serde_json::to_value(fault_of("note: nothing\n")).unwrap();
         assert_eq!(silent["message"], "the program broke off");
+    }
+
+    #[test]
+    fn a_full_disk_is_no_defect() {
+        let full = std::io::Error::from_raw_os_error(28).to_string();
+        let error =
+            serde_json::json!({ "error": { "message": format!("cannot write a.zarr: {full}") } });
+        let fault = fault_of(&error.to_string());
+        assert_eq!(fault.status(), StatusCode::INSUFFICIENT_STORAGE);
+        assert!(fault.help().unwrap().contains("TMPDIR"));
+        let place = tempfile::tempdir().unwrap();
+        has_room(place.path()).unwrap();
+        let gone = has_room(&place.path().join("gone")).unwrap_err();
+        assert_eq!(gone.status(), StatusCode::INSUFFICIENT_STORAGE);
     }
 
     #[test]

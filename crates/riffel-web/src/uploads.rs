@@ -15,7 +15,7 @@ use tempfile::TempDir;
 use tokio::io::AsyncWriteExt;
 use tokio::sync::Semaphore;
 
-use crate::fault::{Fault, file_is_gone};
+use crate::fault::{Fault, disk, file_is_gone};
 use crate::numbered_files::NumberedFiles;
 
 /// Largest file: a kilometre of rail in steps of a millimetre is some 20 MB of text.
@@ -109,7 +109,7 @@ impl Uploads {
         announced: Option<u64>,
         body: Body,
     ) -> Result<Arc<Upload>, Fault> {
-        let folder = self.folder().map_err(disk)?;
+        let folder = self.folder()?;
         let name = file_name("record", kind);
         let bytes = self
             .store(&folder.path().join(&name), announced, body)
@@ -225,8 +225,8 @@ impl Uploads {
     }
 
     /// A folder for work of a moment, which goes with it.
-    pub(crate) fn folder(&self) -> io::Result<TempDir> {
-        tempfile::tempdir_in(self.0.folder.path())
+    pub(crate) fn folder(&self) -> Result<TempDir, Fault> {
+        tempfile::tempdir_in(self.0.folder.path()).map_err(disk)
     }
 
     /// The file of a page.
@@ -252,15 +252,6 @@ fn size_of(folder: &Path) -> u64 {
         Err(_) => 0,
     });
     sizes.sum()
-}
-
-/// The disk is full, or refuses.
-fn disk(error: io::Error) -> Fault {
-    Fault::refused(
-        StatusCode::INSUFFICIENT_STORAGE,
-        format!("the file cannot be stored: {error}"),
-        "",
-    )
 }
 
 /// Remove folders whose program is gone. What belongs to others, or cannot be removed, stays.

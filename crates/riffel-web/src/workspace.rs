@@ -2,12 +2,12 @@
 //! the user's words.
 
 use std::fs;
-use std::io;
+use std::io::Write;
 use std::path::Path;
 
-use tempfile::TempDir;
+use tempfile::{NamedTempFile, TempDir};
 
-use crate::fault::Fault;
+use crate::fault::{Fault, disk};
 
 /// Longest name of a file \[bytes\].
 const LONGEST_NAME: usize = 120;
@@ -18,16 +18,21 @@ pub(crate) struct Workspace(TempDir);
 impl Workspace {
     /// A folder within another, on whose disk the files are.
     pub(crate) fn within(folder: &Path) -> Result<Self, Fault> {
-        tempfile::tempdir_in(folder).map(Self).map_err(no_place)
+        tempfile::tempdir_in(folder).map(Self).map_err(disk)
     }
 
     pub(crate) fn path(&self) -> &Path {
         self.0.path()
     }
 
-    /// Write a file.
+    /// Write a file of a name that [`is_own`], in the place of one that may be there: never into that one.
     pub(crate) fn write(&self, name: &str, text: &str) -> Result<(), Fault> {
-        fs::write(self.path().join(name), text).map_err(no_place)
+        debug_assert!(is_own(name), "{name} may be that of a file of the user");
+        let mut file = NamedTempFile::new_in(self.path()).map_err(disk)?;
+        file.write_all(text.as_bytes()).map_err(disk)?;
+        file.persist(self.path().join(name))
+            .map(|_| ())
+            .map_err(|error| disk(error.error))
     }
 
     /// A file that the program has written.
@@ -40,16 +45,32 @@ impl Workspace {
     pub(crate) fn put(&self, file: &Path, name: &str) -> Result<String, Fault> {
         let plain = file_name(name);
         let mut names = (2..).map(|number| format!("{number}-{plain}"));
-        let is_free = |name: &String| !self.path().join(name).exists();
+        let is_free = |name: &String| !is_own(name) && !self.path().join(name).exists();
         let name = Some(plain.clone()).filter(is_free);
         let name = name.or_else(|| names.find(is_free)).unwrap_or(plain);
         let place = self.path().join(&name);
         // Not every disk has links.
         fs::hard_link(file, &place)
             .or_else(|_| fs::copy(file, &place).map(|_| ()))
-            .map_err(no_place)?;
+            .map_err(disk)?;
         Ok(name)
     }
+}
+
+/// True for the names of what is written beside the files of the user, on systems that tell capital letters and on others.
+fn is_own(name: &str) -> bool {
+    const OWN: [&str; 7] = [
+        "case.toml",
+        "traffic.toml",
+        "plan.toml",
+        "decision.toml",
+        "report.html",
+        "posterior",
+        "along",
+    ];
+    let name = name.to_lowercase();
+    let is_action = name.starts_with("action-") && name.ends_with(".toml");
+    OWN.contains(&&*name) || is_action || name.starts_with('.')
 }
 
 /// A name without what parts folders, what a terminal obeys and what systems keep for themselves.
@@ -70,10 +91,6 @@ fn file_name(name: &str) -> String {
     }
 }
 
-fn no_place(error: io::Error) -> Fault {
-    Fault::defect(format!("the file cannot be stored: {error}"))
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -92,10 +109,27 @@ mod tests {
             ("a\u{1b}[31m\n.csv", "a_[31m_.csv"),
             ("..", "record"),
             ("-", "2-record"),
+            ("traffic.toml", "2-traffic.toml"),
+            ("Plan.TOML", "2-Plan.TOML"),
+            ("action-7.toml", "2-action-7.toml"),
+            ("posterior", "2-posterior"),
+            (".table", "table"),
             (&long, &"ä".repeat(60)),
         ] {
             assert_eq!(workspace.put(&record, name).unwrap(), here);
             assert_eq!(workspace.read(here).unwrap(), "0,1\n");
         }
+    }
+    /// A file of the user shares its bytes with the one that was sent.
+    #[test]
+    fn what_is_written_never_goes_into_a_file_of_the_user() {
+        let folder = tempfile::tempdir().unwrap();
+        let record = folder.path().join("record.csv");
+        fs::write(&record, "0,1\n").unwrap();
+        let workspace = Workspace::within(folder.path()).unwrap();
+        fs::hard_link(&record, workspace.path().join("case.toml")).unwrap();
+        workspace.write("case.toml", "title").unwrap();
+        assert_eq!(workspace.read("case.toml").unwrap(), "title");
+        assert_eq!(fs::read_to_string(record).unwrap(), "0,1\n");
     }
 }

@@ -44,6 +44,8 @@ def test_a_project_holds_all_that_is_open_and_opens_again(open_page, tmp_path):
     for refused, words in [
         (text[: len(text) // 2], "beschädigt"), (json.dumps({**project, "version": 9}), "Version 9"), ('{"a": 1}', "kein Projekt"),
         (json.dumps({**project, "record": {**project["record"], "gzip_base64": project["record"]["gzip_base64"][:400]}}), "beschädigt"),
+        # 260 KB that stand for 257 MiB.
+        (json.dumps({**project, "record": {**project["record"], "gzip_base64": base64.b64encode(gzip.compress(bytes(257 << 20))).decode()}}), "mehr als 256 MiB"),
     ]:
         other.open_case(refused, name="all.riffel")
         other.until(lambda: words in other.text("#trouble"))

@@ -403,6 +403,10 @@ pub(crate) struct Ask {
     /// Add a table `german` to the answer or the error: the German of each of its messages, by its English.
     #[arg(long)]
     pub(crate) translations: bool,
+
+    /// Answer a page of the process with this number: read no files outside this folder, and end with that process.
+    #[arg(long, value_name = "PROCESS", hide = true)]
+    pub(crate) page: Option<u32>,
 }
 
 #[derive(Args)]

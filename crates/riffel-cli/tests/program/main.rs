@@ -27,6 +27,7 @@ mod reading;
 mod report;
 mod roughness;
 mod sandbox;
+mod serve;
 mod simulate;
 mod study;
 mod track;

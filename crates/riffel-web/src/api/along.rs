@@ -148,13 +148,13 @@ pub(crate) async fn sample(
     State(page): State<Page>,
     asker: Asker,
 ) -> Result<impl IntoResponse, Refusal> {
+    // No other page can say which one it is.
+    asker.owner()?;
     let (program, uploads) = (page.program.clone(), page.uploads.clone());
     let text = page
         .long
         .run(asker.subject("sample"), move |wanted| {
-            let folder = uploads.folder().map_err(|error| {
-                Fault::defect(say!(there_is_no_place, error = error.to_string()))
-            })?;
+            let folder = uploads.folder()?;
             program.run(
                 folder.path(),
                 &["roughness", "--synthesise"],

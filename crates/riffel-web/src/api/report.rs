@@ -3,7 +3,7 @@
 use axum::extract::State;
 use axum::http::header;
 use axum::response::IntoResponse;
-use riffel_keys::{Language, say};
+use riffel_keys::Language;
 use riffel_page::{CaseText, TRAFFIC_FILE, Traffic};
 use serde::Deserialize;
 use serde_json::{Value, json};
@@ -78,10 +78,7 @@ pub(crate) async fn of_case(
         .run(asker.subject("report"), move |wanted| {
             // It is checked here, and opens no file.
             question.case.read()?;
-            let folder = uploads.folder();
-            let folder = folder.map_err(|error| {
-                Fault::defect(say!(there_is_no_place, error = error.to_string()))
-            })?;
+            let folder = uploads.folder()?;
             let files = Workspace::within(folder.path())?;
             files.write(CASE_FILE, &question.case.toml()?)?;
             let mut report = json!({ "case": CASE_FILE, "output": REPORT });
@@ -108,7 +105,8 @@ fn write(
         Language::English => "en",
         Language::German => "de",
     };
-    let words = ["ask", "report", "--language", language];
+    let own = std::process::id().to_string();
+    let words = ["ask", "--page", &own, "report", "--language", language];
     program.run(files.path(), &words, question, wanted)?;
     files.read(REPORT)
 }

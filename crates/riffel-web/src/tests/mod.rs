@@ -223,3 +223,37 @@ async fn other_names_other_origins_and_no_origin_are_refused() {
         assert_eq!(send(&page(), from(headers)).await.status, StatusCode::OK);
     }
 }
+
+/// A link may lead to the page from anywhere; a question is the page's own, by whatever method.
+#[tokio::test]
+async fn other_origins_get_the_page_and_no_answer() {
+    let from = async |path: &str, name: &str, value: &str| {
+        let request = Request::get(path).header(header::HOST, HOST);
+        let request = request.header("x-riffel-page", "a").header(name, value);
+        let answer = send(&page(), request.body(Body::empty()).unwrap()).await;
+        answer.status
+    };
+    for path in ["/api/sample", "/api/vocabulary", "/api/calibration/example"] {
+        for (name, value) in [
+            ("origin", "http://evil.example"),
+            ("origin", "null"),
+            ("sec-fetch-site", "cross-site"),
+            ("sec-fetch-site", "same-site"),
+        ] {
+            let status = from(path, name, value).await;
+            assert_eq!(status, StatusCode::FORBIDDEN, "{path} {value}");
+        }
+        let own = from(path, "sec-fetch-site", "same-origin").await;
+        assert_ne!(own, StatusCode::FORBIDDEN, "{path}");
+    }
+    assert_eq!(
+        from("/", "sec-fetch-site", "cross-site").await,
+        StatusCode::OK
+    );
+    // A browser that tells no site, as over a network, says which page asks; another page cannot.
+    assert_eq!(get("/api/vocabulary").await.status, StatusCode::OK);
+    assert_eq!(
+        get("/api/sample").await.status,
+        StatusCode::UNPROCESSABLE_ENTITY
+    );
+}
