@@ -26,6 +26,7 @@ mod given_text;
 mod key_file;
 mod language;
 pub mod message;
+pub mod money;
 mod physics_in_words;
 pub mod quantity;
 pub mod question;

@@ -1,5 +1,7 @@
 //! Dates as files write them.
 
+use std::ops::RangeInclusive;
+
 use jiff::civil::Date;
 use riffel_keys::table::{is_one_of, words};
 
@@ -7,6 +9,9 @@ use riffel_keys::table::{is_one_of, words};
 pub(super) fn is_date(name: &str) -> bool {
     words(name).iter().any(|word| is_one_of(word, "date|datum"))
 }
+
+/// Years of what is measured and of what is planned: another one is a slip, or stands for no date.
+const YEARS: RangeInclusive<i16> = 1950..=2100;
 
 /// The numbers of a date in the order in which they are written.
 enum DateNumbers {
@@ -66,6 +71,12 @@ pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Da
             DateNumbers::Open([month, day, year]) if month_first.is_some() => [year, month, day],
             DateNumbers::Open([day, month, year]) => [year, month, day],
         };
+        if !YEARS.contains(&year) {
+            let (first, last) = (YEARS.start(), YEARS.end());
+            return Err(format!(
+                "\"{text}\" is not a day between {first} and {last}"
+            ));
+        }
         let small = |number: i16| i8::try_from(number).unwrap_or(0);
         Date::new(year, small(month), small(day))
             .map_err(|_| format!("\"{text}\" is not in the calendar"))
@@ -187,6 +198,9 @@ mod tests {
             ("March", "no date"),
             ("", "no date"),
             ("2024-03", "no date"),
+            ("2999-01-01", "between 1950 and 2100"),
+            ("9999-12-31", "between 1950 and 2100"),
+            ("01.01.0026", "between 1950 and 2100"),
             ("15.03.2024 before grinding", "no date"),
             ("1.2.3.2024", "no date"),
             ("2024-03-99999999999999999999", "no date"),

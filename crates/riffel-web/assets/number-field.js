@@ -16,6 +16,7 @@ export const UNITS = {
   percent: () => ({ unit: '%', sizes: { '%': 0.01 } }),
   ratio: () => ({ unit: '', sizes: { '': 1, '%': 0.01 } }),
   none: () => ({ unit: '', sizes: { '': 1 } }),
+  money: () => ({ unit: '', sizes: { '': 1 }, isMoney: true }),
   length: () => ({ unit: 'm', sizes: LENGTHS }),
   millimetres: () => ({ unit: 'mm', sizes: LENGTHS }),
   micrometres: () => ({ unit: 'µm', sizes: LENGTHS }),
@@ -93,8 +94,8 @@ export class NumberField {
     this.typed = null;
     this.echo.hidden = true;
     if (text === '') return accept(undefined);
-    const { sizes } = this.units();
-    const read = readNumber(text);
+    const { sizes, isMoney } = this.units();
+    const read = readNumber(text, currentLanguage(), isMoney);
     if (!read) return this.wrong(t('no_number', text));
     const factor = read.rest === '' ? this.#size : sizes[read.rest];
     const units = Object.keys(sizes).filter(Boolean).join(', ');

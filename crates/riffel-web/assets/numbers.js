@@ -15,10 +15,10 @@ const withExponent = (text) => text.replace(/(\d)\s*[·×x*]\s*10(?:\^([+\-−]?
 
 /**
  * Read a number with what follows it. The answer holds `number`, as a program writes it, and `rest`; `odd` where
- * it was not written as a program would. One that can be read two ways has `choices` in place of the number. Null where no
- * number begins.
+ * it was not written as a program would. One that can be read two ways has `choices` in place of the number, as has a sum of
+ * money with three digits behind its only mark. Null where no number begins.
  */
-export function readNumber(text, language = currentLanguage()) {
+export function readNumber(text, language = currentLanguage(), isMoney = false) {
   const [, sign, body, exponent = '', rest] = NUMBER.exec(withExponent(text.trim())) ?? [];
   if (body === undefined || !Number.isFinite(Number(`1${exponent.replace('−', '-')}`))) return null;
   const whole = (digits) => `${sign.replace('−', '-').replace('+', '')}${digits.replace(/\.$/, '')}${exponent.replace('−', '-')}`;
@@ -40,7 +40,7 @@ export function readNumber(text, language = currentLanguage()) {
   const [before, after] = digits.split(last);
   const decimal = `${before || '0'}.${after}`;
   const threefold = after.length === 3 && /^[1-9]\d*$/.test(before);
-  if (last === (language === 'de' ? ',' : '.')) return read(decimal, threefold);
+  if (last === (language === 'de' ? ',' : '.') && !(isMoney && threefold)) return read(decimal, threefold);
   return threefold ? { choices: [whole(before + after), whole(String(Number(decimal)))], rest } : read(decimal, true);
 }
 

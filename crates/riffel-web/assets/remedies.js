@@ -79,7 +79,7 @@ export class Remedies {
         this.onCosts();
         return '';
       };
-      this.fields.set(id, new NumberField({ id: `cost-of-${id}`, word: 'remedy_cost', units: UNITS.none, low: LEAST, high: MOST, accept, onTrouble: () => {} }));
+      this.fields.set(id, new NumberField({ id: `cost-of-${id}`, word: 'remedy_cost', units: UNITS.money, low: LEAST, high: MOST, accept, onTrouble: () => {} }));
     }
     const { input, fault, echo } = this.fields.get(id);
     input.setAttribute('aria-label', `${inWords(name)}: ${t('remedy_cost')}`);

@@ -63,6 +63,8 @@ pub struct CompareAnswer {
     pub limit: LevelLimit,
     /// The same over the draws of a calibration, where one was given.
     pub over_posterior: Option<OverPosterior>,
+    /// Middle of the window of wavelengths, in their ln \[m\].
+    middle: f64,
 }
 
 impl CompareAnswer {
@@ -121,6 +123,7 @@ impl CompareAnswer {
             table,
             limit,
             over_posterior: None,
+            middle: (case.wavelength.min() * case.wavelength.max()).sqrt(),
         })
     }
 
@@ -166,12 +169,28 @@ impl CompareAnswer {
             say!(rates_hold_to, factor = fixed(either_way, 1))
         });
         let outcomes = self.comparison.outcomes.iter();
+        let at_edge = outcomes.clone().filter_map(|outcome| {
+            let FastestLine { wavelength, .. } = outcome.fastest;
+            let is_told = outcome.fastest.at_edge && outcome.leading().is_some();
+            is_told.then(|| {
+                say!(
+                    growth_is_cut_off,
+                    title = &outcome.title,
+                    wavelength = fixed(1e3 * wavelength, 0),
+                    beyond = match wavelength < self.middle {
+                        true => say!(shorter_waves),
+                        false => say!(longer_waves),
+                    }
+                )
+            })
+        });
         outcomes
             .flat_map(|outcome| {
                 let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio))
                     .then(|| say!(keeps_tractive_ratio, title = &outcome.title));
                 outcome.effect.sentence().cloned().into_iter().chain(kept)
             })
+            .chain(at_edge)
             .chain(known_to)
             .collect()
     }

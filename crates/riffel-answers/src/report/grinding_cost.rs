@@ -1,7 +1,7 @@
 //! What grinding costs, where the user says what a shift costs.
 
 use riffel_keys::quantity::{Length, Quantity};
-use riffel_keys::{CaseError, KeyFile, Message, fixed, say};
+use riffel_keys::{CaseError, KeyFile, Message, fixed, money, say};
 use serde::Deserialize;
 
 /// The table `[cost]` of a site.
@@ -34,6 +34,11 @@ impl GrindingCost {
                 "give the length of line that is ground in a shift, as \"800 m\"",
             ),
         ];
+        if let Some(written) = file.value_as_written("cost.grinding_shift")
+            && let Err(rule) = money::read(written)
+        {
+            return Err(file.invalid("cost.grinding_shift", rule, ""));
+        }
         for (key, value, written, help) in values {
             if !(value > 0.0 && value.is_finite()) {
                 let rule = say!(

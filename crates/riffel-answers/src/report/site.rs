@@ -110,5 +110,7 @@ mod tests {
             wrong.contains("`cost.grinding_shift` is -3, but must be greater than zero"),
             "{wrong}"
         );
+        let thousands = cost("15.000").unwrap_err().to_string();
+        assert!(thousands.contains("15000 or 15:"), "{thousands}");
     }
 }

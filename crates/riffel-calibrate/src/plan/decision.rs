@@ -4,7 +4,7 @@ use riffel::error::readable;
 use riffel_case::Variant;
 use riffel_case::traffic::DAYS_PER_MONTH;
 use riffel_keys::message::number;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, money, say};
 use toml::Value;
 
 use super::{Plan, name_of};
@@ -107,14 +107,13 @@ struct Purse<'a> {
 impl Purse<'_> {
     fn sum(&self, key: &str, value: Option<&Value>) -> Result<f64, CaseError> {
         let Some(value) = value else { return Ok(0.0) };
-        let units = [(&*self.currency, 1.0)];
-        amount(value, &units)
-            .filter(|sum| *sum >= 0.0)
-            .ok_or_else(|| {
-                let rule = say!(sum_of_zero_or_more, currency = &self.currency);
-                let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
-                self.plan.source.invalid(key, rule, "")
-            })
+        let (sum, currency) = self.plan.money(key, value)?;
+        if sum >= 0.0 && currency == self.currency {
+            return Ok(sum);
+        }
+        let rule = say!(sum_of_zero_or_more, currency = &self.currency);
+        let rule = say!(is_but_must_be, value = value.to_string(), rule = rule);
+        Err(self.plan.source.invalid(key, rule, ""))
     }
 }
 
@@ -263,19 +262,27 @@ impl Plan {
         })
     }
 
+    /// A sum of money and its currency.
+    fn money<'a>(&self, key: &str, value: &'a Value) -> Result<(f64, &'a str), CaseError> {
+        let text = value.as_str().unwrap_or_default();
+        let wrong = |rule| self.source.invalid(key, rule, "");
+        match money::read(text) {
+            Ok((sum, currency)) if !currency.is_empty() => Ok((sum, currency)),
+            Err(rule) if text.starts_with(|c: char| c.is_ascii_digit()) => Err(wrong(rule)),
+            _ => {
+                let rule = say!(sum_with_currency);
+                Err(wrong(say!(
+                    is_but_must_be,
+                    value = value.to_string(),
+                    rule = rule
+                )))
+            }
+        }
+    }
+
     /// The currency is that of grinding.
     fn purse(&self, cost: &CostFile) -> Result<Purse<'_>, CaseError> {
-        let text = cost.grinding.as_str().map(str::trim);
-        let currency = text.and_then(|text| Some(text.split_once(char::is_whitespace)?.1.trim()));
-        let currency = currency.ok_or_else(|| {
-            let value = cost.grinding.to_string();
-            let rule = say!(
-                is_but_must_be,
-                value = value,
-                rule = say!(sum_with_currency)
-            );
-            self.source.invalid("cost.grinding", rule, "")
-        })?;
+        let (_, currency) = self.money("cost.grinding", &cost.grinding)?;
         Ok(Purse {
             plan: self,
             currency: currency.to_owned(),

@@ -9,7 +9,7 @@ use riffel_case::model::{FieldModel, UnknownModel};
 use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
-use super::number::plain_number;
+use super::number::{plain_number, sum_of_money};
 use super::{Asked, CaseArguments, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
@@ -161,14 +161,16 @@ impl From<HoldArgument> for Hold {
 #[derive(Clone)]
 pub(crate) struct Models(pub(crate) Vec<&'static FieldModel>);
 
-/// Models by name, commas between them.
+/// What a remedy costs, by its id.
 fn cost(text: &str) -> Result<(String, f64), String> {
     let (id, number) = text.split_once('=').unwrap_or((text, ""));
-    let number = number.trim().parse();
-    let number = number.map_err(|_| "write it as in softer-pads=9000".to_owned())?;
-    Ok((id.trim().to_owned(), number))
+    if number.trim().is_empty() {
+        return Err("write it as in softer-pads=9000".to_owned());
+    }
+    Ok((id.trim().to_owned(), sum_of_money(number)?))
 }
 
+/// Models by name, commas between them.
 fn models(text: &str) -> Result<Models, UnknownModel> {
     match text {
         "all" => Ok(Models(Vec::new())),

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use clap::{Args, Subcommand};
 use riffel_keys::quantity::{Length, Quantity};
 
-use super::number::plain_number;
+use super::number::{plain_number, sum_of_money};
 
 #[derive(Args)]
 #[command(
@@ -26,7 +26,7 @@ pub(crate) enum NetworkCommand {
     Status(Status),
     /// Sections of the latest surveys that are farthest over their limit.
     Worst(Worst),
-    /// How sections grew between two dates, and when they reach their limit.
+    /// How sections grew over their surveys, or between two dates, and when they reach their limit.
     Growth(Growth),
     /// What to grind with a budget.
     Plan(Plan),
@@ -184,11 +184,11 @@ pub(crate) struct Growth {
     #[command(flatten)]
     pub(crate) expected: Expected,
 
-    /// The earlier day: the latest survey up to it [default: the last survey but one].
+    /// The earlier day: growth begins with the latest survey up to it [default: with the first survey].
     #[arg(long, value_name = "DATE", requires = "to")]
     pub(crate) from: Option<String>,
 
-    /// The later day.
+    /// The later day: growth ends with the latest survey up to it [default: with the last survey].
     #[arg(long, value_name = "DATE", requires = "from")]
     pub(crate) to: Option<String>,
 
@@ -218,11 +218,11 @@ pub(crate) struct Plan {
     pub(crate) length: Option<Quantity<Length>>,
 
     /// Money that can be spent.
-    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, requires = "cost_per_metre")]
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = sum_of_money, requires = "cost_per_metre")]
     pub(crate) money: Option<f64>,
 
     /// Cost of a metre of track.
-    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, requires = "money")]
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = sum_of_money, requires = "money")]
     pub(crate) cost_per_metre: Option<f64>,
 
     /// Choose the sites that bring the most track below its limit, not the worst sections first.
@@ -230,6 +230,6 @@ pub(crate) struct Plan {
     pub(crate) most_track: bool,
 
     /// Cost of each site, besides.
-    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = plain_number, default_value = "0", requires = "money")]
+    #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = sum_of_money, default_value = "0", requires = "money")]
     pub(crate) cost_per_site: f64,
 }

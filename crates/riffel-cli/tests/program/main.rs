@@ -17,6 +17,7 @@ mod forecast;
 mod habits;
 mod language;
 mod models;
+mod mutations;
 mod network;
 mod noise;
 mod one_answer;

@@ -171,7 +171,10 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
         "measured.toml",
         &format!("[track]\nmodel = \"measured\"\nmeasurement.file = {secret:?}\n"),
     );
-    changes("wheelset.toml", &format!("[wheelset]\nfile = {secret:?}\n"));
+    changes(
+        "wheelset.toml",
+        &format!("[wheelset]\nmodel = \"measured\"\nfile = {secret:?}\n"),
+    );
     changes(
         "curve-of.toml",
         &format!("[[vehicle]]\nname = \"a\"\nshare = 1\nspeed.mean = 20\ncurve = {secret:?}\n"),
@@ -199,9 +202,12 @@ fn a_run_for_a_page_reads_the_files_of_its_folder_alone() {
     assert!(page("point", &own).status.success());
     for (name, question) in [
         ("stability", json!({ "case": secret })),
-        ("compare", with("variant", json!(["measured.toml"]))),
-        ("compare", with("variant", json!(["wheelset.toml"]))),
-        ("compare", with("traffic", json!("curve-of.toml"))),
+        ("compare", with("with", json!(["measured.toml"]))),
+        ("compare", with("with", json!(["wheelset.toml"]))),
+        (
+            "compare",
+            json!({ "case": "cases/nominal.toml", "with": ["cases/soft-pads.toml"], "traffic": "curve-of.toml" }),
+        ),
         (
             "map",
             with("set", json!([format!("track.measurement.file={secret}")])),

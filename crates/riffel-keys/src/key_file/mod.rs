@@ -225,6 +225,11 @@ impl KeyFile {
         self.value(key)?.as_str()
     }
 
+    /// The value of a key as it stands in the text, which tells 9.000 from 9; `None` where the text does not have it.
+    pub fn value_as_written(&self, key: &str) -> Option<&str> {
+        self.text.value(key)
+    }
+
     /// True if the key is set.
     pub fn has(&self, key: &str) -> bool {
         self.value(key).is_some()

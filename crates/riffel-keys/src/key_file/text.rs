@@ -46,6 +46,11 @@ impl Text {
         }
     }
 
+    /// The text of the value of a key.
+    pub(super) fn value(&self, key: &str) -> Option<&str> {
+        self.text.get(self.values.get(key)?.clone())
+    }
+
     /// The value of the key, the key itself, or the nearest table or list around it.
     pub(super) fn span(&self, key: &str) -> Option<Range<usize>> {
         let mut path = key;

@@ -1,0 +1,140 @@
+//! Sums of money as people write them, with a currency behind or none.
+
+use crate::{Message, say};
+
+/// The number of a sum, and what stands behind it.
+///
+/// # Errors
+/// What is wrong with the number, a rule that goes on after the name of the sum: it may be thousands (`9.000`, `9,000`), its
+/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, or it is none.
+pub fn read(text: &str) -> Result<(f64, &str), Message> {
+    let text = text.trim();
+    let (number, behind) = text.split_at(end_of_number(text));
+    let value = || text.to_owned();
+    let marks: Vec<char> = number.chars().filter(|c| matches!(c, '.' | ',')).collect();
+    let (before, after) = number.split_once(['.', ',']).unwrap_or((number, ""));
+    let before = before.trim_start_matches(['+', '-']);
+    let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
+    if marks.len() > 1 || number.chars().any(parts_thousands) {
+        return Err(say!(is_with_thousands_apart, value = value()));
+    }
+    // A zero begins no thousands.
+    if after.len() == 3 && digits(after) && digits(before) && before.trim_start_matches('0') != "" {
+        let plain = match after.trim_end_matches('0') {
+            "" => before.to_owned(),
+            kept if kept.len() == 3 => format!("{before}.{kept}0"),
+            kept => format!("{before}.{kept}"),
+        };
+        let thousands = format!("{before}{after}");
+        let rule = say!(
+            is_perhaps_in_thousands,
+            value = value(),
+            thousands = thousands,
+            plain = plain
+        );
+        return Err(rule);
+    }
+    if marks.contains(&',') {
+        return Err(say!(
+            is_with_a_comma,
+            value = value(),
+            plain = format!("{before}.{after}")
+        ));
+    }
+    match number.parse() {
+        Ok(sum) if f64::is_finite(sum) => Ok((sum, behind.trim_start())),
+        _ => Err(say!(
+            is_but_must_be,
+            value = value(),
+            rule = say!(number_of_a_sum)
+        )),
+    }
+}
+
+/// True for what stands between thousands alone: blanks of any width, apostrophes and underscores.
+fn parts_thousands(c: char) -> bool {
+    c.is_whitespace() || matches!(c, '\'' | '\u{2019}' | '_')
+}
+
+/// Where the number at the head of a text ends: what parts thousands is of it where a digit follows.
+fn end_of_number(text: &str) -> usize {
+    let mut end = 0;
+    let mut letters = text.char_indices().peekable();
+    while let Some((at, c)) = letters.next() {
+        let next = letters.peek().map(|(_, next)| *next);
+        let goes_on = next.is_some_and(|next| next.is_ascii_digit());
+        let is_exponent =
+            matches!(c, 'e' | 'E') && next.is_some_and(|next| goes_on || matches!(next, '+' | '-'));
+        let is_of_it = match c {
+            '0'..='9' | '.' | ',' | '+' | '-' => true,
+            c if parts_thousands(c) => goes_on,
+            _ => is_exponent,
+        };
+        if !is_of_it {
+            break;
+        }
+        end = at + c.len_utf8();
+    }
+    end
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn sums_are_read_as_they_are_written() {
+        for (text, sum, currency) in [
+            ("9000 EUR", 9000.0, "EUR"),
+            ("9000", 9000.0, ""),
+            (" 9000.5 kr ", 9000.5, "kr"),
+            ("9.00 EUR", 9.0, "EUR"),
+            ("9.0000 EUR", 9.0, "EUR"),
+            ("0.125 EUR", 0.125, "EUR"),
+            ("-3 EUR", -3.0, "EUR"),
+            ("2.5e6 EUR", 2.5e6, "EUR"),
+            ("12 EUR/m", 12.0, "EUR/m"),
+            ("60000EUR", 60e3, "EUR"),
+        ] {
+            assert_eq!(read(text), Ok((sum, currency)), "{text}");
+        }
+    }
+
+    #[test]
+    fn what_may_be_thousands_is_refused() {
+        for (text, may_be) in [
+            ("9.000 EUR", "9000 or 9:"),
+            ("9,000", "9000 or 9:"),
+            ("500.000", "500000 or 500:"),
+            ("12.500 CHF", "12500 or 12.5:"),
+            ("12.345", "12345 or 12.3450:"),
+            ("1,250 EUR", "1250 or 1.25:"),
+        ] {
+            let rule = read(text).unwrap_err().to_string();
+            assert!(rule.contains(may_be), "{text}: {rule}");
+        }
+        for apart in [
+            "9 000 EUR",
+            "9\u{a0}000 EUR",
+            "9\u{202f}000",
+            "9\u{2009}000",
+            "9'000 CHF",
+            "9\u{2019}000",
+            "9_000",
+            "9.000.000 EUR",
+            "9,000.00",
+            "9.000,00 EUR",
+            "500 000",
+            "1 9 EUR",
+        ] {
+            let rule = read(apart).unwrap_err().to_string();
+            assert!(rule.contains("thousands apart"), "{apart}: {rule}");
+        }
+        assert!(read("9,5 EUR").unwrap_err().to_string().contains("9.5"));
+        for none in [
+            "", "EUR 9000", "many", "1e400", "nan EUR", "inf", "--3", ".",
+        ] {
+            assert!(read(none).is_err(), "{none}");
+        }
+    }
+}
