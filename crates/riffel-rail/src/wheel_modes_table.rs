@@ -145,7 +145,10 @@ impl WheelModesTable {
             }
             let displacements = [mode.radial_at_contact, mode.radial_of_tread];
             let all = mode.axial.iter().chain(&displacements);
-            if let Some(value) = all.copied().find(|value| value.abs() > LARGEST) {
+            if let Some(value) = all
+                .copied()
+                .find(|value| value.is_nan() || value.abs() > LARGEST)
+            {
                 let rule = "of displacements up to 1/√kg, those of a generalised mass of 1 kg";
                 return refused("mode", value, rule);
             }

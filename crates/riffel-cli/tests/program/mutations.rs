@@ -20,7 +20,7 @@ use crate::sandbox::root;
 /// Longest that a reader may take on one input of some ten thousand bytes; a machine with much to do is ten times slower.
 const LONGEST: Duration = Duration::from_secs(10);
 /// Bytes of a file that are mutated.
-const MOST: usize = 12_000;
+const MOST: usize = 60_000;
 /// Inputs over all readers, as `RIFFEL_MUTATIONS` says or else so many.
 const USUAL: usize = 5000;
 
@@ -81,10 +81,10 @@ const PIECES: [&str; 40] = [
     "    -1\n    58\n",
 ];
 
-/// A file with one to five changes.
+/// A file with one to three changes.
 fn mutated(bytes: &[u8], numbers: &mut Numbers) -> Vec<u8> {
     let mut bytes = bytes[..bytes.len().min(MOST)].to_vec();
-    for _ in 0..=numbers.next(5) {
+    for _ in 0..=numbers.next(3) {
         let length = bytes.len();
         let at = numbers.next(length + 1);
         let until = (at + numbers.next(40)).min(length);
@@ -185,7 +185,7 @@ fn rail(path: &Path, _: &str) -> Result<String, CaseError> {
 }
 
 /// Each reader with its files, by folder and the end of their names.
-const READERS: [(&str, Reader, &[(&str, &str)]); 17] = [
+const READERS: [(&str, Reader, &[(&str, &str)]); 18] = [
     (
         "case",
         case,
@@ -276,16 +276,23 @@ const READERS: [(&str, Reader, &[(&str, &str)]); 17] = [
     ("axle box", axle_box, &[]),
     (
         "places",
-        |path, _| LinePlace::read(path).map(|places| shown(&places)),
+        |path, _| {
+            LinePlace::read(path).map(|places| {
+                let ends = places.iter().map(|place| [place.from, place.to]);
+                shown(&ends.collect::<Vec<_>>())
+            })
+        },
         &[],
     ),
     (
-        "tables",
-        |_, text| {
-            read(TransferTable::parse("transfer.csv", text))?;
-            read(WheelModesTable::parse("modes.csv", text))
-        },
-        &[],
+        "transfer",
+        |_, text| read(TransferTable::parse("transfer.toml", text)),
+        &[("crates/riffel-rail/transfers", ".toml")],
+    ),
+    (
+        "wheel modes",
+        |_, text| read(WheelModesTable::parse("modes.toml", text)),
+        &[("crates/riffel-rail/wheel-modes", ".toml")],
     ),
 ];
 
@@ -312,7 +319,6 @@ fn made_up(name: &str) -> Vec<(String, Vec<u8>)> {
             ]
         }
         "places" => vec![("line.csv".to_owned(), rows("position_m;kind;name\n", &|at| format!("{};weld;W {at}\n", 12.0 * at)))],
-        "tables" => vec![("modes.csv".to_owned(), rows("frequency_hz,damping_ratio,radial_mass_kg\n", &|at| format!("{},{},{}\n", 100.0 + at, 1e-3, 400.0)))],
         _ => Vec::new(),
     }
 }
