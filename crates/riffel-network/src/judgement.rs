@@ -6,7 +6,7 @@ use riffel::roughness::{RmsLimit, WavelengthBand};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
-use crate::single_places::LONGEST_PLACE;
+use crate::single_places::{LONGEST_PLACE, tells_places};
 use crate::store::in_words;
 use crate::{NetworkError, Section, Store};
 
@@ -129,7 +129,7 @@ impl Judgement {
             limits,
             share: limit.share(),
             resolution,
-            tells_places: resolution <= LONGEST_PLACE
+            tells_places: tells_places(resolution)
                 || rails.iter().all(|rail| rail.defects_m.is_some()),
             expected: Vec::new(),
         })

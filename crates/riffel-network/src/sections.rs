@@ -3,7 +3,7 @@
 use crate::NetworkError;
 use crate::alignment::{Alignment, FARTHEST as FARTHEST_OFF};
 use crate::record::{RailRecord, SurveyRecord};
-use crate::single_places::{LONGEST_PLACE, are_joints, single_places};
+use crate::single_places::{are_joints, single_places, tells_places};
 use crate::store::{ROWS, Store};
 
 /// Share of a section that must be known.
@@ -103,7 +103,7 @@ impl Sections {
             defects: defects
                 .map(|at| at + alignment.at(*at))
                 .collect::<Vec<f64>>(),
-            tells_places: resolution <= LONGEST_PLACE || rail.defects_m.is_some(),
+            tells_places: tells_places(resolution) || rail.defects_m.is_some(),
             middles: Vec::new(),
             rms: vec![Vec::new(); bands],
             before: vec![f64::NAN; bands],
@@ -224,7 +224,7 @@ impl Cells {
             }
             places.sort_by(f64::total_cmp);
             section.places.push(places);
-            let is_short = self.resolution <= LONGEST_PLACE;
+            let is_short = tells_places(self.resolution);
             let growing = if is_short { &lasting } else { &cells };
             let with = |ends: &[f64]| root_mean_square(growing.iter().chain(ends));
             let or_unknown = |value: f64| match known as f64 >= self.enough {

@@ -6,7 +6,8 @@ use std::ops::Range;
 pub(crate) const LONGEST_PLACE: f64 = 2.0;
 /// The same of one that the survey names: its filters ring beside it, and cells cut it in three.
 const LONGEST_NAMED: f64 = 4.0;
-/// How wide it may seem \[m\], as its energy over its highest mean square: a place of 2 m with a little noise.
+/// How wide it may seem in metres or in cells, as its energy over its highest mean square: a place of 2 m, or one that the edges of cells
+/// cut in halves, with a little noise.
 const WIDEST: f64 = 1.25 * LONGEST_PLACE;
 /// How far it stands out of its section.
 const STANDS_OUT: f64 = 2.0;
@@ -21,14 +22,19 @@ const JITTER: f64 = 1.6;
 const LEAST_RAILS: usize = 3;
 const SHARE: f64 = 0.6;
 
+/// Whether cells of a length \[m\] tell single places; an odometer has those of 2 m a little longer.
+pub(crate) fn tells_places(resolution: f64) -> bool {
+    resolution <= 1.01 * LONGEST_PLACE
+}
+
 /// Runs of cells that are a single place.
 ///
 /// A run of cells twice as rough as the median of their section is one where its energy, over its highest mean square, is no wider than
-/// 2 m, or where the survey names a defect in it and it is no longer than 4 m. Cells of more than 2 m are one where the survey
+/// 2 m or two cells, or where the survey names a defect in it and it is no longer than 4 m. Cells of more than 2 m are one where the survey
 /// names a defect in them. `named` tells it cell by cell.
 pub(crate) fn single_places(cells: &[f64], named: &[bool], resolution: f64) -> Vec<Range<usize>> {
     let is_named = |run: &Range<usize>| named[run.clone()].contains(&true);
-    if resolution > LONGEST_PLACE {
+    if !tells_places(resolution) {
         let all = (0..cells.len()).map(|cell| cell..cell + 1);
         return all.filter(is_named).collect();
     }
@@ -52,7 +58,7 @@ pub(crate) fn single_places(cells: &[f64], named: &[bool], resolution: f64) -> V
     };
     let (mut own, mut others): (Vec<_>, Vec<_>) = runs.into_iter().partition(&is_named);
     own.retain(|run| run.len() as f64 * resolution <= LONGEST_NAMED.max(resolution));
-    others.retain(|run| width(run) <= WIDEST);
+    others.retain(|run| width(run) <= WIDEST * resolution.max(1.0));
     if others.len() as f64 <= cells.len() as f64 * resolution / CLOSEST + 1.0 {
         own.append(&mut others);
         own.sort_by_key(|run| run.start);
@@ -121,6 +127,13 @@ mod tests {
         assert!(single_places(&wide, &none, 1.0).is_empty());
         let named: Vec<bool> = (0..100).map(|cell| cell % 20 == 1).collect();
         assert_eq!(single_places(&wide, &named, 1.0).len(), 5);
+        // In cells of 2 m, every seven of them, in one or in halves.
+        let long = cells(|cell| match cell % 14 {
+            3 => 9.0,
+            10 | 11 => 6.4,
+            _ => 2.0,
+        });
+        assert_eq!(single_places(&long, &none, 2.001).len(), 14);
         // A cell of 10 m tells no joint by itself.
         assert!(single_places(&two, &none, 10.0).is_empty());
         assert_eq!(single_places(&two, &named, 10.0).len(), 5);
