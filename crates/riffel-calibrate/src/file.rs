@@ -372,6 +372,20 @@ impl Kind {
         }
     }
 
+    /// The columns that its table may have besides.
+    pub(crate) fn other_columns(self) -> &'static [&'static str] {
+        match self {
+            Self::FrequencyResponse => &["position_m", "coherence"],
+            Self::DecayRate => &[
+                "standard_error_ln",
+                "standard_error_db_per_m",
+                "upper_bound",
+            ],
+            Self::PassBy => &["speed_km_per_h", "trains", "standard_error_db"],
+            Self::DatedLevels | Self::AxleBox | Self::DatedProfiles => &[],
+        }
+    }
+
     /// The name in a plan.
     pub fn name(self) -> &'static str {
         match self {

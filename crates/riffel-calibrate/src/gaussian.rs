@@ -31,8 +31,31 @@ pub(crate) struct Gaussian {
 struct Diagonal {
     turn: Matrix,
     back: Matrix,
+    /// T⁻¹ = L Uᵀ.
+    inverse: Matrix,
     values: Vec<f64>,
     log_of_noise: f64,
+}
+
+impl Diagonal {
+    /// 1 + σ²Λ.
+    fn variances(&self, size: f64) -> Vec<f64> {
+        let values = self.values.iter();
+        values.map(|value| 1.0 + size * size * value).collect()
+    }
+
+    /// The diagonal of S⁻¹, and S⁻¹r.
+    fn precisions(&self, residuals: &[f64], size: f64) -> (Vec<f64>, Vec<f64>) {
+        let variances = self.variances(size);
+        let turned = self.turn.times(residuals).into_iter().zip(&variances);
+        let weighted: Vec<f64> = turned.map(|(turned, v)| turned / v).collect();
+        let of_row = |row: usize| -> f64 {
+            let own = self.back.row(row).iter().zip(&variances);
+            own.map(|(back, v)| back * back / v).sum()
+        };
+        let precisions = (0..residuals.len()).map(of_row);
+        (precisions.collect(), self.back.times(&weighted))
+    }
 }
 
 impl Gaussian {
@@ -48,6 +71,7 @@ impl Gaussian {
                 Some(Diagonal {
                     back: turn.transposed(),
                     turn,
+                    inverse: lower.product(&vectors.transposed()),
                     values,
                     log_of_noise: log_determinant(&lower),
                 })
@@ -67,11 +91,7 @@ impl Gaussian {
         if let Some(diagonal) = &self.diagonal {
             let size = sizes[0];
             let turned = diagonal.turn.times(residuals);
-            let variances: Vec<f64> = diagonal
-                .values
-                .iter()
-                .map(|value| 1.0 + size * size * value)
-                .collect();
+            let variances = diagonal.variances(size);
             let weighted: Vec<f64> = turned.iter().zip(&variances).map(|(r, v)| r / v).collect();
             let logs: f64 = variances.iter().map(|v| v.ln()).sum();
             let terms = diagonal.values.iter().zip(&variances).zip(&weighted);
@@ -107,19 +127,30 @@ impl Gaussian {
 
     /// ln of the density of each datum given all others.
     pub(crate) fn of_each(&self, residuals: &[f64], sizes: &[f64]) -> Option<Vec<f64>> {
-        let inverse = self.covariance(sizes).cholesky()?.inverse_of_square();
-        let weighted = inverse.times(residuals);
-        let places = 0..residuals.len();
-        places
-            .map(|place| Some(given_others(&inverse, &weighted, &[place])?.log_density))
-            .collect()
+        let (precisions, weighted) = match &self.diagonal {
+            Some(diagonal) => diagonal.precisions(residuals, sizes[0]),
+            None => {
+                let inverse = self.covariance(sizes).cholesky()?.inverse_of_square();
+                let own = (0..residuals.len()).map(|place| inverse.at(place, place));
+                (own.collect(), inverse.times(residuals))
+            }
+        };
+        let of_one = |(precision, weighted): (f64, f64)| {
+            0.5 * (precision / (2.0 * PI)).ln() - 0.5 * weighted * weighted / precision
+        };
+        let all: Vec<f64> = precisions.into_iter().zip(weighted).map(of_one).collect();
+        all.iter().all(|it| it.is_finite()).then_some(all)
     }
 
     /// Errors, from draws of mean 0 and variance 1.
     pub(crate) fn draw(&self, sizes: &[f64], mut normal: impl FnMut() -> f64) -> Option<Vec<f64>> {
-        let lower = self.covariance(sizes).cholesky()?;
-        let normals: Vec<f64> = (0..lower.size).map(|_| normal()).collect();
-        Some(lower.times(&normals))
+        let normals: Vec<f64> = (0..self.noise.size).map(|_| normal()).collect();
+        if let Some(diagonal) = &self.diagonal {
+            let variances = diagonal.variances(sizes[0]).into_iter();
+            let turned = variances.zip(normals).map(|(v, normal)| v.sqrt() * normal);
+            return Some(diagonal.inverse.times(&turned.collect::<Vec<f64>>()));
+        }
+        Some(self.covariance(sizes).cholesky()?.times(&normals))
     }
 
     pub(crate) fn covariance(&self, sizes: &[f64]) -> Matrix {
@@ -250,6 +281,27 @@ mod tests {
                     two.density(&residual, &sizes).unwrap().value
                 };
                 assert!(((moved(1.0) - moved(-1.0)) / (2.0 * h) - derivative).abs() < 1e-6);
+            }
+            let (of_each, of_halves) = (
+                one.of_each(&residual, &[0.1]).unwrap(),
+                two.of_each(&residual, &[half, half]).unwrap(),
+            );
+            for (one, other) in of_each.iter().zip(&of_halves) {
+                assert!((one - other).abs() < 1e-9);
+            }
+            // Errors from unit vectors are a root of the covariance.
+            let roots = [0, 1, 2].map(|unit| {
+                let mut at = 0;
+                let normal = || {
+                    at += 1;
+                    f64::from(u8::from(at == unit + 1))
+                };
+                one.draw(&[0.1], normal).unwrap()
+            });
+            let covariance = one.covariance(&[0.1]);
+            for (row, column) in [(0, 0), (0, 1), (1, 2), (2, 2)] {
+                let sum: f64 = roots.iter().map(|root| root[row] * root[column]).sum();
+                assert!((sum - covariance.at(row, column)).abs() < 1e-12);
             }
             let of_one = one.density(&residual, &[0.1]).unwrap();
             let both = density.by_size[0] * half + density.by_size[1] * half;

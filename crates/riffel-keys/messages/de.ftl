@@ -569,6 +569,7 @@ second-of-pair = anderer Wert
 told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 calibration-allows-no-conclusion = die Ketten erlauben keinen Schluss, wegen { $doubts } Zweifeln, die bei ihnen stehen: mehr Ziehungen können sie ausräumen
+chains-go-on = die Ketten lassen noch keinen Schluss zu und gehen weiter, bis jede { $draws } Ziehungen hat
 chains-disagree = die Ketten sind über { $value } uneins: R̂ ist { $rhat }, darf aber höchstens { $most } sein; mehr Ziehungen nehmen, oder { $other }
 look-for-a-second-way = einen zweiten Weg suchen, auf dem das Modell zu den Daten passt
 populations-find-both-ways = wo sich die Daten auf zwei Wegen treffen lassen, sampler.kind = "smc" nehmen, das beide findet
@@ -1467,6 +1468,13 @@ give-traffic = traffic = "traffic.toml" angeben
 give-traffic-of-the-program = { KEY("--traffic") } TRAFFIC angeben
 errors-are-zero = die Fehler der Daten sind im Rahmen der Rundung null
 is-set-but-belongs-to-kinds = ist gesetzt, gehört aber zu { $kinds } und nicht zu { $kind }
+unused-columns = { $file } hat Spalten, die nicht gebraucht werden: { $columns }
+is-there-already = sagt, was schon in Zeile { $line } steht: eine doppelte Zeile zählte doppelt
+two-errors-of-a-rate = hat `standard_error_ln` und `standard_error_db_per_m`, darf aber nur eines davon haben
+too-few-passages = `passages` reicht vom ersten bis zum letzten Zeitpunkt über { $passages }, muss aber mindestens { $least } umfassen: mit weniger ändert sich keine Schiene; sind es Millionen?
+lines-are-taken-together = die { $lines } Linien von { $file } sind zu { $bands } Mitteln benachbarter zusammengefasst, eng dort, wo sich der Frequenzgang biegt
+ground-between-dates = vor dem Zeitpunkt mit { $passages } Überrollungen in { $file } fallen alle Bänder um mehr als { $fall } dB: die Schiene wurde geschliffen, und das Wachstum beginnt dort neu; frühere Zeitpunkte bleiben weg
+only-ground = vor dem Zeitpunkt mit { $passages } Überrollungen wurde die Schiene geschliffen, denn alle Bänder fallen um mehr als { $fall } dB, und kein späterer sagt etwas vom Wachstum; noch einmal messen oder diesen Zeitpunkt weglassen
 no-coherence = { $file } hat keine Spalte `coherence`: jede Linie gilt als auf 5 % genau
 is-kind-but-decay-rates-take-bands = ist "{ $kind }", aber für Abklingraten gilt "band": ihre Bänder sind unabhängig
 give-the-speed-of-the-run = die Geschwindigkeit der Fahrt angeben, wie in speed = "100 km/h"

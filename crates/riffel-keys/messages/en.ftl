@@ -576,6 +576,7 @@ second-of-pair = other value
 told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
 told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone
 calibration-allows-no-conclusion = the chains allow no conclusion, by { $doubts } doubts that are told with them: more draws may settle these
+chains-go-on = the chains allow no conclusion yet, and go on to { $draws } draws each
 chains-disagree = the chains disagree on { $value }: R̂ is { $rhat }, but must be { $most } at most; take more draws, or { $other }
 look-for-a-second-way = look for a second way to fit the data
 populations-find-both-ways = where the data can be fitted in two ways sampler.kind = "smc" finds both
@@ -1474,6 +1475,13 @@ give-traffic = give traffic = "traffic.toml"
 give-traffic-of-the-program = give { KEY("--traffic") } TRAFFIC
 errors-are-zero = the errors of the data are zero within rounding
 is-set-but-belongs-to-kinds = is set, but belongs to { $kinds }, not to { $kind }
+unused-columns = { $file } has columns that are not used: { $columns }
+is-there-already = says what line { $line } says already: a row that is there twice would count twice
+two-errors-of-a-rate = has both `standard_error_ln` and `standard_error_db_per_m`, but an error must have one
+too-few-passages = `passages` has { $passages } from the first date to the last, but must have { $least } or more: in fewer no rail changes; are they millions?
+lines-are-taken-together = the { $lines } lines of { $file } are taken together to { $bands } means of neighbours, narrow where the response bends
+ground-between-dates = before the date of { $passages } passages in { $file } all bands fall by more than { $fall } dB: the rail was ground, and growth begins anew there; earlier dates are left out
+only-ground = the rail was ground before the date of { $passages } passages, for all bands fall by more than { $fall } dB, and no later date tells of growth; measure once more, or leave this date out
 no-coherence = { $file } has no column `coherence`: every line is taken as good to 5 %
 is-kind-but-decay-rates-take-bands = is "{ $kind }", but decay rates take "band": their bands are independent
 give-the-speed-of-the-run = give the speed of the run, as in speed = "100 km/h"

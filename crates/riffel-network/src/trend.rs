@@ -1,6 +1,6 @@
 //! Straight lines through the levels of a section over its surveys.
 
-use riffel::diagnosis::FALL_BY_GRINDING;
+use riffel::diagnosis::first_since_ground;
 
 /// Two surveys no farther apart are repeats \[years\]: in a week no rail grows by what a survey shows.
 const REPEATED: f64 = 7.0 / 365.2425;
@@ -25,14 +25,11 @@ pub(crate) struct Trend {
 impl Trend {
     /// Of points in the order of time; none without one.
     pub(crate) fn new(points: &[(f64, f64)]) -> Option<Self> {
-        let ground = points
-            .windows(2)
-            .rposition(|pair| pair[0].1 - pair[1].1 > FALL_BY_GRINDING);
-        let from = ground.map_or(0, |pair| pair + 1);
+        let from = first_since_ground(points.windows(2).map(|pair| pair[0].1 - pair[1].1));
         (!points.is_empty()).then(|| Self {
             points: points[from..].to_vec(),
             before: from,
-            fell_from: ground.map(|pair| points[pair].1),
+            fell_from: from.checked_sub(1).map(|last| points[last].1),
         })
     }
 

@@ -6,7 +6,7 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use riffel::noise::FrequencyBand;
 use riffel::receptance::DecayRate;
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, say};
 use statrs::distribution::{Continuous, ContinuousCDF, StudentsT};
 
 use super::{Block, Given, Group, Observable, Place, table};
@@ -71,8 +71,7 @@ impl DecayRates {
         view: (usize, &Case),
         student: StudentsT,
     ) -> Result<Self, CaseError> {
-        let others = ["standard_error_ln", "upper_bound"];
-        let numbers = table::read(path, Kind::DecayRate.columns(), &others)?;
+        let numbers = table::Numbers::of(path, Kind::DecayRate)?;
         let [frequency, rate] = [0, 1].map(|column| &numbers.needed[column]);
         let rule = "must be greater than zero";
         numbers.check(path, "decay_rate_db_per_m", rate, rule, |rate| rate > 0.0)?;
@@ -92,11 +91,24 @@ impl DecayRates {
             })?;
             centre.push(band);
         }
-        let error = numbers.others[0].clone();
-        let error = error.unwrap_or_else(|| frequency.iter().map(|f| usual_error(*f)).collect());
-        let rule = "must be greater than zero";
-        numbers.check(path, "standard_error_ln", &error, rule, |error| error > 0.0)?;
-        let upper_bound = match &numbers.others[1] {
+        numbers.unless_doubled(path, &centre, |one, other| one == other)?;
+        let [of_ln, of_rate, bound] = [0, 1, 2].map(|column| &numbers.others[column]);
+        for (name, error) in Kind::DecayRate.other_columns().iter().zip([of_ln, of_rate]) {
+            let error = error.as_deref().unwrap_or_default();
+            numbers.check(path, name, error, rule, |error| error > 0.0)?;
+        }
+        let error = match (of_ln, of_rate) {
+            (Some(_), Some(_)) => return Err(numbers.refuse(path, 0, say!(two_errors_of_a_rate))),
+            (Some(error), None) => error.clone(),
+            // To first order.
+            (None, Some(error)) => error
+                .iter()
+                .zip(rate)
+                .map(|(error, rate)| error / rate)
+                .collect(),
+            (None, None) => frequency.iter().map(|f| usual_error(*f)).collect(),
+        };
+        let upper_bound = match bound {
             Some(values) => values.iter().map(|value| *value != 0.0).collect(),
             None => vec![false; rate.len()],
         };

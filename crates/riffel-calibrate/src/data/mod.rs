@@ -2,17 +2,22 @@
 
 mod decay_rate;
 mod frequency_response;
+mod joined_lines;
 mod levels;
 mod profiles;
 pub(crate) mod table;
 
 pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
-pub(crate) use levels::{AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, Train};
+pub(crate) use levels::{
+    AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, SinceGround, Train,
+};
 pub(crate) use profiles::{Comparison, DatedProfiles, Travel};
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
+use riffel::forecast::LEAST_PASSAGES;
+use riffel_keys::{Message, say};
 use serde::Serialize;
 
 pub(crate) use crate::gaussian::Given;
@@ -196,6 +201,17 @@ impl Group {
             ..Self::all(count)
         }
     }
+}
+
+/// The rule that passages from the first date to the last break; none if they do not.
+fn too_few(passages: f64) -> Option<Message> {
+    (passages < LEAST_PASSAGES).then(|| {
+        say!(
+            too_few_passages,
+            passages = passages,
+            least = LEAST_PASSAGES
+        )
+    })
 }
 
 pub(crate) fn differences(one: &[f64], other: &[f64]) -> Vec<f64> {

@@ -9,7 +9,7 @@ use riffel_case::Case;
 use riffel_keys::{CaseError, Message, say};
 use riffel_rail::{Layout, RoughnessFile};
 
-use super::{Block, Observable, Place, UNIT, table};
+use super::{Block, Observable, Place, UNIT, table, too_few};
 use crate::file::Kind;
 use crate::gaussian::Gaussian;
 use crate::kernel::Kernel;
@@ -229,6 +229,11 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
         });
     }
     dated.sort_by(|one, other| one.passages.total_cmp(&other.passages));
+    if let [_, .., last] = &dated[..]
+        && let Some(rule) = too_few(last.passages)
+    {
+        return Err(CaseError::data(path, rule));
+    }
     Ok(dated)
 }
 

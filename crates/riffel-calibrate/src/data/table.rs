@@ -2,9 +2,11 @@
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
 use riffel_keys::table::{HeadedTable, NoHead, Row};
 use riffel_keys::text_file::{LARGEST_RESPONSES, decode, read_bounded};
+use riffel_keys::{CaseError, Message, say};
+
+use crate::file::Kind;
 
 /// Numbers by row: columns that must be there, and others that may.
 pub(crate) struct Numbers {
@@ -43,6 +45,27 @@ pub(crate) fn names(
         Err(NoHead::Names(names)) => names,
         Err(_) => vec![text.lines().next().unwrap_or_default().to_owned()],
     })
+}
+
+/// Columns of a table of some kind that no reader of the kind knows.
+///
+/// # Errors
+/// [`CaseError::Read`].
+pub(crate) fn unused(path: &Path, kind: Kind) -> Result<Vec<String>, CaseError> {
+    let needed = kind.columns();
+    let mut names = names(path, |names| {
+        needed
+            .iter()
+            .all(|needed| names.iter().any(|it| it == needed))
+    })?;
+    let is_known = |name: &str| {
+        needed
+            .iter()
+            .chain(kind.other_columns())
+            .any(|it| *it == name)
+    };
+    names.retain(|name| !name.is_empty() && !is_known(name));
+    Ok(names)
 }
 
 /// Read the columns of a table.
@@ -149,6 +172,14 @@ fn without_head(path: &Path, columns: &[&str], text: &str) -> CaseError {
 }
 
 impl Numbers {
+    /// The columns of a table of some kind, those that it may have in the order of the kind.
+    ///
+    /// # Errors
+    /// Those of [`read`].
+    pub(crate) fn of(path: &Path, kind: Kind) -> Result<Self, CaseError> {
+        read(path, kind.columns(), kind.other_columns())
+    }
+
     /// That every number of a column fits a rule.
     pub(crate) fn check(
         &self,
@@ -168,12 +199,28 @@ impl Numbers {
         }
     }
 
+    /// That no row says once more what another says.
+    pub(crate) fn unless_doubled<T>(
+        &self,
+        path: &Path,
+        rows: &[T],
+        same: impl Fn(&T, &T) -> bool,
+    ) -> Result<(), CaseError> {
+        for (row, own) in rows.iter().enumerate() {
+            if let Some(before) = rows[..row].iter().position(|it| same(it, own)) {
+                let rule = say!(is_there_already, line = self.lines[before]);
+                return Err(self.refuse(path, row, rule));
+            }
+        }
+        Ok(())
+    }
+
     /// A sentence on a row.
-    pub(crate) fn refuse(&self, path: &Path, row: usize, message: &str) -> CaseError {
+    pub(crate) fn refuse(&self, path: &Path, row: usize, message: impl Into<Message>) -> CaseError {
         CaseError::Data {
             path: path.to_owned(),
             line: Some(self.lines[row]),
-            message: message.to_owned().into(),
+            message: message.into(),
             help: None,
         }
     }

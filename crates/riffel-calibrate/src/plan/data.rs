@@ -1,5 +1,6 @@
 //! What a plan says of data.
 
+use riffel::diagnosis::FALL_BY_GRINDING;
 use riffel_case::{Case, settings};
 use riffel_keys::{CaseError, Message, say};
 use riffel_rail::levels_unlike_a_rail;
@@ -9,7 +10,7 @@ use toml::Value;
 use super::{Reading, beside, name_of};
 use crate::data::{
     AxleBoxRun, Block, Comparison, DatedLevels, DatedProfiles, DecayRates, FrequencyResponses,
-    Levels, MeasuredRail, Size, Travel,
+    Levels, MeasuredRail, SinceGround, Size, Travel, table,
 };
 use crate::file::{DataFile, Kind, SizeFile};
 use crate::model::{Parameter, Role, View};
@@ -85,6 +86,12 @@ impl Reading<'_> {
                 return Err(self.invalid(index, "name", rule, help));
             }
             self.check_keys(index, data)?;
+            let columns = table::unused(&beside(self.folder, &data.file), data.kind)?;
+            if !columns.is_empty() {
+                let columns: riffel_keys::Value = columns.into_iter().collect();
+                let said = say!(unused_columns, file = &data.file, columns = columns);
+                self.remarks.push(said);
+            }
         }
         let of_kind = |kind: Kind| {
             let data = self.file.data.iter().enumerate();
@@ -274,6 +281,14 @@ impl Reading<'_> {
         if block.usual_errors {
             self.remarks.push(say!(no_coherence, file = &data.file));
         }
+        if block.data() < block.lines {
+            self.remarks.push(say!(
+                lines_are_taken_together,
+                file = &data.file,
+                lines = block.lines,
+                bands = block.data()
+            ));
+        }
         let doubts = block.doubts.iter().cloned();
         self.remarks
             .extend(doubts.map(|doubt| doubt.about(&data.file)));
@@ -351,7 +366,21 @@ impl Reading<'_> {
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;
         let path = beside(self.folder, &data.file);
-        let (rows, begins) = DatedLevels::rows(&path, &self.views[view].case)?;
+        let SinceGround {
+            rows,
+            begins,
+            before,
+        } = DatedLevels::rows(&path, &self.views[view].case)?;
+        if before > 0.0 {
+            let (file, fall) = (&data.file, FALL_BY_GRINDING);
+            let said = say!(
+                ground_between_dates,
+                file = file,
+                passages = begins,
+                fall = fall
+            );
+            self.remarks.push(said);
+        }
         let doubt = levels_unlike_a_rail(rows.iter().map(|row| row.level));
         self.remarks
             .extend(doubt.map(|doubt| doubt.about(&data.file)));
@@ -359,6 +388,7 @@ impl Reading<'_> {
             view,
             rows,
             begins,
+            before,
             common_error,
             missed,
         };
@@ -392,8 +422,10 @@ impl Reading<'_> {
             None => last,
             Some(Value::String(date)) if date == "last" => last,
             Some(Value::String(date)) if date == "first" => 0.0,
-            Some(Value::Integer(passages)) if *passages >= 0 => *passages as f64,
-            Some(Value::Float(passages)) if *passages >= 0.0 => *passages,
+            Some(Value::Integer(passages)) if *passages as f64 >= dated.before => {
+                *passages as f64 - dated.before
+            }
+            Some(Value::Float(passages)) if *passages >= dated.before => *passages - dated.before,
             Some(other) => {
                 let rule = say!(date_of_a_run);
                 let rule = say!(is_but_must_be, value = other.to_string(), rule = rule);

@@ -1,5 +1,6 @@
 //! Calibration against a second implementation and closed forms.
 
+mod columns;
 mod decision;
 mod drawn;
 mod likelihood;

@@ -6,6 +6,14 @@ use crate::Error;
 /// Fall of a level between two records \[dB\] that no wear makes: the rail was ground between them. Riffel's choice.
 pub const FALL_BY_GRINDING: f64 = 3.0;
 
+/// Place of the first record since the rail was last ground, of the falls from each record to the next \[dB\]: behind the last fall of
+/// more than [`FALL_BY_GRINDING`]; zero where there is none.
+pub fn first_since_ground(falls: impl IntoIterator<Item = f64>) -> usize {
+    let falls = falls.into_iter().enumerate();
+    let ground = falls.filter(|(_, fall)| *fall > FALL_BY_GRINDING);
+    ground.last().map_or(0, |(place, _)| place + 1)
+}
+
 /// What time is counted in.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TimeUnit {

@@ -38,5 +38,7 @@ pub use mean_growth::MeanGrowth;
 pub use prediction::{Forecast, ForecastBand, LinearRange, Reach};
 pub use speed_distribution::SpeedDistribution;
 pub use traffic::{TrafficGrowth, VehicleGrowth};
-pub use wear_fit::{FittedBand, LARGE_CHANGE, MeasuredChange, WearFit, WearVerdict};
+pub use wear_fit::{
+    FittedBand, LARGE_CHANGE, LEAST_PASSAGES, MeasuredChange, WearFit, WearVerdict,
+};
 pub use wear_spread::WearSpread;

@@ -13,6 +13,10 @@ pub const LARGE_CHANGE: f64 = 2.0;
 /// Steps of the Gauss–Newton method.
 const MOST_STEPS: usize = 200;
 
+/// Fewest axle passages between two measurements of which growth can be told: no rail changes in fewer, and a count of 2 or 4 is of
+/// millions. Riffel's choice.
+pub const LEAST_PASSAGES: f64 = 1e4;
+
 /// Spectra of the same rail at two dates with the axle passages between.
 #[derive(Debug, Clone, PartialEq)]
 pub struct MeasuredChange {
@@ -113,7 +117,7 @@ impl MeasuredChange {
     /// Records at the same places on both dates, in their order along the rail, with the axle passages between.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless there are as many of both, one at least, and passages above zero.
+    /// [`Error::OutOfRange`] unless there are as many of both, one at least, and 10 000 passages or more.
     pub fn paired(
         earlier: Vec<Spectrum>,
         later: Vec<Spectrum>,
@@ -133,7 +137,7 @@ impl MeasuredChange {
     /// Records of two dates that do not belong together one by one, with the axle passages between.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] unless there is one of each at least, and passages above zero.
+    /// [`Error::OutOfRange`] unless there is one of each at least, and 10 000 passages or more.
     pub fn groups(
         earlier: Vec<Spectrum>,
         later: Vec<Spectrum>,
@@ -148,7 +152,14 @@ impl MeasuredChange {
         passages: f64,
         paired: bool,
     ) -> Result<Self, Error> {
-        Error::unless_positive("axle passages between two measurements", passages, "")?;
+        if !(passages.is_finite() && passages >= LEAST_PASSAGES) {
+            return Err(Error::OutOfRange {
+                quantity: "axle passages between two measurements",
+                value: passages,
+                unit: "",
+                rule: "must be finite and 10000 or more: in fewer no rail changes; are they millions?",
+            });
+        }
         for count in [earlier.len(), later.len()] {
             Error::unless_positive("number of records", count as f64, "")?;
         }

@@ -23,7 +23,7 @@ pub(crate) struct AxleBoxRun {
 
 impl AxleBoxRun {
     pub(crate) fn rows(path: &Path, case: &Case, passages: f64) -> Result<Vec<Row>, CaseError> {
-        let numbers = table::read(path, Kind::AxleBox.columns(), &[])?;
+        let numbers = table::Numbers::of(path, Kind::AxleBox)?;
         row::rows(&numbers, path, case, |_| passages)
     }
 }

@@ -8,7 +8,7 @@ mod rail;
 mod row;
 
 pub(crate) use axle_box::AxleBoxRun;
-pub(crate) use dated::DatedLevels;
+pub(crate) use dated::{DatedLevels, SinceGround};
 pub(crate) use measured::MeasuredRail;
 pub(crate) use pass_by::{PassBys, Passage, Train};
 

@@ -163,8 +163,8 @@ impl PassBys {
         dated: &DatedLevels,
         passage: &Passage,
     ) -> Result<(Vec<Passing>, Vec<FrequencyBand>), CaseError> {
-        let others = ["speed_km_per_h", "trains", "standard_error_db"];
-        let numbers = table::read(path, Kind::PassBy.columns(), &others)?;
+        let others = Kind::PassBy.other_columns();
+        let numbers = table::Numbers::of(path, Kind::PassBy)?;
         let [passages, levels] = [0, 1].map(|column| &numbers.needed[column]);
         let begins = dated.begins;
         let rule =

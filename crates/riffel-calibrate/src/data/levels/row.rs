@@ -67,5 +67,9 @@ pub(super) fn rows(
         level: level[row],
         error: error[row],
     };
-    Ok(bands.into_iter().enumerate().map(row).collect())
+    let rows: Vec<Row> = bands.into_iter().enumerate().map(row).collect();
+    numbers.unless_doubled(path, &rows, |one, other| {
+        (one.band, one.passages) == (other.band, other.passages)
+    })?;
+    Ok(rows)
 }
