@@ -102,20 +102,41 @@ pub fn close_pairs(told: &Identifiability) -> Vec<Message> {
     pairs.collect()
 }
 
-/// ln of the evidence, with what it hangs on; none where the sampler tells none.
+/// ln of the evidence.
+#[derive(Serialize)]
+pub(crate) struct LogEvidence {
+    /// Of the mean of the evidences of all runs.
+    value: f64,
+    /// The least and the greatest of a run.
+    range: [f64; 2],
+    runs: usize,
+}
+
+impl LogEvidence {
+    /// Of chains; `None` where the sampler tells none.
+    pub(crate) fn of(chains: &Chains) -> Option<Self> {
+        let told = &chains.log_evidences;
+        // The mean of the evidences, not of their logarithms.
+        let highest = told.iter().copied().reduce(f64::max)?;
+        let sum: f64 = told.iter().map(|it| (it - highest).exp()).sum();
+        Some(Self {
+            value: highest + (sum / told.len() as f64).ln(),
+            range: [told.iter().copied().fold(highest, f64::min), highest],
+            runs: told.len(),
+        })
+    }
+}
+
+/// ln of the evidence, with what it hangs on; `None` where the sampler tells none.
 pub fn log_evidence(chains: &Chains) -> Option<Message> {
-    let told = &chains.log_evidences;
-    let count = told.len() as f64;
-    // The mean of the evidences, not of their logarithms.
-    let highest = told.iter().copied().reduce(f64::max)?;
-    let sum: f64 = told.iter().map(|it| (it - highest).exp()).sum();
-    let lowest = told.iter().copied().fold(highest, f64::min);
+    let LogEvidence { value, range, runs } = LogEvidence::of(chains)?;
+    let [low, high] = range.map(|it| fixed(it, 2));
     Some(say!(
         log_evidence,
-        value = fixed(highest + (sum / count).ln(), 2),
-        low = fixed(lowest, 2),
-        high = fixed(highest, 2),
-        runs = told.len()
+        value = fixed(value, 2),
+        low = low,
+        high = high,
+        runs = runs
     ))
 }
 

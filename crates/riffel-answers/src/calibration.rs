@@ -7,7 +7,7 @@ use riffel_calibrate::{
 use riffel_keys::{Message, say};
 use serde::Serialize;
 
-use crate::calibrate::{Densities, close_pairs};
+use crate::calibrate::{Densities, LogEvidence, close_pairs};
 use crate::outlying::in_words;
 
 /// What the chains of a plan say of each value, and of the data.
@@ -33,6 +33,9 @@ pub struct Calibration {
     /// Why the chains allow no conclusion.
     pub doubts: Vec<Message>,
     remarks: Vec<Message>,
+    /// ln of the evidence, where the sampler tells it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    log_evidence: Option<LogEvidence>,
 }
 
 /// How the posterior was sampled.
@@ -117,7 +120,11 @@ impl Calibration {
         Self {
             riffel_version: env!("CARGO_PKG_VERSION"),
             title: plan.file.title.clone(),
-            sampler: Sampler::from(&plan.file.sampler),
+            sampler: Sampler {
+                // More than were asked for where the chains went on.
+                draws: (summary.draws as u64) / plan.file.sampler.chains,
+                ..Sampler::from(&plan.file.sampler)
+            },
             is_conclusive,
             conclusion: match is_conclusive {
                 true => conclusion(&parameters),
@@ -131,6 +138,7 @@ impl Calibration {
             outlying,
             doubts,
             remarks: plan.remarks.clone(),
+            log_evidence: LogEvidence::of(chains),
         }
     }
 }

@@ -233,12 +233,13 @@ impl Chain {
     ) -> Option<Proposal> {
         let emulated = self.turned(|place| emulator.at(posterior, place));
         let start = Place::of(&emulated, &self.at)?;
-        let (mut end, mut statistics) = (start.clone(), Statistics::default());
-        for _ in 0..TRANSITIONS {
-            (end, statistics) = transition(&emulated, &end, step, random);
-        }
-        // Where an emulator runs away, the model need not.
+        let (mut end, mut statistics) = transition(&emulated, &start, step, random);
+        // Where an emulator runs away, the model need not; and the energy is that of the model where the draw begins.
         statistics.diverging = false;
+        statistics.energy += start.log_density - self.log_density;
+        for _ in 1..TRANSITIONS {
+            (end, _) = transition(&emulated, &end, step, random);
+        }
         let kept = posterior.log_density(&self.in_z(&end.at));
         let kept = kept.filter(|log_density| {
             let gain = log_density - self.log_density;

@@ -22,6 +22,9 @@ const LEAST_SHARE: f64 = 0.8;
 /// Distance from the middle, over the √n of n coordinates of unit variance, behind which polynomials are not trusted.
 const TRUSTED: f64 = 2.5;
 
+/// ln of the density that polynomials may miss where their slopes are to be trusted: less than a step of a sampler changes it by.
+const MOST_MISSED: f64 = 0.5;
+
 /// What a model predicts, by one polynomial for each datum in the values that it depends on.
 ///
 /// Fitted by least squares to predictions at places drawn from a normal distribution. It only proposes: which draws are kept
@@ -80,9 +83,7 @@ impl Emulator {
     /// ln of the density and its gradient as the polynomials have them; none where the priors or they themselves end.
     pub(crate) fn at(&self, posterior: &Posterior, place: &[f64]) -> Option<Point> {
         let seen: Vec<Seen> = self.0.iter().map(|it| it.seen(posterior, place)).collect();
-        let predicted = self.0.iter().zip(&seen);
-        let predicted: Vec<_> = predicted.map(|(it, seen)| it.predict(seen)).collect();
-        let known = posterior.with_predictions(place, &predicted)?;
+        let known = posterior.with_predictions(place, &self.predict(&seen))?;
         let mut point = self.with_slopes(known, &seen)?;
         // Far from where they were made, polynomials go anywhere.
         for (polynomials, seen) in self.0.iter().zip(&seen) {
@@ -97,7 +98,9 @@ impl Emulator {
         Some(point)
     }
 
-    /// ln of the density as the model has it, with the slopes of the polynomials where these are to be trusted.
+    /// ln of the density as the model has it, with the slopes of the polynomials where these are to be trusted: near where they were
+    /// made, and where they have the density of the model. Elsewhere with those of the model, or a chain that the polynomials misled
+    /// would stay where they led it.
     pub(crate) fn along(&self, posterior: &Posterior, place: &[f64]) -> Option<Point> {
         let seen: Vec<Seen> = self.0.iter().map(|it| it.seen(posterior, place)).collect();
         if seen.iter().any(|seen| seen.beyond() > 0.0) {
@@ -105,7 +108,17 @@ impl Emulator {
         }
         let predicted = posterior.predictions_at(place)?;
         let known = posterior.with_predictions(place, &predicted)?;
-        self.with_slopes(known, &seen)
+        let emulated = posterior.with_predictions(place, &self.predict(&seen));
+        let misses = |(point, _): (Point, _)| (point.log_density - known.0.log_density).abs();
+        match emulated.map(misses) {
+            Some(misses) if misses < MOST_MISSED => self.with_slopes(known, &seen),
+            _ => posterior.at(place),
+        }
+    }
+
+    fn predict(&self, seen: &[Seen]) -> Vec<Vec<f64>> {
+        let predicted = self.0.iter().zip(seen);
+        predicted.map(|(it, seen)| it.predict(seen)).collect()
     }
 
     fn with_slopes(

@@ -63,6 +63,6 @@ pub use posterior::{Point, Posterior};
 pub use predicted::Predicted;
 pub use prior::Prior;
 pub use rail_draw::growing_bands;
-pub use run::{Chains, Folder, finished};
+pub use run::{Chains, Folder, Progress, finished};
 pub use simulated::{Checked, RANKED, Ranked, Simulated};
 pub use summary::{Marginal, Summary, TOLD};

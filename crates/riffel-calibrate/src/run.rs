@@ -11,6 +11,7 @@ use sha2::{Digest, Sha256};
 
 use crate::draw::Draw;
 use crate::error::CalibrationError;
+use crate::file::SamplerKind;
 use crate::nuts::Statistics;
 use crate::plan::Plan;
 use crate::sampling::Sampling;
@@ -19,6 +20,10 @@ use crate::sampling::Sampling;
 const PART: u64 = 250;
 /// Numbers that a draw has beside its place.
 const OF_DRAW: usize = 7;
+/// Fewest draws of a chain that goes on where it allows no conclusion: shorter ones are meant to be short.
+const GOES_ON: u64 = 1000;
+/// Most draws of such a chain, over those of the plan: four times as many brought all of 20 made-up problems to their conclusion.
+const MOST_TIMES: u64 = 4;
 /// The record of what a folder holds.
 const RECORD: &str = "calibration.json";
 
@@ -29,8 +34,28 @@ pub struct Chains {
     pub log_evidences: Vec<f64>,
 }
 
-/// The draws of a chain, and what it tells of the evidence.
-type OfChain = (Vec<Draw>, Option<f64>);
+/// How a run goes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Progress {
+    /// So many draws more, those that were kept among them.
+    Drawn(u64),
+    /// The chains allow no conclusion yet, and go on to so many draws each.
+    GoesOn {
+        /// Draws of a chain that are kept.
+        draws: u64,
+    },
+}
+
+/// A chain on its way.
+#[derive(Default)]
+struct Going {
+    /// Those of the warm-up among them.
+    draws: Vec<Draw>,
+    /// None before its first draw.
+    state: Option<Sampling>,
+    /// Parts of it that are kept.
+    parts: u64,
+}
 
 impl Chains {
     /// Draws that lie evenly in all chains, so many at most.
@@ -131,8 +156,8 @@ impl<'a> Folder<'a> {
         self.plan.file.sampler.left_out() + self.plan.file.sampler.draws
     }
 
-    /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. `progress` is told
-    /// of draws, those that were kept among them.
+    /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. Chains of a thousand draws
+    /// and more that allow no conclusion go on, up to four times their draws.
     ///
     /// Draws do not depend on the number of threads, nor on whether a chain was stopped on its way.
     ///
@@ -140,48 +165,67 @@ impl<'a> Folder<'a> {
     /// [`CalibrationError::Write`]; parts that are finished are kept. [`CalibrationError::NoStart`].
     pub fn run(
         &self,
-        progress: &(dyn Fn(u64) + Sync),
+        progress: &(dyn Fn(Progress) + Sync),
         stop: &Stop,
     ) -> Result<Option<Chains>, CalibrationError> {
-        let chains: Result<Vec<Option<OfChain>>, CalibrationError> =
-            (0..self.plan.file.sampler.chains)
+        let sampler = &self.plan.file.sampler;
+        let mut going: Vec<Going> = (0..sampler.chains).map(|_| Going::default()).collect();
+        let (mut draws, mut more) = (sampler.draws, self.draws_of_a_chain());
+        loop {
+            let longer: Result<Vec<Option<Going>>, CalibrationError> = going
                 .into_par_iter()
-                .map(|chain| self.chain(chain, progress, stop))
+                .enumerate()
+                .map(|(index, chain)| self.longer(chain, (index as u64, more), progress, stop))
                 .collect();
-        let chains: Option<Vec<OfChain>> = chains?.into_iter().collect();
-        Ok(chains.map(|chains| {
-            let (draws, log_evidences): (_, Vec<Option<f64>>) = chains.into_iter().unzip();
-            Chains {
-                draws,
-                log_evidences: log_evidences.into_iter().flatten().collect(),
+            let Some(longer) = longer?.into_iter().collect::<Option<Vec<Going>>>() else {
+                return Ok(None);
+            };
+            let posterior = &self.plan.posterior;
+            let kept = longer
+                .iter()
+                .map(|it| sampler.kept(it.draws.clone(), posterior));
+            let states = longer.iter().filter_map(|it| it.state.as_ref());
+            let chains = Chains {
+                draws: kept.collect(),
+                log_evidences: states.filter_map(Sampling::log_evidence).collect(),
+            };
+            let ends = sampler.kind == SamplerKind::Smc
+                || sampler.draws < GOES_ON
+                || draws >= MOST_TIMES * sampler.draws;
+            if ends || chains.summary(self.plan).doubts().is_empty() {
+                return Ok(Some(chains));
             }
-        }))
+            (going, more) = (longer, draws);
+            draws += more;
+            progress(Progress::GoesOn { draws });
+        }
     }
 
-    fn chain(
+    /// A chain after so many draws more; none where a wish to stop came between.
+    fn longer(
         &self,
-        index: u64,
-        progress: &(dyn Fn(u64) + Sync),
+        mut chain: Going,
+        (index, more): (u64, u64),
+        progress: &(dyn Fn(Progress) + Sync),
         stop: &Stop,
-    ) -> Result<Option<OfChain>, CalibrationError> {
+    ) -> Result<Option<Going>, CalibrationError> {
         let posterior = &self.plan.posterior;
         let sampler = &self.plan.file.sampler;
-        let whole = self.draws_of_a_chain();
-        let mut draws: Vec<Draw> = Vec::new();
-        let mut chain: Option<Sampling> = None;
-        for part in 0..whole.div_ceil(PART) {
-            let length = PART.min(whole - part * PART);
+        for begin in (0..more).step_by(PART as usize) {
+            let length = PART.min(more - begin);
+            let part = chain.parts;
+            chain.parts += 1;
             if let Some((kept, state)) = self.kept(index, part, length) {
-                progress(length);
-                draws.extend(kept);
-                chain = Some(state);
+                progress(Progress::Drawn(length));
+                chain.draws.extend(kept);
+                chain.state = Some(state);
                 continue;
             }
             if stop.is_asked() {
                 return Ok(None);
             }
-            let mut going = match chain.take() {
-                Some(chain) => chain,
+            let mut state = match chain.state.take() {
+                Some(state) => state,
                 None => Sampling::begin(posterior, sampler, index, stop).ok_or_else(|| {
                     let values = posterior.parameters().iter();
                     let values: Vec<f64> = values.map(|it| it.prior.quantile(0.5)).collect();
@@ -196,15 +240,14 @@ impl<'a> Folder<'a> {
                 if stop.is_asked() {
                     return Ok(None);
                 }
-                new.extend(going.draw(posterior));
-                progress(1);
+                new.extend(state.draw(posterior));
+                progress(Progress::Drawn(1));
             }
-            self.keep(index, part, &new, &going)?;
-            draws.extend(new);
-            chain = Some(going);
+            self.keep(index, part, &new, &state)?;
+            chain.draws.extend(new);
+            chain.state = Some(state);
         }
-        let log_evidence = chain.and_then(|chain| chain.log_evidence());
-        Ok(Some((sampler.kept(draws, posterior), log_evidence)))
+        Ok(Some(chain))
     }
 
     /// The array that the numbers of a part are written as.

@@ -16,6 +16,8 @@ pub const TOLD: f64 = 0.1;
 const MOST_RHAT: f64 = 1.01;
 /// Fewest effective draws.
 const LEAST_ESS: f64 = 400.0;
+/// Largest share of trajectories that may run away: fewer leave out no part of the posterior that its quantiles of 5 and 95 % would show.
+const MOST_DIVERGENT: f64 = 1e-3;
 /// Least Bayesian fraction of missing information of the energy.
 const LEAST_BFMI: f64 = 0.3;
 
@@ -51,6 +53,8 @@ pub struct Summary {
     pub marginals: Vec<Marginal>,
     /// Trajectories whose energy ran away.
     pub divergences: usize,
+    /// Draws of all chains.
+    pub draws: usize,
     /// Least over the chains of E-BFMI, where they follow trajectories.
     pub bfmi: Option<f64>,
     /// What drew them.
@@ -110,6 +114,7 @@ impl Chains {
         });
         Summary {
             marginals: marginals.collect(),
+            draws: self.draws.iter().map(Vec::len).sum(),
             divergences: of_all.filter(|draw| draw.statistics.diverging).count(),
             bfmi: (sampler == SamplerKind::Nuts).then(|| bfmi.fold(f64::INFINITY, f64::min)),
             sampler,
@@ -153,7 +158,7 @@ impl Summary {
                 ));
             }
         }
-        if self.divergences > 0 {
+        if self.divergences as f64 > MOST_DIVERGENT * self.draws as f64 {
             doubts.push(say!(trajectories_ran_away, trajectories = self.divergences));
         }
         if let Some(bfmi) = self.bfmi.filter(|it| it.is_nan() || *it <= LEAST_BFMI) {
@@ -220,6 +225,7 @@ mod tests {
                 marginal("wear.coefficient", 1.01, 400.0),
             ],
             divergences: 3,
+            draws: 2999,
             bfmi: Some(0.27),
             sampler: SamplerKind::Nuts,
         };
@@ -246,6 +252,9 @@ mod tests {
         ]) {
             assert!(sentence.contains(words), "{sentence}");
         }
+        // One of a thousand may run away.
+        summary.draws = 3000;
+        assert_eq!(said(&summary, Language::English).len(), 3);
         summary.sampler = SamplerKind::Smc;
         let of_population = said(&summary, Language::German);
         assert!(

@@ -76,3 +76,40 @@ fn chains_of_every_sampler_go_on_from_their_parts() {
         assert_eq!(whole.log_evidences, again.log_evidences, "{kind}");
     }
 }
+
+/// Chains of a thousand draws that allow no conclusion go on to more, in words too, and a run whose last part is lost has the same
+/// draws again; chains of fewer end as they were meant.
+#[test]
+fn chains_go_on_until_they_conclude() {
+    let there = tempfile::tempdir().unwrap();
+    // One chain of set b: too few draws count of its slowest value.
+    let text = fs::read_to_string(crate::folder("b-three-dates").join("plan.toml")).unwrap();
+    let text = text
+        .replace("chains = 4", "chains = 1")
+        .replace("warmup = 1000", "warmup = 200");
+    small(there.path(), "nuts");
+    let path = there.path().join("set/plan.toml");
+    let text = text.split("[[action]]").next().unwrap();
+    fs::write(&path, text).unwrap();
+    let plan = Plan::read(&path).unwrap();
+    let out = there.path().join("out");
+    let whole = run(&plan, &out, false);
+    let summary = whole.summary(&plan);
+    assert!(
+        summary.draws == 2000 || summary.draws == 4000,
+        "{}",
+        summary.draws
+    );
+    assert!(summary.draws == 4000 || summary.doubts().is_empty());
+    // 1200 draws are five parts, those of a thousand more another four.
+    fs::remove_file(out.join("chains/0-6")).unwrap();
+    assert_eq!(run(&plan, &out, true).summary(&plan), summary);
+    fs::write(&path, text.replace("draws = 1000", "draws = 250")).unwrap();
+    let short = Plan::read(&path).unwrap();
+    assert_eq!(
+        run(&short, &there.path().join("short"), false)
+            .summary(&short)
+            .draws,
+        250
+    );
+}

@@ -8,7 +8,7 @@ use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
 use riffel_calibrate::{
-    CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Summary,
+    CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress, Summary,
 };
 
 use super::LIMIT;
@@ -56,8 +56,16 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     ));
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
-        let progress = SampleProgress::new("draws", sampler.chains * folder.draws_of_a_chain());
-        folder.run(&|draws| progress.advance_by(draws), &stop)
+        let chains = sampler.chains;
+        let progress = SampleProgress::new("draws", chains * folder.draws_of_a_chain());
+        let tell = |of: Progress| match of {
+            Progress::Drawn(draws) => progress.advance_by(draws),
+            Progress::GoesOn { draws } => {
+                progress.lengthen(chains * (sampler.left_out() + draws));
+                say(riffel_keys::say!(chains_go_on, draws = draws));
+            }
+        };
+        folder.run(&tell, &stop)
     };
     let stopped = || {
         complain(format_args!(

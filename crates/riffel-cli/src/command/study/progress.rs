@@ -1,8 +1,10 @@
 //! How far a study is.
 
 use std::io::{IsTerminal, stderr};
-use std::sync::Mutex;
+use std::sync::Arc;
 use std::sync::atomic::{AtomicU64, Ordering};
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::thread;
 use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -10,22 +12,24 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use crate::messages::{is_for_a_program, is_quiet, say, tell_progress};
 
 /// Time from one line to the next where there is no terminal, as in the log of a cluster.
-const LINE_EVERY: Duration = Duration::from_secs(60);
+const LINE_EVERY: Duration = Duration::from_secs(10);
 /// The same where a program reads it.
 const TOLD_EVERY: Duration = Duration::from_millis(300);
 
-/// A bar with rate and time left on a terminal; elsewhere a line a minute, but none where results go to the same place.
+/// A bar with rate and time left on a terminal; elsewhere a line every ten seconds, but none where results go to the same place.
 pub(in crate::command) struct SampleProgress {
-    /// What is counted, as in "samples".
-    what: &'static str,
     bar: ProgressBar,
     terminal: bool,
-    lines: bool,
-    line_every: Duration,
-    total: u64,
-    done: AtomicU64,
+    count: Arc<Count>,
     begun: Instant,
-    last_line: Mutex<Instant>,
+    /// Ends the lines when it goes.
+    _lines: Option<Sender<()>>,
+}
+
+/// How far it is.
+struct Count {
+    done: AtomicU64,
+    total: AtomicU64,
 }
 
 impl SampleProgress {
@@ -37,20 +41,24 @@ impl SampleProgress {
         if let Ok(style) = ProgressStyle::with_template(&template) {
             bar.set_style(style);
         }
-        Self {
-            what,
-            bar,
-            terminal: stderr().is_terminal(),
-            lines: !is_among_results(),
-            line_every: if is_for_a_program() {
-                TOLD_EVERY
-            } else {
-                LINE_EVERY
-            },
-            total,
+        let count = Arc::new(Count {
             done: AtomicU64::new(0),
+            total: AtomicU64::new(total),
+        });
+        let terminal = stderr().is_terminal();
+        let lines = (!terminal && !is_among_results()).then(|| {
+            let (lines, ends) = channel();
+            let count = Arc::clone(&count);
+            // On a clock of their own: the first of slow samples takes long as well.
+            thread::spawn(move || count.tell(what, &ends));
+            lines
+        });
+        Self {
+            bar,
+            terminal,
+            count,
             begun: Instant::now(),
-            last_line: Mutex::new(Instant::now()),
+            _lines: lines,
         }
     }
 
@@ -61,30 +69,44 @@ impl SampleProgress {
 
     /// Some more.
     pub(in crate::command) fn advance_by(&self, more: u64) {
-        let done = self.done.fetch_add(more, Ordering::Relaxed) + more;
+        self.count.done.fetch_add(more, Ordering::Relaxed);
         if self.terminal {
             self.bar.inc(more);
             if self.bar.is_hidden() && !is_quiet() && self.begun.elapsed() > Duration::from_secs(1)
             {
                 self.bar.set_draw_target(ProgressDrawTarget::stderr());
             }
-            return;
         }
-        // A thread that finds the clock taken leaves the line to the one that has it.
-        if self.lines
-            && let Ok(mut last) = self.last_line.try_lock()
-            && last.elapsed() > self.line_every
-        {
-            *last = Instant::now();
-            if tell_progress(done, self.total) {
-                return;
+    }
+
+    /// There is more to do than was thought.
+    pub(in crate::command) fn lengthen(&self, total: u64) {
+        self.count.total.store(total, Ordering::Relaxed);
+        self.bar.set_length(total);
+    }
+}
+
+impl Count {
+    /// A line now and then until the other end goes.
+    fn tell(&self, what: &str, ends: &Receiver<()>) {
+        let begun = Instant::now();
+        let every = match is_for_a_program() {
+            true => TOLD_EVERY,
+            false => LINE_EVERY,
+        };
+        while ends.recv_timeout(every) == Err(RecvTimeoutError::Timeout) {
+            let [done, total] = [&self.done, &self.total].map(|it| it.load(Ordering::Relaxed));
+            if tell_progress(done, total) {
+                continue;
             }
-            let rate = done as f64 / self.begun.elapsed().as_secs_f64();
-            let left = duration((self.total - done) as f64 / rate);
-            say(format_args!(
-                "{done} of {} {}, {rate:.1} a second, {left} left",
-                self.total, self.what
-            ));
+            let rate = done as f64 / begun.elapsed().as_secs_f64();
+            say(match done {
+                0 => format!("0 of {total} {what}"),
+                _ => {
+                    let left = duration((total - done) as f64 / rate);
+                    format!("{done} of {total} {what}, {rate:.1} a second, {left} left")
+                }
+            });
         }
     }
 }
