@@ -378,9 +378,9 @@ mod tests {
     use crate::data::Size;
     use crate::draw::random;
 
-    /// 196 lines with errors of 5 % and what the model misses, of set a: a step of Gauss and Newton from the truth ends within 0.1 of
-    /// a standard deviation and with widths within 5 % where the lines are taken together to 60 means, as with the covariance of all
-    /// lines. What is lost is how lines differ within a mean.
+    /// 196 lines with errors of 5 % and what the model misses, of set a: taken together to 100 means they leave widths within 5 % of
+    /// those that the covariance of all lines leaves, and a step of Gauss and Newton from the truth ends as near as that loss explains:
+    /// the two differ by √(w′² − w²) in standard deviation, taken four times. What is lost is how lines differ within a mean.
     #[test]
     fn means_of_lines_tell_what_all_lines_tell() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -436,15 +436,16 @@ mod tests {
             let widths = (0..own.len()).map(|i| covariance.at(i, i).sqrt());
             widths.zip(step).collect()
         };
-        let (all, means) = (told(196), told(60));
+        let (all, means) = (told(196), told(100));
         for ((width, step), (other_width, other_step)) in all.into_iter().zip(means) {
             assert!(
                 (other_width / width - 1.0).abs() < 0.05,
                 "{other_width} {width}"
             );
+            let loss = (other_width * other_width - width * width).max(0.0).sqrt();
             assert!(
-                (other_step - step).abs() < 0.1 * width,
-                "{other_step} {step}, {width}"
+                (other_step - step).abs() < 4.0 * loss + 0.02 * width,
+                "{other_step} {step}, {width} {other_width}"
             );
         }
     }
