@@ -4,7 +4,7 @@ use riffel::feedback::Stability;
 use serde::Serialize;
 
 /// Oscillations that grow by themselves.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct StabilityDocument {
     /// Two for each such oscillation; zero where the loop is stable.
     unstable_roots: usize,
@@ -12,10 +12,20 @@ pub(crate) struct StabilityDocument {
     frequency_hz: Option<f64>,
     /// Of its amplitude in time; none where the loop is stable, or the root is not found.
     growth_rate_per_s: Option<f64>,
+    /// Each of them, the highest first.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    roots: Vec<Root>,
+}
+
+/// One oscillation that grows.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+struct Root {
+    frequency_hz: f64,
+    growth_rate_per_s: f64,
 }
 
 /// The same at one of several speeds.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub(crate) struct StabilityAtSpeed {
     speed_m_per_s: f64,
     #[serde(flatten)]
@@ -28,6 +38,12 @@ impl From<Stability> for StabilityDocument {
             unstable_roots: stability.unstable_roots,
             frequency_hz: stability.frequency,
             growth_rate_per_s: stability.growth_rate,
+            roots: (stability.roots.iter())
+                .map(|root| Root {
+                    frequency_hz: root.frequency,
+                    growth_rate_per_s: root.growth_rate,
+                })
+                .collect(),
         }
     }
 }

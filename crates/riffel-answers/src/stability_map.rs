@@ -144,8 +144,8 @@ impl StabilityPoint {
         Self {
             speed_m_per_s: speed,
             friction,
-            unstable_roots: found.map(|found| found.unstable_roots),
-            frequency_hz: found.and_then(|found| found.frequency),
+            unstable_roots: found.as_ref().map(|found| found.unstable_roots),
+            frequency_hz: found.as_ref().and_then(|found| found.frequency),
             growth_rate_per_s: found.and_then(|found| found.growth_rate),
         }
     }

@@ -1,8 +1,8 @@
 //! Whether the loop of a case oscillates without any profile.
 
-use riffel::feedback::Stability;
+use riffel::feedback::{Stability, UnstableRoot};
 use riffel::{Axis, Error, Loop};
-use riffel_keys::{Message, Value, fixed, number, say, shown_speed};
+use riffel_keys::{Message, Value, fixed, number, say, shown_speed, significant};
 
 use crate::Case;
 use crate::build::validity::shorter_than_patch;
@@ -63,9 +63,20 @@ pub(crate) fn said(speed: f64, found: &Result<Stability, Error>) -> Option<Messa
         return Some(say!(loop_not_judged, speed = speed));
     };
     let frequency = fixed(found.frequency?, 0);
-    let growth = found.growth_rate.map(|growth| {
-        let time = duration(growth.recip());
-        Value::from(say!(loop_unstable_growth, time = time))
+    let time = |root: &UnstableRoot| duration(root.growth_rate.recip());
+    let growth = found.roots.split_first().map(|(highest, others)| {
+        let others = others.iter().rev().fold(Value::from(""), |others, root| {
+            let frequency = significant(root.frequency, 4);
+            let other = say!(
+                loop_unstable_other,
+                frequency = frequency,
+                time = time(root),
+                others = others
+            );
+            other.into()
+        });
+        let highest = say!(loop_unstable_growth, time = time(highest), others = others);
+        Value::from(highest)
     });
     Some(say!(
         loop_unstable,

@@ -177,7 +177,7 @@ pub(crate) fn forecast<'py>(
     let end = end.min(forecast.valid_to());
     let cracks = CrackedWave::all(&forecast, &on, end);
     let findings = [
-        HardenedWave::in_words(&forecast),
+        HardenedWave::in_words(&forecast, &on),
         CrackedWave::in_words(&cracks, &on, end),
     ];
     let findings: Vec<Message> = findings.into_iter().flatten().collect();

@@ -79,6 +79,6 @@ export function words(state, inWords) {
     lambda: number(1e3 * state.wavelength_m, 3), speed: speed(state.speed_m_per_s), hertz: number(state.frequency_hz, 3),
     force: Math.abs(force) < 2 ? t('inphase') : force > 0 ? t('leads', force) : t('lags', -force),
     where: lag > 90 ? t('troughs', lag) : t('crests', lag),
-    verdict: rate > 0 ? t('doubles', count) : t('halves', count),
+    verdict: rate === 0 ? t('stays') : rate > 0 ? t('doubles', count) : t('halves', count),
   });
 }

@@ -18,10 +18,19 @@ pub struct EnergyWear {
     coefficient: f64,
     density: f64,
     width: f64,
-    /// d ln m/d ln e at constant load \[-\], one for the law itself.
-    by_energy: f64,
+    /// How a coefficient changes about the mean state; none where wear is in proportion to energy alone.
+    regime: Option<WearRegime>,
+}
+
+/// How wear that is not in proportion to energy alone answers about a mean state.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct WearRegime {
+    /// d ln m/d ln e at constant load \[-\].
+    pub(crate) by_energy: f64,
     /// Energy per metre and newton of load \[1/m·J/N\] that wears as much as the load does beside its energy.
-    by_load: f64,
+    pub(crate) by_load: f64,
+    /// Energy per metre \[J/m\] that wears as much as the curvature κ of a wave does beside its energy: the patch has another area.
+    pub(crate) by_curvature: f64,
 }
 
 impl EnergyWear {
@@ -43,8 +52,7 @@ impl EnergyWear {
             coefficient,
             density,
             width: 2.0 * semi_axis_lateral,
-            by_energy: 1.0,
-            by_load: 0.0,
+            regime: None,
         })
     }
 
@@ -66,18 +74,16 @@ impl EnergyWear {
     }
 
     /// The law of a coefficient that changes with energy and load about the mean state.
-    pub(crate) fn by_regime(self, by_energy: f64, by_load: f64) -> Self {
+    pub(crate) fn by_regime(self, regime: WearRegime) -> Self {
         Self {
-            by_energy,
-            by_load,
+            regime: Some(regime),
             ..self
         }
     }
 
-    /// How its wear answers to energy \[-\] and, beside that, to load \[J/m/N\]; none where it is in proportion to energy alone.
-    pub(crate) fn regime(&self) -> Option<(f64, f64)> {
-        let plain = self.by_energy == 1.0 && self.by_load == 0.0;
-        (!plain).then_some((self.by_energy, self.by_load))
+    /// How its wear answers beside energy; none where it is in proportion to energy alone.
+    pub(crate) fn regime(&self) -> Option<WearRegime> {
+        self.regime
     }
 
     /// Width that the wear comes off \[m\]: 2b of one contact, or that of the band of traffic.

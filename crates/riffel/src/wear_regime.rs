@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use crate::contact::MeanRolling;
 use crate::damage::Ramps;
 use crate::gauss::{equal_panels, panels};
+use crate::wear::WearRegime;
 use crate::{EnergyWear, Error, HertzContact};
 
 /// How regimes of wear meet.
@@ -50,6 +51,8 @@ pub(crate) struct AtMeanState {
     pub(crate) by_energy: f64,
     /// d ln m/d ln P at constant energy \[-\].
     pub(crate) by_load: f64,
+    /// d ln m/dκ of the curvature of a wave at constant energy and load \[-\].
+    pub(crate) by_curvature: f64,
 }
 
 /// Hardness of rail steel \[Pa\], 280 HV.
@@ -72,30 +75,33 @@ impl WearRegimes {
         Error::unless_positive("energy per metre", steady.energy_per_metre(), "J/m")?;
         Error::unless_positive("factor of natural lubrication", lubrication, "")?;
         let [a, b] = [hertz.semi_axis_longitudinal(), hertz.semi_axis_lateral()];
-        let at = self.at(steady, PI * a * b);
+        let at = self.at(steady, PI * a * b, hertz.pressure_by_curvature()?);
         let wear = EnergyWear::new(at.coefficient / lubrication, density, b)?;
-        Ok(wear.by_regime(
-            at.by_energy,
-            at.by_load * steady.energy_per_metre() / steady.normal_force,
-        ))
+        Ok(wear.by_regime(WearRegime {
+            by_energy: at.by_energy,
+            by_load: at.by_load * steady.energy_per_metre() / steady.normal_force,
+            by_curvature: at.by_curvature * steady.energy_per_metre(),
+        }))
     }
 
-    fn at(self, steady: &MeanRolling, area: f64) -> AtMeanState {
+    /// `rise` is d ln p₀/dκ.
+    fn at(self, steady: &MeanRolling, area: f64, rise: f64) -> AtMeanState {
         let (energy, load) = (steady.energy_per_metre(), steady.normal_force);
         match self {
             Self::TgammaArea { corners, spread } => {
                 // [N/mm²], and [µg/m/mm²] = 1e-9 kg/m/mm².
                 let x = 1e-6 * energy / area;
-                let [rate, rise] = match corners {
+                let [rate, slope] = match corners {
                     WearCorners::Sharp => REGIMES.over_log_normal(x, spread),
                     WearCorners::Rounded => rounded_over_log_normal(x, spread),
                 };
-                let by_energy = rise / rate;
+                let by_energy = slope / rate;
                 AtMeanState {
                     coefficient: 1e-9 * rate / x,
                     by_energy,
-                    // A ∝ P^(2/3).
+                    // A ∝ P^(2/3), and over waves by −c.
                     by_load: 2.0 / 3.0 * (1.0 - by_energy),
+                    by_curvature: -rise * (1.0 - by_energy),
                 }
             }
             Self::ArchardMap { speed } => {
@@ -108,6 +114,8 @@ impl WearRegimes {
                     by_energy: 1.0 + by_speed,
                     // v ∝ e/P, p ∝ P^(1/3).
                     by_load: by_pressure / 3.0 - by_speed,
+                    // A metre of a crest takes the longer by κ: v ∝ e/(1 + κ).
+                    by_curvature: rise * by_pressure - by_speed,
                 }
             }
         }

@@ -2,7 +2,7 @@
 
 use riffel::forecast::{Forecast, ForecastBand, WavePhase};
 use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::{Message, number as numeral, say};
+use riffel_keys::{Message, Value, number as numeral, say, significant};
 use serde::Serialize;
 
 use super::number;
@@ -12,9 +12,9 @@ use super::number;
 pub struct HardenedWave {
     /// Of the middle of the band.
     pub wavelength_m: f64,
-    /// −D_h Re(u₁/Δ): above one the wave outgrows hardening.
+    /// −D_h Re(u₁/Δ) of its line that comes nearest to running away: above one that outgrows hardening.
     pub runaway_number: f64,
-    /// What flow multiplies it by until it rests; none where it runs away.
+    /// What flow multiplies the band by until it rests; none where it runs away.
     pub hardened_wave_ratio: Option<f64>,
 }
 
@@ -58,7 +58,7 @@ impl HardenedWave {
     }
 
     /// What they mean, of the band that comes nearest to running away.
-    pub fn in_words(forecast: &Forecast) -> Option<Message> {
+    pub fn in_words(forecast: &Forecast, on: &TrafficOnCase) -> Option<Message> {
         let bands = forecast.bands().iter();
         let ends = bands.filter_map(|band| Some((band, band.hardening()?)));
         let (band, end) = ends.max_by(|a, b| a.1.runaway_number.total_cmp(&b.1.runaway_number))?;
@@ -73,7 +73,16 @@ impl HardenedWave {
                 hardening_ends_wave,
                 wavelength = wavelength,
                 runaway = runaway,
-                ratio = number(ratio)
+                ratio = significant(ratio, 4),
+                when = match (band.rests_after(), on.passages_per_month()) {
+                    (None, _) => Value::from(""),
+                    (Some(passages), None) => {
+                        say!(rests_after_passages, passages = number(passages)).into()
+                    }
+                    (Some(passages), Some(per_month)) => {
+                        say!(rests_after_months, months = number(passages / per_month)).into()
+                    }
+                }
             ),
         })
     }

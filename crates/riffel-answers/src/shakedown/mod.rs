@@ -4,10 +4,10 @@ mod figure;
 mod tables;
 
 use rayon::prelude::*;
-use riffel::LoopState;
+use riffel::{HertzContact, LoopState};
 use riffel_case::Case;
 use riffel_case::file::LimitName;
-use riffel_keys::{CaseError, Message, fixed, say, significant};
+use riffel_keys::{Message, fixed, say, significant};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
@@ -126,11 +126,16 @@ impl ShakedownQuestion {
                 shear = fixed(1e-6 * shear_yield, 0)
             ));
         }
-        let mean = standing(case, 0.0, 0.0, mean_forces(case));
+        let mean = standing(case, 0.0, 0.0, mean_forces(case), case.hertz);
         let along_wave = self.wave.map(|[wavelength, speed]| {
             let state = case.point(wavelength, speed)?;
             let amplitude = self.amplitude.unwrap_or(case.feedback.amplitude());
-            Ok::<_, CaseError>((amplitude, along(case, &state, amplitude)))
+            let points = along(case, &state, amplitude).ok_or_else(|| AnswerError::Argument {
+                argument: "--amplitude",
+                value: format!("{} mm", 1e3 * amplitude),
+                rule: say!(below_r_at_the_wavelength_of, wavelength = wavelength).to_string(),
+            })?;
+            Ok::<_, AnswerError>((amplitude, points))
         });
         let along_wave = along_wave.transpose()?;
         let (amplitude_m, along_wave) = along_wave.unzip();
@@ -195,13 +200,17 @@ fn mean_forces(case: &Case) -> [f64; 3] {
     ]
 }
 
-/// Where the contact stands over one wave.
-fn along(case: &Case, state: &LoopState, amplitude: f64) -> Vec<OperatingPoint> {
+/// Where the contact stands over one wave; none where the wheel bridges its troughs.
+fn along(case: &Case, state: &LoopState, amplitude: f64) -> Option<Vec<OperatingPoint>> {
     /// Degrees from one point to the next.
     const STEP: u32 = 10;
     let share = amplitude / case.feedback.amplitude();
     let oscillation = state.contacts[0].force.map(|force| force * share);
     let mean = mean_forces(case);
+    let wave = case.feedback.contacts()[0].wave.as_ref();
+    let curvature = wave.map_or(0.0, |wave| {
+        amplitude * wave.patch_curvature(std::f64::consts::TAU / state.wavelength)
+    });
     (0..360 / STEP)
         .map(|index| {
             let degrees = f64::from(index * STEP);
@@ -209,17 +218,22 @@ fn along(case: &Case, state: &LoopState, amplitude: f64) -> Vec<OperatingPoint> 
             let forces = std::array::from_fn(|axis| {
                 mean[axis] + oscillation[axis].re * cosine - oscillation[axis].im * sine
             });
-            standing(case, degrees, amplitude * cosine, forces)
+            let hertz = match wave {
+                Some(_) => case.hertz.curved(curvature * cosine).ok()?,
+                None => case.hertz,
+            };
+            Some(standing(case, degrees, amplitude * cosine, forces, hertz))
         })
         .collect()
 }
 
-/// Where it stands under forces.
+/// Where it stands under forces, with the patch of an ellipse.
 fn standing(
     case: &Case,
     degrees: f64,
     profile: f64,
     [along, across, load]: [f64; 3],
+    hertz: HertzContact,
 ) -> OperatingPoint {
     let load = load.max(0.0);
     let force = match (load > 0.0, case.feedback.is_along_one_axis()) {
@@ -227,7 +241,6 @@ fn standing(
         (true, true) => along,
         (true, false) => along.hypot(across).copysign(along),
     };
-    let hertz = case.hertz;
     let pressure = hertz.peak_pressure() * (load / hertz.normal_force()).cbrt();
     let ratio = pressure / case.shear_yield();
     let friction = match load > 0.0 {
@@ -237,7 +250,7 @@ fn standing(
     let name = case.limit_name();
     let demand = match (ratio > 0.0, name, friction) {
         (false, ..) | (_, LimitName::Surface, 0.0) => 0.0,
-        _ => ratio / case.shakedown_limit(name).at(friction)[0],
+        _ => ratio / case.shakedown_limit_of(name, hertz).at(friction)[0],
     };
     OperatingPoint {
         phase_deg: degrees,

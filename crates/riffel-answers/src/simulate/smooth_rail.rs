@@ -57,6 +57,7 @@ impl SmoothRailAnswer {
         let stability = case.stability(speed);
         // Where the root is not found, an unstable loop is given its time all the same.
         let growth = stability
+            .as_ref()
             .filter(|stability| stability.unstable_roots > 0)
             .map(|stability| stability.growth_rate.unwrap_or(1.0));
         let motion = model
@@ -65,7 +66,7 @@ impl SmoothRailAnswer {
                 input: "--smooth".to_owned(),
                 error,
             })?;
-        let roots = stability.map(|stability| stability.unstable_roots);
+        let roots = stability.as_ref().map(|stability| stability.unstable_roots);
         Ok(Self {
             speed,
             stability,
@@ -99,9 +100,18 @@ impl SmoothRailAnswer {
             outcome: self.outcome(),
             rolled_s: self.motion.seconds,
             frequency_hz: self.motion.frequency,
-            linear_unstable_roots: self.stability.map(|stability| stability.unstable_roots),
-            linear_frequency_hz: self.stability.and_then(|stability| stability.frequency),
-            linear_growth_rate_per_s: self.stability.and_then(|stability| stability.growth_rate),
+            linear_unstable_roots: self
+                .stability
+                .as_ref()
+                .map(|stability| stability.unstable_roots),
+            linear_frequency_hz: self
+                .stability
+                .as_ref()
+                .and_then(|stability| stability.frequency),
+            linear_growth_rate_per_s: self
+                .stability
+                .as_ref()
+                .and_then(|stability| stability.growth_rate),
             contacts: pairs
                 .map(|(&name, swing)| ContactSwingDocument::new(name, swing))
                 .collect(),

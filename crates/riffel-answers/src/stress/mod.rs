@@ -8,7 +8,7 @@ mod tables;
 
 use riffel::damage::stress::{Depth, EllipseStress, StressMaximum, StressMeasure, Traction};
 use riffel_case::CaseContact;
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, number, say};
 use riffel_plot::LineFigure;
 use serde::Serialize;
 
@@ -74,6 +74,8 @@ pub struct StressMaximumDocument {
     pub y_over_b: f64,
     /// Place.
     pub z_over_a: f64,
+    /// Whether one below the surface lies where the search begins, and so is the surface's.
+    pub at_search_floor: bool,
 }
 
 /// Largest von Mises stress over p₀ at one friction.
@@ -85,6 +87,8 @@ pub struct FrictionRow {
     pub surface_over_p0: f64,
     /// Below it.
     pub subsurface_over_p0: f64,
+    /// Whether that lies where the search begins, and so is the surface's.
+    pub at_search_floor: bool,
 }
 
 /// Stress at a point, xx, yy, zz, xy, yz, zx over p₀.
@@ -141,6 +145,11 @@ impl StressAnswer {
         if friction > 0.6 {
             remarks.push(say!(stress_beyond_friction));
         }
+        let maxima = maxima(&ellipse, &tractions, hertz.peak_pressure());
+        if maxima.iter().any(|row| row.at_search_floor) {
+            let depth = number(StressMaximum::FLOOR);
+            remarks.push(say!(stress_has_no_maximum_below, depth = depth));
+        }
         Ok(Self {
             title: contact.file.title.clone(),
             semi_axis_longitudinal_m: hertz.semi_axis_longitudinal(),
@@ -150,7 +159,7 @@ impl StressAnswer {
             tractive_ratio,
             direction,
             stress: StressDocument {
-                maxima: maxima(&ellipse, &tractions, hertz.peak_pressure()),
+                maxima,
                 over_friction: over_friction(&ellipse, direction),
                 points: points
                     .iter()
@@ -199,6 +208,7 @@ fn maxima(
             x_over_a: x,
             y_over_b: y,
             z_over_a: z,
+            at_search_floor: found.is_at_floor(ellipse),
         }
     });
     found.collect()
@@ -209,12 +219,13 @@ fn over_friction(ellipse: &EllipseStress, direction: [f64; 2]) -> Vec<FrictionRo
     let rows = (0..=12).into_par_iter().map(|step| {
         let friction = 0.05 * f64::from(step);
         let traction = Traction::full_slip(friction, direction);
-        let of =
-            |depth| StressMaximum::find(ellipse, &traction, StressMeasure::VonMises, depth).value;
+        let of = |depth| StressMaximum::find(ellipse, &traction, StressMeasure::VonMises, depth);
+        let below = of(Depth::Below);
         FrictionRow {
             friction,
-            surface_over_p0: of(Depth::Surface),
-            subsurface_over_p0: of(Depth::Below),
+            surface_over_p0: of(Depth::Surface).value,
+            subsurface_over_p0: below.value,
+            at_search_floor: below.is_at_floor(ellipse),
         }
     });
     rows.collect()

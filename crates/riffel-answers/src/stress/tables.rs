@@ -24,6 +24,7 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
     let maxima = &answer.stress.maxima;
     let words = |of: fn(&super::StressMaximumDocument) -> &'static str| {
         let words = maxima.iter().map(|row| match of(row) {
+            "subsurface" if row.at_search_floor => say!(limit_subsurface_at_floor),
             "full-slip" => say!(in_full_slip),
             "partial-slip" => say!(in_partial_slip),
             "half-space" => say!(by_half_space),
@@ -63,6 +64,10 @@ pub(super) fn tables(answer: &StressAnswer) -> Vec<Table> {
             Column::in_file(
                 "subsurface_over_p0",
                 rows().map(|row| row.subsurface_over_p0),
+            ),
+            Column::in_file(
+                "at_search_floor",
+                rows().map(|row| f64::from(row.at_search_floor)),
             ),
         ],
     };

@@ -93,3 +93,67 @@ fn more_friction_than_there_is_is_told() {
         );
     }
 }
+
+/// Over waves whose geometry has a part the orbit has the pressure and the ellipse of the radius R/(1 + κ), against numbers made apart;
+/// an amplitude at which the wheel bridges the troughs is refused.
+#[test]
+fn operating_points_on_waves() {
+    let reference = |text: &str| serde_json::from_str::<Value>(text).unwrap();
+    let growth = reference(include_str!(
+        "../../../../validation/reference/damage/growth.json"
+    ));
+    let waves = reference(include_str!(
+        "../../../../validation/reference/damage/on_waves.json"
+    ));
+    for row in waves["points"].as_array().unwrap() {
+        let number = |key: &str| row[key].as_f64().unwrap();
+        let case = &growth["cases"][row["case"].as_str().unwrap()];
+        let of = |key: &str| case[key].as_f64().unwrap();
+        for limit in ["surface", "subsurface"] {
+            let text = format!(
+                "[wheel]\nrolling_radius = {}\nmass = {}\n[rail]\nmass_per_length = {}\nsecond_moment = {}\n\
+                 beam = \"euler-bernoulli\"\n[track]\nmodel = \"two-layer\"\nsupport_spacing = {}\n\
+                 pad = {{ stiffness = {}, damping = {} }}\nsleeper = {{ mass = {} }}\n\
+                 ballast = {{ stiffness = {}, damping = {} }}\n[contact]\ntransverse_radius = {}\nnormal_load = {}\n\
+                 friction = {}\ntractive_ratio = {}\nhertz = \"{}\"\nwave_geometry = true\n\
+                 [damage]\nshear_yield = {}\nlimit = \"{limit}\"\n",
+                of("R"),
+                of("mw"),
+                of("mr"),
+                of("I"),
+                of("d"),
+                of("kp"),
+                of("cp"),
+                of("ms"),
+                of("kb"),
+                of("cb"),
+                of("Rr"),
+                of("P0"),
+                of("mu"),
+                of("tau"),
+                row["hertz"].as_str().unwrap(),
+                number("shear_yield_pa"),
+            );
+            let case = Case::parse("case.toml", &text, &[]).unwrap();
+            let ask = |amplitude| ShakedownQuestion {
+                utilised_friction: vec![0.3],
+                wave: Some([number("wavelength_m"), number("speed_m_per_s")]),
+                amplitude: Some(amplitude),
+            };
+            let along = ask(20e-6).answer(&case).unwrap().along_wave.unwrap();
+            let point = along.iter().find(|point| point.phase_deg == 60.0).unwrap();
+            let expected = &row["orbit_60_deg_20_um"];
+            for (got, key) in [
+                (point.p0_over_k, "p0_over_k"),
+                (point.utilised_friction, "utilised_friction"),
+                (point.fi_surf, "fi_surf"),
+                (point.demand, &format!("demand_{limit}")),
+            ] {
+                let off = got / expected[key].as_f64().unwrap() - 1.0;
+                assert!(off.abs() < 1e-6, "{row} {limit} {key}: {off:e}");
+            }
+            let refused = ask(1e-3).answer(&case).unwrap_err().to_string();
+            assert!(refused.contains("bridges the troughs"), "{refused}");
+        }
+    }
+}

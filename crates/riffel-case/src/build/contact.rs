@@ -183,9 +183,7 @@ impl CheckedKeys {
 
     /// A contact on a wheel of the radius R/(1 + κ).
     fn curved(&self, hertz: HertzContact, curvature: f64) -> Result<HertzContact, CaseError> {
-        let radius = hertz.longitudinal_radius() / (1.0 + curvature);
-        let curved = hertz.with_longitudinal_radius(radius);
-        self.physics("contact.longitudinal_radius", curved)
+        self.physics("contact.longitudinal_radius", hertz.curved(curvature))
     }
 
     /// The geometry of waves under a contact; none where it has no part.

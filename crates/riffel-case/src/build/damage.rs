@@ -8,7 +8,7 @@ use riffel::damage::{
     Bending, ClippedPower, Damage, DamageLaw, Demand, Fatigue, Flow, FlowAlong, Load,
     ShakedownLimit,
 };
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{CaseError, Message, fixed, say, significant};
 
 use crate::Case;
 use crate::checked_keys::CheckedKeys;
@@ -42,7 +42,12 @@ impl Case {
 
     /// A limit of the pressure under its contact.
     pub fn shakedown_limit(&self, name: LimitName) -> ShakedownLimit {
-        self.keys.shakedown_limit(name, self.hertz)
+        self.shakedown_limit_of(name, self.hertz)
+    }
+
+    /// The same under another ellipse.
+    pub fn shakedown_limit_of(&self, name: LimitName, hertz: HertzContact) -> ShakedownLimit {
+        self.keys.shakedown_limit(name, hertz)
     }
 }
 
@@ -80,7 +85,12 @@ impl CheckedKeys {
         };
         let limit = self.shakedown_limit(keys.limit, hertz);
         let demand = Demand::new(steady, hertz.peak_pressure(), keys.yield_in_shear(), limit);
-        let demand = self.physics("damage.limit", demand)?;
+        let mut demand = self.physics("damage.limit", demand)?;
+        if self.feels_waves() {
+            let on_waves =
+                demand.on_waves(hertz, |curved| self.shakedown_limit(keys.limit, curved));
+            demand = self.physics("contact.longitudinal_radius", on_waves)?;
+        }
         let mut laws = Vec::with_capacity(keys.laws.len());
         for (index, &name) in keys.laws.iter().enumerate() {
             if keys.laws[..index].contains(&name) {
@@ -191,7 +201,7 @@ impl CheckedKeys {
     }
 
     /// What the reader should know of the laws of damage of a contact.
-    pub(super) fn damage_remarks(&self, damage: &Damage) -> Vec<Message> {
+    pub(super) fn damage_remarks(&self, damage: &Damage, steady: &MeanRolling) -> Vec<Message> {
         let mut remarks = Vec::new();
         // Elastic limits of a line and an ellipse lie below the surface of a hundred fields up to here.
         const FRICTION: f64 = 0.6;
@@ -234,6 +244,15 @@ impl CheckedKeys {
                 }
                 DamageLaw::Fatigue(fatigue) if fatigue.loss == 0.0 => {
                     remarks.push(say!(fatigue_loses_nothing));
+                }
+                DamageLaw::Fatigue(fatigue)
+                    if steady.energy_per_metre() < fatigue.first_threshold() =>
+                {
+                    remarks.push(say!(
+                        fatigue_below_threshold,
+                        energy = significant(steady.energy_per_metre(), 2),
+                        threshold = significant(fatigue.first_threshold(), 3)
+                    ));
                 }
                 _ => {}
             }

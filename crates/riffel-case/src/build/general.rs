@@ -57,9 +57,9 @@ impl CheckedKeys {
             steel,
             vertical,
         )?;
-        let damage = study.contact.damage.iter();
-        remarks.extend(damage.flat_map(|damage| self.damage_remarks(damage)));
         let steady = study.contact.rolling.steady();
+        let damage = study.contact.damage.iter();
+        remarks.extend(damage.flat_map(|damage| self.damage_remarks(damage, &steady)));
         let (hertz, law) = (study.hertz, study.law);
         remarks.extend(of_flatness(&keys.contact));
         let mut sides = vec![study.contact];

@@ -107,7 +107,11 @@ impl CheckedKeys {
         let steady = contact.rolling.steady();
         let (wheel, mut remarks) = self.wheel()?;
         let damage = self.damage(hertz, &steady, track)?;
-        remarks.extend(damage.iter().flat_map(|damage| self.damage_remarks(damage)));
+        remarks.extend(
+            damage
+                .iter()
+                .flat_map(|damage| self.damage_remarks(damage, &steady)),
+        );
         let feedback = OneWheel {
             track: track.receptance.clone(),
             wheel,

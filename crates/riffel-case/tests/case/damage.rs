@@ -428,3 +428,78 @@ fn hardening() {
     }
     worst.below(1e-6);
 }
+
+/// Where a wave's own geometry has a part, the patch of a crest is that of the smaller radius: demand, fatigue index and wear by regime
+/// against numbers made apart, 1e-6 as the differences of the exact program leave 1e-9 and the search for the line limit 1e-7.
+#[test]
+fn the_patch_changes_its_shape_over_a_wave() {
+    let growth = reference!("growth.json");
+    let mut worst = Worst::default();
+    for row in list(&reference!("on_waves.json")["points"]) {
+        let of = |key: &str| number(&row[key]);
+        let [name, hertz] = ["case", "hertz"].map(|key| row[key].as_str().unwrap());
+        let at = [of("wavelength_m"), of("speed_m_per_s")];
+        for (limit, phase) in [("line", "none"), ("surface", "lag"), ("subsurface", "lag")] {
+            let here = format!("{name} {hertz} {limit} {phase}");
+            let more = format!("limit = \"{limit}\"\n");
+            let text = case_of(
+                &growth["cases"][name],
+                "inertia",
+                of("shear_yield_pa"),
+                &more,
+            );
+            let contact = format!(
+                "wave_geometry = true\nhertz = \"{hertz}\"\ndissipation_phase = \"{phase}\"\n"
+            );
+            let text = text.replace("wave_geometry = false\n", &contact);
+            let text = text.replace("[wear]\n", "[wear]\nlaw = \"usfd\"\nspread = 2\n");
+            let (_, damage) = point(&text, 1e-9, at);
+            let own = &row[limit];
+            worst.real("demand", &here, damage.demand, number(&own["demand"]));
+            worst.complex("demand_1", &here, damage.demand_1, &own["demand_1"]);
+            worst.complex("fi_surf_1", &here, damage.fi_surf_1, &row["fi_surf_1"]);
+            let [growth, drift] = [&damage.growth_by_law, &damage.drift_by_law];
+            let wear = [of_law(growth, "wear"), of_law(drift, "wear")];
+            worst.complex("wear", &here, wear, &row[&format!("usfd_{phase}")]);
+        }
+    }
+    worst.below(1e-6);
+}
+
+/// First yield under an ellipse: the slope over κ is that of the demand of a wheel of another radius, to 1e-5, for the surface of stress is
+/// searched.
+#[test]
+fn first_yield_follows_the_shape_of_the_patch() {
+    let growth = reference!("growth.json");
+    let text = case_of(
+        &growth["cases"]["heavy"],
+        "inertia",
+        300e6,
+        "limit = \"elastic\"\n",
+    );
+    let demand = |radius: f64| {
+        let text = text.replace(
+            "rolling_radius = 0.46\n",
+            &format!("rolling_radius = {radius}\n"),
+        );
+        let case = Case::parse("case.toml", &text, &[]).unwrap();
+        case.feedback.contacts()[0]
+            .damage
+            .as_ref()
+            .unwrap()
+            .demand
+            .value
+    };
+    let waves = text.replace("wave_geometry = false", "wave_geometry = true");
+    let case = Case::parse("case.toml", &waves, &[]).unwrap();
+    let own = case.feedback.contacts()[0].damage.as_ref().unwrap().demand;
+    let step = 1e-3;
+    let slope = (demand(0.46 / (1.0 + step)) - demand(0.46 / (1.0 - step))) / (2.0 * step);
+    assert!(
+        (own.by_curvature / slope - 1.0).abs() < 1e-4,
+        "{} {slope}",
+        own.by_curvature
+    );
+    // More than the pressure alone.
+    assert!((own.by_curvature / own.value - 1.0 / 3.0).abs() > 0.01);
+}

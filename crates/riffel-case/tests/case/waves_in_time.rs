@@ -125,6 +125,54 @@ fn shapes_of_waves_are_those_of_the_linear_loop() {
     }
 }
 
+/// Rate at which passages of a case let a wave of 50 mm grow at first, and the linear loop with the shape of the wave and without.
+fn grown(case: &Case, speed: f64) -> (f64, [riffel::LoopState; 2]) {
+    let (waves, length, count) = (50, 2.5, 2500);
+    let wavelength = length / f64::from(waves);
+    let height = |index: i32| 0.1e-6 * (TAU * f64::from(waves * index) / f64::from(count)).cos();
+    let heights = (0..count).map(height).collect();
+    let profile = Profile::new(0.0, length / f64::from(count), heights).unwrap();
+    let wheel = case.passing_wheel(speed).unwrap();
+    let step = EvolutionStep {
+        largest_change: EvolutionStep::USUAL_CHANGE,
+        largest_step: 5e-4,
+    };
+    let mut evolution = Evolution::new(&profile);
+    let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1.norm();
+    let before = amplitude(&evolution);
+    evolution.advance(&[&wheel], &step, u64::MAX).unwrap();
+    let rate = (amplitude(&evolution) / before).ln() / evolution.passages() as f64;
+    let linear = case.feedback.at(wavelength, speed);
+    let plain = case.feedback.clone().without_wave_geometry();
+    let plain = plain.without_normal_direction().at(wavelength, speed);
+    (rate, [linear, plain])
+}
+
+/// Flow and wear by regime over passages take the patch of the wave as the linear loop does, to what the march leaves of the parts.
+#[test]
+fn damage_of_shaped_waves_is_linear_damage() {
+    let common = [
+        "contact.wave_geometry=true",
+        "track.model=two-layer",
+        "track.preset=bhaskar-inferred",
+        "corrugation.amplitude=0.1 um",
+    ];
+    let flow = [
+        "damage.laws=[\"flow\"]",
+        "damage.shear_yield=\"100 MPa\"",
+        "damage.flow={ depth=\"1 nm\", exponent=1 }",
+    ];
+    let regime = ["wear.law=usfd", "wear.spread=3"];
+    for keys in [&flow[..], &regime] {
+        let case = case(NOMINAL_CASE, &[&common[..], keys].concat());
+        let (rate, [linear, plain]) = grown(&case, 25.0);
+        let size = linear.growth_rate.abs().max(plain.growth_rate.abs());
+        let off = (rate - linear.growth_rate) / size;
+        assert!(off.abs() < 5e-3, "{rate:e} {:e}", linear.growth_rate);
+        assert!((linear.growth_rate - plain.growth_rate).abs() > 0.05 * size);
+    }
+}
+
 /// Growth of a wave over passages is that of the linear loop with its shape and with normal forces that turn with it, under contacts that
 /// answer at once, late, and that slide everywhere: Heun's steps, those of the march and the filters leave 2·10⁻³ of the parts that make it.
 #[test]
@@ -145,25 +193,7 @@ fn growth_of_shaped_waves_is_linear_growth() {
         (&slips, &[waves, turned, "contact.creep_law=full-sliding"]),
     ] {
         let case = case(text, &[&track, keys].concat());
-        let (waves, length, count) = (50, 2.5, 2500);
-        let wavelength = length / f64::from(waves);
-        let height =
-            |index: i32| 0.1e-6 * (TAU * f64::from(waves * index) / f64::from(count)).cos();
-        let heights = (0..count).map(height).collect();
-        let profile = Profile::new(0.0, length / f64::from(count), heights).unwrap();
-        let wheel = case.passing_wheel(SPEED).unwrap();
-        let step = EvolutionStep {
-            largest_change: EvolutionStep::USUAL_CHANGE,
-            largest_step: 5e-4,
-        };
-        let mut evolution = Evolution::new(&profile);
-        let amplitude = |evolution: &Evolution| evolution.waves()[waves as usize - 1].1.norm();
-        let before = amplitude(&evolution);
-        evolution.advance(&[&wheel], &step, u64::MAX).unwrap();
-        let rate = (amplitude(&evolution) / before).ln() / evolution.passages() as f64;
-        let linear = case.feedback.at(wavelength, SPEED);
-        let plain = case.feedback.clone().without_wave_geometry();
-        let plain = plain.without_normal_direction().at(wavelength, SPEED);
+        let (rate, [linear, plain]) = grown(&case, SPEED);
         // The shape takes most of it away.
         let [energy, part] = [&linear, &plain].map(|state| state.contacts[0].energy_at_rail);
         let size = energy.norm().max(part.norm());

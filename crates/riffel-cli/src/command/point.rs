@@ -177,6 +177,8 @@ fn readable(case: &Case, state: &LoopState) -> String {
             "grows: doubles in {:.2e} passages",
             std::f64::consts::LN_2 / rate
         )
+    } else if rate == 0.0 {
+        "neither grows nor decays".to_owned()
     } else {
         format!(
             "decays: halves in {:.2e} passages",

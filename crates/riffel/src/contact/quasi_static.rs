@@ -98,9 +98,14 @@ impl<L: CreepLaw> QuasiStatic<L> {
     pub fn on_waves<M: CreepLaw, E>(self, law: impl Fn(f64) -> Result<M, E>) -> Result<Self, E> {
         const STEP: f64 = 1e-3;
         let steady = self.steady;
-        let by_radius = WaveGeometry::derivative(STEP, |curvature| {
-            Ok(law(curvature)?.forces(steady.normal_force, steady.creepages))
+        let [longitudinal, lateral] = WaveGeometry::derivative(STEP, |curvature| {
+            let forces = law(curvature)?.forces(steady.normal_force, steady.creepages);
+            Ok([forces.longitudinal, forces.lateral])
         })?;
+        let by_radius = CreepForces {
+            longitudinal,
+            lateral,
+        };
         Ok(Self {
             response: self.response.with_curvature(by_radius, &steady),
             ..self

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::{ContactFilter, CreepForces, CurvatureFilter, HertzContact};
+use super::{ContactFilter, CurvatureFilter, HertzContact};
 use crate::Error;
 
 /// The wave's own geometry: how much a contact feels of the curvature of a wave r = Δ e^{ikx}.
@@ -15,7 +15,8 @@ use crate::Error;
 /// ```
 ///
 /// The slip speed s does not feel the wave: every creepage, which is slip per metre rolled, does, c₁ = s₁/V + c₀κ. What both do to
-/// creep force and energy under constant load and slip speed is [`by_curvature`](super::ContactResponse::by_curvature).
+/// creep force and energy under constant load and slip speed is [`by_curvature`](super::ContactResponse::by_curvature). The patch is that of
+/// the smaller radius: over a crest it is shorter, its pressure higher ([`HertzContact::pressure_by_curvature`]).
 ///
 /// A contact that slides everywhere weighs load and wear with the same filter F = sin(ka)/(ka), e₁/e₀ = F P₁/P₀ + κ with
 /// P₁ = k_H(F Δ − H P₁): there is no angle of the place of wear.
@@ -95,24 +96,31 @@ impl WaveGeometry {
         self.radius * wavenumber * wavenumber * share
     }
 
+    /// The same with Φ whatever the response has, by which the patch changes its shape.
+    pub fn patch_curvature(&self, wavenumber: f64) -> f64 {
+        self.radius * wavenumber * wavenumber * self.share(wavenumber)
+    }
+
     /// F \[-\], the share of a displacement that a contact presses by and wears of; one unless it slides everywhere as a patch.
     pub fn pressed(&self, wavenumber: f64) -> f64 {
         self.filter()
             .map_or(1.0, |filter| filter.amplitude(wavenumber, 0.0))
     }
 
-    /// Derivative by κ at κ = 0 of a force under constant load and creepages \[N\], on a wheel of the radius R/(1 + κ).
+    /// Derivatives by κ at κ = 0 of what a contact has under constant load and creepages on a wheel of the radius R/(1 + κ).
     ///
-    /// Method: central difference of fourth order; a step of 10⁻³ leaves 10⁻¹¹ of the force.
+    /// Method: central difference of fourth order; a step of 10⁻³ leaves 10⁻¹¹ of a force.
     ///
     /// # Errors
-    /// Those of `force`.
-    pub fn derivative<E>(
+    /// Those of `of`.
+    pub fn derivative<const N: usize, E>(
         step: f64,
-        force: impl Fn(f64) -> Result<CreepForces, E>,
-    ) -> Result<CreepForces, E> {
-        let over = |steps: f64| Ok(force(steps * step)?.combine(1.0, force(-steps * step)?, -1.0));
-        let (near, far) = (over(1.0)?, over(2.0)?);
-        Ok(near.combine(2.0 / (3.0 * step), far, -1.0 / (12.0 * step)))
+        of: impl Fn(f64) -> Result<[f64; N], E>,
+    ) -> Result<[f64; N], E> {
+        let [near, far] = [1.0, 2.0].map(|steps| Ok([of(steps * step)?, of(-steps * step)?]));
+        let ([up, down], [far_up, far_down]) = (near?, far?);
+        Ok(std::array::from_fn(|i| {
+            (8.0 * (up[i] - down[i]) - (far_up[i] - far_down[i])) / (12.0 * step)
+        }))
     }
 }

@@ -49,6 +49,11 @@ impl Fatigue {
         })
     }
 
+    /// First threshold of Tγ \[N\], below which nothing grows.
+    pub fn first_threshold(&self) -> f64 {
+        self.damage.begin()
+    }
+
     /// D with its sign.
     pub fn damage(&self) -> &Ramps {
         &self.damage

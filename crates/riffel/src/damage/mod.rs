@@ -171,17 +171,21 @@ impl Damage {
     /// u₁ up to which they hold.
     pub(crate) fn small_demand(&self) -> (f64, f64, f64) {
         let excess = self.demand.excess();
-        let (mut aside, mut along) = (0.0, 0.0);
+        let (mut aside, mut along, mut linear) = (0.0, 0.0, true);
         for law in &self.laws {
             match law {
-                DamageLaw::Flow(flow) => aside += flow.depth * flow.law.slope(excess),
+                DamageLaw::Flow(flow) => {
+                    linear &= flow.law.is_linear_above();
+                    aside += flow.depth * flow.law.slope(excess);
+                }
                 DamageLaw::FlowAlong(flow) => {
+                    linear &= flow.law.is_linear_above();
                     along += flow.area * flow.law.slope(excess) * self.demand.along();
                 }
                 _ => {}
             }
         }
-        (aside, along, excess.abs())
+        (aside, along, if linear { excess.abs() } else { 0.0 })
     }
 
     /// Whether wear is among the laws.
@@ -274,13 +278,14 @@ impl Damage {
         })
     }
 
-    /// All that the laws say of an oscillation. `profile` is the wave under the contact \[m\].
+    /// All that the laws say of an oscillation. `profile` is the wave under the contact \[m\], `curvature` what its patch feels of it.
     pub(crate) fn state(
         &self,
         mean: Mean,
         load: f64,
         at: &Oscillation,
         force: [Complex64; 3],
+        curvature: Complex64,
         profile: Complex64,
     ) -> DamageState {
         let mut laws = [None; 6];
@@ -307,7 +312,7 @@ impl Damage {
         });
         DamageState {
             demand: at.demand / profile,
-            fatigue_index: self.demand.fatigue_index_oscillation(force) / profile,
+            fatigue_index: self.demand.fatigue_index_oscillation(force, curvature) / profile,
             laws,
             moment: bending
                 .map(|law| [law.mean_moment, law.limit])

@@ -7,7 +7,8 @@ use super::{Demand, ShakedownLimit};
 /// Intervals of the utilised friction from zero to one.
 const INTERVALS: usize = 256;
 
-/// The demand u = p₀(P)/(k S(f)) under any load and force, p₀ as P^⅓ of the mean state; zero without a load.
+/// The demand u = p₀(P)/(k S(f)) under any load and force, p₀ as P^⅓ of the mean state; zero without a load. The curvature κ of a wave
+/// multiplies it by a power of 1 + κ, which has the slope of the patch at κ = 0.
 ///
 /// Method: 1/S by its values and slopes at every 256th of the utilised friction, each computed when it is first asked for. Error: 1e-6,
 /// but for a part in a thousand within one step of the friction at which the maximum comes to the surface. Above a friction of one it
@@ -16,6 +17,8 @@ const INTERVALS: usize = 256;
 pub(crate) struct MomentaryDemand {
     /// p₀/k of the mean state, over the cube root of its load.
     per_root: f64,
+    /// d ln u/dκ.
+    by_curvature: f64,
     limit: ShakedownLimit,
     /// 1/S and its slope.
     nodes: Vec<OnceLock<[f64; 2]>>,
@@ -26,17 +29,19 @@ impl MomentaryDemand {
     pub(crate) fn new(demand: &Demand) -> Self {
         Self {
             per_root: demand.contact_pressure / demand.shear_yield / demand.load.cbrt(),
+            by_curvature: demand.by_curvature / demand.value,
             limit: demand.limit,
             nodes: (0..=INTERVALS).map(|_| OnceLock::new()).collect(),
         }
     }
 
-    /// X = u − 1 under a load P and forces along and across the rail \[N\].
-    pub(crate) fn excess(&self, load: f64, [along, across]: [f64; 2]) -> f64 {
+    /// X = u − 1 under a load P, forces along and across the rail \[N\] and a curvature κ.
+    pub(crate) fn excess(&self, load: f64, [along, across]: [f64; 2], curvature: f64) -> f64 {
         if load <= 0.0 {
             return -1.0;
         }
-        self.per_root * load.cbrt() * self.per_limit(along.hypot(across) / load) - 1.0
+        let flat = self.per_root * load.cbrt() * self.per_limit(along.hypot(across) / load);
+        flat * (1.0 + curvature).max(0.0).powf(self.by_curvature) - 1.0
     }
 
     /// 1/S.
@@ -90,9 +95,14 @@ mod tests {
             ShakedownLimit::Subsurface { ratio },
         ] {
             let (load, force) = (60e3, 0.21 * 60e3);
-            let linear = demand(limit, load, force);
+            let mut linear = demand(limit, load, force);
+            linear.by_curvature = 0.4 * linear.value;
             let momentary = MomentaryDemand::new(&linear);
-            let at = |load, force| momentary.excess(load, [force, 0.0]);
+            let over = |curvature| momentary.excess(load, [force, 0.0], curvature);
+            let by_curvature = (over(1e-4) - over(-1e-4)) / 2e-4;
+            let off = by_curvature / linear.by_curvature - 1.0;
+            assert!(off.abs() < 1e-5, "{limit:?}: {off:e}");
+            let at = |load, force| momentary.excess(load, [force, 0.0], 0.0);
             assert!((at(load, force) - linear.excess()).abs() < 1e-6);
             let by_load = (at(load + 10.0, force) - at(load - 10.0, force)) / 20.0;
             let by_force = (at(load, force + 10.0) - at(load, force - 10.0)) / 20.0;

@@ -14,6 +14,11 @@ impl Ramps {
         Self(corners)
     }
 
+    /// The first corner.
+    pub(super) fn begin(&self) -> f64 {
+        self.0[0].0
+    }
+
     /// At x.
     pub fn value(&self, x: f64) -> f64 {
         self.sum(|corner| (x - corner).max(0.0))

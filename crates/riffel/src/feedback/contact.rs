@@ -210,17 +210,22 @@ impl Contact {
             pressed,
         };
         derivatives.each(|by| by.dissipated = by.at_rail);
-        if let Some((by_energy, by_load)) = self.wear.regime() {
-            derivatives.each(|by| by.at_rail *= by_energy);
+        if let Some(regime) = self.wear.regime() {
+            derivatives.each(|by| by.at_rail *= regime.by_energy);
             // All of the wear comes to the rail point as the dissipation does.
-            derivatives.by_load.at_rail += by_load * later;
+            derivatives.by_load.at_rail += regime.by_load * later;
+            if let Some(wave) = &self.wave {
+                let patch = wave.patch_curvature(wavenumber);
+                let later = if wave.is_sliding() { 1.0.into() } else { later };
+                derivatives.by_profile.at_rail += regime.by_curvature * patch * later;
+            }
         }
-        self.damage_derivatives(&mut derivatives);
+        self.damage_derivatives(&mut derivatives, wavenumber);
         derivatives
     }
 
     /// What damages, beside what wears.
-    fn damage_derivatives(&self, derivatives: &mut Derivatives) {
+    fn damage_derivatives(&self, derivatives: &mut Derivatives, wavenumber: f64) {
         let Some(damage) = &self.damage else {
             return derivatives.each(|by| by.growth = by.at_rail);
         };
@@ -231,6 +236,10 @@ impl Contact {
                 .demand
                 .oscillation([by.force[0], by.force[1], Complex64::ZERO]);
         });
+        if let Some(wave) = &self.wave {
+            let patch = wave.patch_curvature(wavenumber);
+            derivatives.by_profile.demand += damage.demand.by_curvature * patch;
+        }
         let by_load = &mut derivatives.by_load;
         by_load.demand += damage.demand.by_load;
         by_load.growth += damage.depth_per_force() / self.wear.depth_per_energy();
@@ -253,7 +262,10 @@ impl Contact {
     ) -> Option<DamageState> {
         let load = self.rolling.steady().normal_force;
         let damage = self.damage.as_ref()?;
-        Some(damage.state(self.mean_of_damage(), load, at, force, profile))
+        // On a smooth rail the wave is that of the other one.
+        let felt = self.wave.as_ref().filter(|_| self.profile != 0.0);
+        let curvature = felt.map_or(0.0, |wave| wave.patch_curvature(at.wavenumber)) * profile;
+        Some(damage.state(self.mean_of_damage(), load, at, force, curvature, profile))
     }
 
     /// Its laws of damage, where the rate of one of them depends on the amplitude.

@@ -4,6 +4,7 @@ mod answers;
 mod at_speeds;
 mod closed_form;
 mod contact;
+mod continued_fraction;
 mod determinant;
 mod hubs;
 mod line_group;
@@ -34,7 +35,7 @@ pub(crate) use contact::{Derivative, Derivatives, later_of_wave};
 pub use hubs::Hubs;
 pub(crate) use line_group::LineGroup;
 pub use one_wheel::OneWheel;
-pub use stability::Stability;
+pub use stability::{Stability, UnstableRoot};
 pub use state::{ContactState, LoopState};
 pub(crate) use system::System;
 

@@ -5,6 +5,7 @@ use std::f64::consts::{FRAC_PI_2, PI};
 use num_complex::Complex64;
 
 use super::Loop;
+use super::continued_fraction::ContinuedFraction;
 use super::system::System;
 use crate::Error;
 use crate::wanted::check;
@@ -22,7 +23,7 @@ const SHORTEST: f64 = 1e-11;
 const MOST_STEPS: usize = 10_000;
 
 /// What grows in the loop without any profile, at one speed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[must_use]
 #[non_exhaustive]
 pub struct Stability {
@@ -33,8 +34,19 @@ pub struct Stability {
     /// where the loop is stable.
     pub frequency: Option<f64>,
     /// How fast it grows \[1/s\]: its amplitude as the exponential of this times the time. None where the loop is stable, or
-    /// where the step from the imaginary axis does not find the root.
+    /// where the root is not found.
     pub growth_rate: Option<f64>,
+    /// Each oscillation that grows, the highest first; those that are not found are missing.
+    pub roots: Vec<UnstableRoot>,
+}
+
+/// An oscillation that grows.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct UnstableRoot {
+    /// \[Hz\].
+    pub frequency: f64,
+    /// \[1/s\].
+    pub growth_rate: f64,
 }
 
 impl Loop {
@@ -48,8 +60,9 @@ impl Loop {
     ///
     /// Method: the phase is followed in steps that are halved until it turns by less than 0.5 rad in each, from 40 steps a
     /// decade down to 1e-11 of the frequency, 10 000 steps at most; m is the slope of |F| at the lower frequency. Where F crosses the
-    /// negative real axis an oscillation that grows is near; its root is found by Newton's step from the imaginary axis, −F/F′ with
-    /// F′ = −i dF/dω, taken from the frequency at which that step is along the real axis: to some (σ/ω)² of either. Range of validity: F is K s^{−m} to a few per cent at
+    /// negative real axis an oscillation that grows is near; its root is found beside the imaginary axis, on which alone receptances are known,
+    /// by a continued fraction through values there and Newton's method: to 1e-6 where it lies within a third of its frequency (test
+    /// `roots_are_found_beside_the_axis`). Range of validity: F is K s^{−m} to a few per cent at
     /// the lower frequency, and nearer to one than to the origin at the upper; resonances narrower than the steps that
     /// do not show beside their own frequency are missed.
     ///
@@ -98,58 +111,88 @@ impl Loop {
         }
         let whole = turned - here.1.arg() + from_asymptote(begin, order);
         let roots = (order / 2.0 - whole / PI).round().max(0.0);
-        // F crosses the negative real axis where its phase is a half turn short of that at the upper end.
+        // F crosses the negative real axis where its phase is an odd number of half turns from that at the upper end.
         let end = turned - here.1.arg();
-        let crossing = course.windows(2).rev().find_map(|pair| {
-            let [before, after] = [pair[0].1 - end - PI, pair[1].1 - end - PI];
-            (before >= 0.0 && after < 0.0).then(|| (pair[0].0 * pair[1].0).sqrt())
-        });
-        let crossing = crossing.filter(|_| roots > 0.0);
-        let root = crossing.and_then(|near| root_near(near, [from, to], &mut quotient));
+        let turns = |phase: f64| ((phase - end - PI) / (2.0 * PI)).floor();
+        let crossings: Vec<f64> = (course.windows(2).rev())
+            .filter(|pair| roots > 0.0 && turns(pair[1].1) < turns(pair[0].1))
+            .map(|pair| (pair[0].0 * pair[1].0).sqrt())
+            .collect();
+        let found = roots_near(&crossings, [from, to], &mut quotient);
+        let highest = found.first();
         Ok(Stability {
             unstable_roots: roots as usize,
-            frequency: root.map(|(frequency, _)| frequency).or(crossing),
-            growth_rate: root.map(|(_, growth)| growth),
+            frequency: highest
+                .map(|root| root.frequency)
+                .or(crossings.first().copied()),
+            growth_rate: highest.map(|root| root.growth_rate),
+            roots: found,
         })
     }
 }
 
-/// Frequency \[Hz\] and growth \[1/s\] of the root of an analytic function that lies to the right of the imaginary axis near a
-/// frequency, by Newton's step from there; none where it leads away, or to the left.
-fn root_near(
-    near: f64,
+/// The roots of an analytic function to the right of the imaginary axis near some frequencies \[Hz\], the highest first.
+///
+/// Method: from values on the axis about each frequency it is continued beside the axis, [`ContinuedFraction`], where Newton's method goes on
+/// until it converges, for one root after the other; then once more from values about the root alone, which takes away what is no root.
+fn roots_near(
+    crossings: &[f64],
     [from, to]: [f64; 2],
     value: &mut impl FnMut(f64) -> Complex64,
-) -> Option<(f64, f64)> {
-    /// Steps along the axis, to a billionth of the frequency.
-    const STEPS: usize = 40;
-    const FOUND: f64 = 1e-9;
-    /// Longest step and shift over the frequency.
-    const LONGEST: f64 = 0.05;
-    const FARTHEST: f64 = 0.5;
-    /// Of the frequency, for the derivative: resonances are wider.
-    const DIFFERENCE: f64 = 1e-5;
-    let mut frequency = near;
-    for _ in 0..STEPS {
-        let half = DIFFERENCE * frequency;
-        let rise = value(frequency + half) - value(frequency - half);
-        // dF/ds = −i dF/dω.
-        let slope = -Complex64::I * rise / (2.0 * PI * 2.0 * half);
-        let step = -value(frequency) / slope;
-        let along = step.im / (2.0 * PI);
-        if !along.is_finite() {
-            return None;
-        }
-        if along.abs() < FOUND * frequency {
-            return (step.re > 0.0).then_some((frequency, step.re));
-        }
-        frequency += along.clamp(-LONGEST * frequency, LONGEST * frequency);
-        let far = (frequency / near).ln().abs() > FARTHEST;
-        if far || !(from..=to).contains(&frequency) {
-            return None;
+) -> Vec<UnstableRoot> {
+    /// Values on the axis.
+    const SAMPLES: usize = 96;
+    /// Range about a frequency over it, and where it begins to look beside the axis.
+    const FIRST: f64 = 0.5;
+    const BESIDE: [f64; 4] = [0.003, 0.03, 0.1, 0.3];
+    /// Range about a root, of what it lies beside the axis and over its frequency.
+    const AROUND: f64 = 4.0;
+    const LEAST: f64 = 0.02;
+    /// How near both are to each other, over the frequency, and how near one root to itself.
+    const AGREED: f64 = 1e-3;
+    const SAME: f64 = 1e-7;
+    let mut about = |middle: f64, half: f64| {
+        let low = (middle * (1.0 - half)).max(from);
+        let high = (middle * (1.0 + half)).min(to);
+        let samples: Vec<(f64, Complex64)> = (0..SAMPLES)
+            .map(|sample| low + (high - low) * sample as f64 / (SAMPLES - 1) as f64)
+            .map(|frequency| (frequency, value(frequency)))
+            .collect();
+        ContinuedFraction::through(&samples)
+    };
+    // s = 2πi x: to the right of the axis is below the real frequencies.
+    let mut found: Vec<Complex64> = Vec::new();
+    for &near in crossings {
+        check();
+        let wide = about(near, FIRST);
+        let mut known: Vec<Complex64> = Vec::new();
+        for beside in BESIDE {
+            let start = near * Complex64::new(1.0, -beside);
+            let Some(zero) = wide.zero_from(start, &known) else {
+                continue;
+            };
+            known.push(zero);
+            if !(zero.im < 0.0 && (zero - near).norm() < FIRST * near) {
+                continue;
+            }
+            let half = (AROUND * -zero.im / zero.re).clamp(LEAST, FIRST);
+            let again = about(zero.re, half).zero_from(zero, &[]);
+            let again = again.filter(|again| {
+                again.im < 0.0 && (again - zero).norm() < AGREED * near.max(zero.re)
+            });
+            let is_new = |zero: &Complex64| {
+                let same = |other: &Complex64| (zero - other).norm() < SAME * near;
+                !found.iter().any(same)
+            };
+            found.extend(again.filter(is_new));
         }
     }
-    None
+    found.sort_by(|one, other| other.re.total_cmp(&one.re));
+    let root = |zero: &Complex64| UnstableRoot {
+        frequency: zero.re,
+        growth_rate: -2.0 * PI * zero.im,
+    };
+    found.iter().map(root).collect()
 }
 
 /// The phase of a number beyond that of K (iω)^{−m} with K real of either sign, nearest to zero.
@@ -162,22 +205,50 @@ fn from_asymptote(value: Complex64, order: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// A pair of roots at σ ± iω beside a damped pair: found to (σ/ω)², 4e-4 here.
-    #[test]
-    fn a_root_is_found_from_the_axis() {
-        let (growth, frequency) = (25.0, 200.0);
-        let root = Complex64::new(growth, 2.0 * PI * frequency);
-        let other = Complex64::new(-40.0, 2.0 * PI * 300.0);
-        let mut value = |frequency: f64| {
+    /// A made-up loop: pairs of roots (growth 1/s, frequency Hz) over as many poles, beside a damped root and the root of s of a free rail.
+    fn loop_with(roots: &[[f64; 2]]) -> impl FnMut(f64) -> Complex64 {
+        move |frequency: f64| {
             let s = Complex64::new(0.0, 2.0 * PI * frequency);
-            (s - root) * (s - root.conj()) * (s - other) * (s - other.conj()) / (s - 1000.0).powi(4)
-        };
-        for near in [180.0, 192.0, 210.0] {
-            let (found, rate) = root_near(near, [1.0, 1e4], &mut value).unwrap();
-            assert!((found / frequency - 1.0).abs() < 2e-3, "{near}: {found}");
-            assert!((rate / growth - 1.0).abs() < 0.05, "{near}: {rate}");
+            let pair = |[growth, frequency]: [f64; 2]| {
+                let root = Complex64::new(growth, 2.0 * PI * frequency);
+                (s - root) * (s - root.conj())
+            };
+            let zeros: Complex64 = roots.iter().map(|&root| pair(root)).product();
+            let poles = (s + 1000.0).powu(2 * roots.len() as u32);
+            zeros / poles * pair([-40.0, 300.0]) / pair([-15.0, 240.0]) * (s + 20.0).sqrt()
         }
-        // One on the left is none.
-        assert_eq!(root_near(300.0, [1.0, 1e4], &mut value), None);
+    }
+
+    /// Each root with its rate, near the axis and far from it, from places a tenth off; two that nearly are one too. The values have
+    /// fifteen digits, some of which the way beside the axis and a close pair take.
+    #[test]
+    fn roots_are_found_beside_the_axis() {
+        let far: &[[f64; 2]] = &[[131.0, 162.47]];
+        for (roots, crossings) in [
+            (&[[25.0, 200.0]][..], vec![180.0, 210.0]),
+            (far, vec![173.53]),
+            (&[[1.51, 15.17], [4.87, 15.16]], vec![15.2]),
+            (&[[131.0, 162.47], [0.3, 80.0]], vec![80.1, 170.0]),
+        ] {
+            let mut value = loop_with(roots);
+            let mut found = roots_near(&crossings, [1.0, 1e4], &mut value);
+            let by_growth = |one: &UnstableRoot, other: &UnstableRoot| {
+                one.growth_rate.total_cmp(&other.growth_rate)
+            };
+            found.sort_by(by_growth);
+            let mut expected = roots.to_vec();
+            expected.sort_by(|one, other| one[0].total_cmp(&other[0]));
+            assert_eq!(found.len(), expected.len(), "{found:?}");
+            for (found, [growth, frequency]) in found.iter().zip(expected) {
+                let off = [found.growth_rate / growth, found.frequency / frequency];
+                assert!(
+                    off.iter().all(|ratio| (ratio - 1.0).abs() < 1e-6),
+                    "{found:?}"
+                );
+            }
+        }
+        // Those on the left are none.
+        let mut damped = loop_with(&[[-25.0, 200.0]]);
+        assert_eq!(roots_near(&[200.0], [1.0, 1e4], &mut damped), []);
     }
 }

@@ -92,6 +92,22 @@ impl HardeningWheel {
 }
 
 impl HardeningEnd {
+    /// Of a band of lines that are equally high under some wheels: it runs away with the line that does, else its lines end together in the
+    /// mean of their squares. None where nothing flows.
+    pub(super) fn of_band(wheels: &[HardeningWheel], lines: usize) -> Option<Self> {
+        let ends = (0..lines).map(|line| Self::of(wheels, line));
+        let ends = ends.collect::<Option<Vec<Self>>>()?;
+        let numbers = ends.iter().map(|end| end.runaway_number);
+        let squares = ends
+            .iter()
+            .map(|end| end.wave_ratio.map(|ratio| ratio * ratio));
+        let square = squares.sum::<Option<f64>>();
+        Some(Self {
+            runaway_number: numbers.fold(f64::NEG_INFINITY, f64::max),
+            wave_ratio: square.map(|sum| (sum / lines as f64).sqrt()),
+        })
+    }
+
     /// Of a line under some wheels; none where nothing flows.
     ///
     /// With X = X₀ + u₁ − D/D_h and r = r₀ − D a wave ends where its demand is used up, at r₀/(1 + D_h u₁/Δ); of several wheels each

@@ -148,6 +148,19 @@ impl Marched {
         low.1 + (high.1 - low.1) * (passages - low.0) / (high.0 - low.0)
     }
 
+    /// Passages after which ln r² has come to rest, but for a twentieth of its way; none where it goes on at the end.
+    pub(super) fn rests_after(&self) -> Option<f64> {
+        const LEFT: f64 = 0.05;
+        const REST: f64 = 1e-4;
+        let [.., before, end] = self.course[..] else {
+            return None;
+        };
+        let off = |at: &(f64, f64)| (at.1 - end.1).abs();
+        let way = self.course.iter().map(off).fold(0.0, f64::max);
+        let moving = self.course.iter().rposition(|at| off(at) > LEFT * way)?;
+        (off(&before) <= REST * way).then(|| self.course[moving + 1].0)
+    }
+
     /// Passages until ln r² is there; none where it never is.
     pub(super) fn passages_to(&self, goal: f64) -> Option<f64> {
         let above = self.course.iter().position(|(_, ln)| *ln >= goal)?;
@@ -187,7 +200,7 @@ impl HardeningBand<'_> {
             let size = swings.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
             let per_passage = wheel.share * wheel.flow.depth;
             let rate = per_passage * wheel.flow.law.rate(excess, size);
-            slope[0] += per_passage * wheel.flow.law.depth(excess, size);
+            slope[0] += per_passage * wheel.flow.law.mean(excess, size);
             for (slope, swing) in slope[1 + self.lines..].iter_mut().zip(&swings) {
                 *slope += rate * swing;
             }
@@ -248,6 +261,9 @@ mod tests {
         let marched = Marched::hardening(&[square], &none, std::slice::from_ref(&one));
         let ratio = (0.5 * (marched.ln_at(1e9) - square.ln())).exp();
         assert!((ratio / closed - 1.0).abs() < 1e-4, "{ratio} {closed}");
+        // At rest but for a twentieth after about ln 20 times D_h/H.
+        let rests = marched.rests_after().unwrap();
+        assert!((rests / (2e3 * 20f64.ln()) - 1.0).abs() < 0.2, "{rests}");
         // On the way, 1 − e^{−n H (1/D_h + G)} of what flows along the wave; the chords of a tenth of a step.
         let passages = 1500.0;
         let along = 1.0 / 0.2e-3 + gain;
@@ -266,6 +282,25 @@ mod tests {
         assert!(end.runaway_number > 1.0 && end.wave_ratio.is_none());
         let marched = Marched::hardening(&[square], &none, &[away]);
         assert!(marched.ln_at(1e12) - square.ln() > 10.0);
+        assert_eq!(marched.rests_after(), None);
+    }
+
+    /// A band whose lines part, one growing by a half and one falling: together √((1.5² + 0.4²)/2), not the larger; it runs away where one does.
+    #[test]
+    fn a_band_ends_with_all_its_lines() {
+        let gains = |ratios: [f64; 2]| HardeningWheel {
+            gains: ratios
+                .map(|ratio| Complex64::from((1.0 / ratio - 1.0) / 1e-3))
+                .to_vec(),
+            drifts: vec![0.0; 2],
+            ..wheel(Complex64::ZERO, 1e-3)
+        };
+        let end = crate::forecast::HardeningEnd::of_band(&[gains([1.5, 0.4])], 2).unwrap();
+        let together = f64::sqrt(0.5 * (1.5 * 1.5 + 0.4 * 0.4));
+        assert!((end.wave_ratio.unwrap() / together - 1.0).abs() < 1e-12);
+        assert!((end.runaway_number - 1.0 / 3.0).abs() < 1e-12);
+        let end = crate::forecast::HardeningEnd::of_band(&[gains([-2.0, 0.4])], 2).unwrap();
+        assert!(end.runaway_number > 1.0 && end.wave_ratio.is_none());
     }
 
     /// A steady rate is an exponential; one that falls as 1/A makes a straight line; one that begins at an amplitude never does below.

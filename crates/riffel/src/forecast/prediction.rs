@@ -69,7 +69,7 @@ pub struct ForecastBand {
     bend: Option<Bend>,
     /// Its course where its rates depend on its amplitude.
     marched: Option<Marched>,
-    /// Where flow that hardens takes its line that outgrows that most; none where nothing hardens.
+    /// Where flow that hardens takes it by itself; none where nothing hardens.
     hardening: Option<HardeningEnd>,
 }
 
@@ -110,10 +110,14 @@ impl ForecastBand {
         }
     }
 
-    /// Where flow that hardens takes the wave by itself, of the line that comes nearest to running away; none where nothing flows and
-    /// hardens.
+    /// Where flow that hardens takes its waves by itself; none where nothing flows and hardens.
     pub fn hardening(&self) -> Option<HardeningEnd> {
         self.hardening
+    }
+
+    /// Axle passages after which its level has come to rest, but for a twentieth of its way; none where it goes on.
+    pub fn rests_after(&self) -> Option<f64> {
+        self.marched.as_ref().and_then(Marched::rests_after)
     }
 
     /// Axle passages after which its rate no longer lasts, for it would need more than the mean wear of the rail; none where it
@@ -149,8 +153,7 @@ impl Forecast {
                     [] => Marched::new(&lines, &rates),
                     wheels => Marched::hardening(&lines, &rates, wheels),
                 });
-                let ends = (0..LINES_PER_BAND).filter_map(|line| HardeningEnd::of(&wheels, line));
-                let hardening = ends.max_by(|a, b| a.runaway_number.total_cmp(&b.runaway_number));
+                let hardening = HardeningEnd::of_band(&wheels, LINES_PER_BAND);
                 // Mean depths of flow follow the amplitude, too: no bound is known there.
                 let bend = (of_loop && marched.is_none() && traffic.mean_wear().bounds_growth)
                     .then(|| Bend::of(&sum, traffic.mean_wear().depth));

@@ -45,20 +45,24 @@ impl DamageInTime {
 
     /// Waves of the depth \[m\] that all laws but wear take off a ring of some length \[m\] at a speed \[m/s\]; of the mean, as the first,
     /// what is taken away. `energy` is that of the waves at the rail \[J/m\], `outflow` what has flowed and hardened at the places of
-    /// the instants \[m\], empty for nothing. The second waves are what flows and hardens in this passage.
+    /// the instants \[m\], and `curvature` the κ of the profile there, each empty for nothing. The second waves are what flows and hardens in
+    /// this passage.
     pub(super) fn waves(
         &self,
         instants: &[ContactInstant],
         energy: &[Complex64],
-        outflow: &[f64],
+        [outflow, curvature]: [&[f64]; 2],
         [length, speed]: [f64; 2],
     ) -> [Vec<Complex64>; 2] {
         let over = |of: &dyn Fn(&ContactInstant) -> f64| -> Vec<Complex64> {
             spectrum(&instants.iter().map(of).collect::<Vec<f64>>())
         };
-        let excess = |at: &ContactInstant| {
+        let there = |values: &[f64], place: usize| values.get(place).copied().unwrap_or(0.0);
+        let excess = |place: usize| {
+            let at = &instants[place];
+            let forces = [at.tangential_force, at.lateral_force];
             self.demand
-                .excess(at.normal_force, [at.tangential_force, at.lateral_force])
+                .excess(at.normal_force, forces, there(curvature, place))
         };
         let wavenumber = |n: usize| TAU * n as f64 / length;
         let mut sum = vec![Complex64::ZERO; energy.len()];
@@ -69,9 +73,9 @@ impl DamageInTime {
                 DamageLaw::Load(load) => over(&|at| load.depth_per_force * at.normal_force),
                 DamageLaw::Flow(flow) => {
                     let softening = flow.hardening_depth.map_or(0.0, f64::recip);
-                    let flows = instants.iter().enumerate().map(|(place, at)| {
-                        let flowed = outflow.get(place).copied().unwrap_or(0.0);
-                        flow.depth * flow.law.value(excess(at) - softening * flowed)
+                    let flows = (0..instants.len()).map(|place| {
+                        let flowed = there(outflow, place);
+                        flow.depth * flow.law.value(excess(place) - softening * flowed)
                     });
                     let waves = spectrum(&flows.collect::<Vec<f64>>());
                     if flow.hardening_depth.is_some() {
@@ -80,14 +84,15 @@ impl DamageInTime {
                     waves
                 }
                 DamageLaw::FlowAlong(flow) => {
-                    let flows = over(&|at| {
+                    let flows = instants.iter().enumerate().map(|(place, at)| {
                         let force = at.tangential_force.hypot(at.lateral_force);
                         let along = match force > 0.0 {
                             true => at.tangential_force / force,
                             false => 0.0,
                         };
-                        flow.area * flow.law.value(excess(at)) * along
+                        flow.area * flow.law.value(excess(place)) * along
                     });
+                    let flows = spectrum(&flows.collect::<Vec<f64>>());
                     let flows = flows.into_iter().enumerate();
                     flows
                         .map(|(n, flow)| Complex64::I * wavenumber(n) * flow)

@@ -299,14 +299,19 @@ impl Evolution {
         for (instants, (index, along)) in instants.iter().zip(&worn) {
             let contact = &model.contacts[*index];
             let energy = energy_at_rail(contact, wear, instants, &under[*index], length);
+            let bent = patch_curvature(contact, heights, length);
             let mut waves = match &contact.damage {
                 Some(damage) if !damage.wears() => vec![Complex64::ZERO; energy.len()],
-                _ => depth_of_wear(contact, wear, instants, &energy, length),
+                _ => depth_of_wear(contact, wear, instants, [&energy, &bent], length),
             };
             if let Some(damage) = &contact.damage {
                 let under = moved_along(outflow, *along, length);
+                let bent = match bent.is_empty() {
+                    true => Vec::new(),
+                    false => series(bent, heights.len()),
+                };
                 let [others, hardening] =
-                    damage.waves(instants, &energy, &under, [length, model.speed]);
+                    damage.waves(instants, &energy, [&under, &bent], [length, model.speed]);
                 for (wave, other) in waves.iter_mut().zip(others) {
                     *wave += other;
                 }
@@ -423,21 +428,48 @@ fn later(contact: &ContactInTime, wear: &WearOfPassages, wavelength: f64) -> Com
     }
 }
 
-/// Waves of the depth of wear \[m\] of those of the energy at the rail \[J/m\]; a law of regimes is linear about the mean state.
+/// Waves of the curvature κ by which the patch of a contact changes its shape over the heights of a ring \[m\], in the time of the contact;
+/// empty where the wave's own geometry has no part.
+fn patch_curvature(contact: &ContactInTime, heights: &[f64], length: f64) -> Vec<Complex64> {
+    let Some(wave) = &contact.wave else {
+        return Vec::new();
+    };
+    let waves = spectrum(heights).into_iter().enumerate();
+    waves
+        .map(|(n, height)| {
+            if n == 0 {
+                return Complex64::ZERO;
+            }
+            let wavelength = length / n as f64;
+            let by_place = Complex64::cis(TAU * contact.along / wavelength);
+            wave.patch_per_metre(wavelength) * contact.profile * height * by_place
+        })
+        .collect()
+}
+
+/// Waves of the depth of wear \[m\] of those of the energy at the rail \[J/m\] and of the curvature of the patch; a law of regimes is linear
+/// about the mean state.
 fn depth_of_wear(
     contact: &ContactInTime,
     wear: &WearOfPassages,
     instants: &[ContactInstant],
-    energy: &[Complex64],
+    [energy, bent]: [&[Complex64]; 2],
     length: f64,
 ) -> Vec<Complex64> {
     let mut waves = energy.to_vec();
-    if let Some((by_energy, by_load)) = wear.wear.regime() {
+    if let Some(regime) = wear.wear.regime() {
         let loads: Vec<f64> = instants.iter().map(|at| at.normal_force).collect();
         let loads = spectrum(&loads).into_iter().enumerate().skip(1);
         for (wave, (n, load)) in waves[1..].iter_mut().zip(loads) {
             let later = later(contact, wear, length / n as f64);
-            *wave = *wave * by_energy + load * by_load * later;
+            let own_later = match &contact.wave {
+                Some(own) if own.is_sliding() => Complex64::ONE,
+                _ => later,
+            };
+            let bent = bent.get(n).copied().unwrap_or(Complex64::ZERO);
+            *wave = *wave * regime.by_energy
+                + load * regime.by_load * later
+                + bent * regime.by_curvature * own_later;
         }
     }
     let per_energy = wear.wear.depth_per_energy();

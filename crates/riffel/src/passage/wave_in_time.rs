@@ -86,6 +86,11 @@ impl WaveInTime {
         }
     }
 
+    /// κ \[1/m\] by which the patch changes its shape.
+    pub(super) fn patch_per_metre(&self, wavelength: f64) -> f64 {
+        self.geometry.patch_curvature(TAU / wavelength)
+    }
+
     /// Creep force along the rail \[N/m\], and energy of the place behind \[J/m²\], that a late contact makes of a wave.
     pub(super) fn late(&self, wavelength: f64) -> [Complex64; 2] {
         let curvature = self.per_metre(wavelength);

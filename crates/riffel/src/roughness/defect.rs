@@ -114,9 +114,15 @@ impl Profile {
         let rings = |([_, place], band): &([Range<usize>; 2], usize)| {
             let mut others = places.iter();
             others.any(|([_, other], _)| {
-                let share = height_in(*band, place) / height_in(*band, other);
                 let near = place.start < other.end + longest && other.start < place.end + longest;
-                share < RINGING && beside(place, other) || share < FAR_RINGING && near
+                let share = || height_in(*band, place) / height_in(*band, other);
+                // Of thousands of defects a few are near: the heights of the others are not looked at.
+                near && share()
+                    < if beside(place, other) {
+                        RINGING
+                    } else {
+                        FAR_RINGING
+                    }
             })
         };
         let single = places.iter().filter(|place| !rings(place));

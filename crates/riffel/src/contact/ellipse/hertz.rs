@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use super::unit_ellipse::UnitEllipse;
+use crate::contact::WaveGeometry;
 use crate::{ElasticMaterial, Error};
 
 /// Contact patch and contact stiffness of a wheel of rolling radius R on a rail of transverse
@@ -81,6 +82,26 @@ impl HertzContact {
             ellipse: ellipse.transpose()?,
             ..self
         })
+    }
+
+    /// The same contact where a wave adds the share κ of its curvature along the rail, on a wheel of the radius R/(1 + κ).
+    ///
+    /// # Errors
+    /// Those of [`with_longitudinal_radius`](Self::with_longitudinal_radius).
+    pub fn curved(self, curvature: f64) -> Result<Self, Error> {
+        self.with_longitudinal_radius(self.longitudinal_radius / (1.0 + curvature))
+    }
+
+    /// c = d ln p₀/dκ \[-\] under constant load, of the [`curved`](Self::curved) contact: ⅓ in the closed form, somewhat less if exact, 0.31
+    /// at a/b = 1.3. The area of the patch has −c.
+    ///
+    /// # Errors
+    /// Those of [`curved`](Self::curved).
+    pub fn pressure_by_curvature(self) -> Result<f64, Error> {
+        /// Leaves 10⁻¹¹.
+        const STEP: f64 = 1e-3;
+        let ln = |curvature| Ok::<_, Error>([self.curved(curvature)?.peak_pressure().ln()]);
+        WaveGeometry::derivative(STEP, ln).map(|[slope]| slope)
     }
 
     /// The same contact with exact elliptic integrals: combined curvatures 1/R along and 1/R_r

@@ -34,6 +34,15 @@ pub struct StressMaximum {
 }
 
 impl StressMaximum {
+    /// Depth over the smaller semi-axis \[-\] from which it is looked for below the surface.
+    pub const FLOOR: f64 = 0.03;
+
+    /// Whether one below the surface lies where the search begins: then the stress rises towards the surface, and it is the surface's.
+    pub fn is_at_floor(&self, ellipse: &EllipseStress) -> bool {
+        let floor = Self::FLOOR * ellipse.across_over_along().min(1.0);
+        self.place[2] > 0.0 && self.place[2] <= floor * (1.0 + 1e-3)
+    }
+
     /// The largest value of a measure under a traction.
     ///
     /// Method: a grid, then closer and closer about the best point. At the
@@ -62,7 +71,7 @@ impl StressMaximum {
             }
             Depth::Below => {
                 let smaller = ellipse.across_over_along().min(1.0);
-                let (from, to) = (0.03 * smaller, 1.5 * smaller.sqrt());
+                let (from, to) = (Self::FLOOR * smaller, 1.5 * smaller.sqrt());
                 let at = |[x, y, z]: [f64; 3]| {
                     let place = [x, y, z];
                     Self {

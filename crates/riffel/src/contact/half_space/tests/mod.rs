@@ -215,16 +215,19 @@ fn slow_wave_is_the_slope_by_the_radius() {
     const STEP: f64 = 0.05;
     let exact = HertzContact::exact(steel(), 0.46, 0.23, 50e3).unwrap();
     let on = |curvature: f64| {
-        let hertz = exact
-            .with_longitudinal_radius(0.46 / (1.0 + curvature))
-            .unwrap();
+        let hertz = exact.curved(curvature).unwrap();
         HalfSpace::new(hertz, 0.4, 36).unwrap()
     };
     let contact = on(0.0);
     let state = contact.roll_with(oblique()).unwrap();
     let steady = contact.steady(&state);
     let by_radius = crate::contact::WaveGeometry::derivative(STEP, |curvature| {
-        Ok::<_, Error>(on(curvature).roll_with(oblique())?.forces())
+        let forces = on(curvature).roll_with(oblique())?.forces();
+        Ok::<_, Error>([forces.longitudinal, forces.lateral])
+    });
+    let by_radius = by_radius.map(|[longitudinal, lateral]| CreepForces {
+        longitudinal,
+        lateral,
     });
     let response = contact.response(&state, f64::INFINITY).unwrap();
     let got = response.by_curvature.unwrap();
