@@ -171,10 +171,14 @@ impl StabilityBranch {
     }
 
     fn of_part(part: &[(f64, &StabilityPoint)]) -> Self {
+        /// Rates that are one: roots are found to a part in a million, and with constant friction have no speed.
+        const SAME: f64 = 1e-6;
         let rate = |point: &StabilityPoint| point.growth_rate_per_s.unwrap_or(0.0);
         let fastest = part.iter().map(|(_, point)| *point);
         let fastest = fastest.fold(part[0].1, |best, point| {
-            if rate(point) > rate(best) {
+            let same = (rate(point) - rate(best)).abs() <= SAME * rate(best);
+            if same && point.speed_m_per_s > best.speed_m_per_s || !same && rate(point) > rate(best)
+            {
                 point
             } else {
                 best

@@ -399,6 +399,35 @@ fn falling_friction_squeals_where_it_outweighs_the_loss() {
     }
 }
 
+/// The root of m(s² + ω₀²(1 + iη)) + sC/V = 0 in closed form, near the imaginary axis and up to a seventh of its frequency beside it, to 1e-6.
+#[test]
+fn a_root_that_grows_fast_is_found() {
+    let (speed, mass, loss_factor) = (10.0, 300.0, 0.02);
+    let w = std::f64::consts::TAU * 400.0;
+    for times in [1.05, 2.0, 8.0, 15.0] {
+        let slope = -times * loss_factor * w * mass * speed;
+        let damping = Complex64::from(slope / speed);
+        let stiffness = mass * w * w * Complex64::new(1.0, loss_factor);
+        let root = (damping * damping - 4.0 * mass * stiffness).sqrt();
+        let roots = [root, -root].map(|root| (root - damping) / (2.0 * mass));
+        let expected = roots.into_iter().find(|root| root.im > 0.0).unwrap();
+        let motion = [Motion::Held, Motion::Compliant(())];
+        let contact = contact(0.0, Arc::new(Falling(slope)), motion);
+        let share = 0.0;
+        let squeal = general(SharedMode { share, loss_factor }, vec![contact]);
+        let stability = squeal.stability(speed, 1.0, 1e5).unwrap();
+        let [found] = stability.roots[..] else {
+            panic!("{stability:?}");
+        };
+        let growth = found.growth_rate / expected.re - 1.0;
+        let frequency = std::f64::consts::TAU * found.frequency / expected.im - 1.0;
+        assert!(
+            growth.abs() < 1e-6 && frequency.abs() < 1e-6,
+            "{times}: {growth:e} {frequency:e}"
+        );
+    }
+}
+
 /// A wheel that answers across the rail a second later: 1 + C e^{−iωT}, whose phase turns for ever.
 struct Echo;
 
