@@ -1159,6 +1159,9 @@ heights-missing = { $count ->
        *[other] { $count } Höhen fehlen; bis zu { $longest } in Folge sind durch Geraden ersetzt, mehr bleiben weg
     }
 heights-clipped = { $samples } Höhen stehen am Ende des Messbereichs, { $low } oder { $high } in der Einheit der Datei, über { $run } Messpunkte und mehr: der Aufnehmer ist übersteuert
+dates-are-day-numbers = Spalte `{ $column }` enthält Tagesnummern einer Tabellenkalkulation: { $cell } wird als { $date } gelesen
+rails-of-last-date = die Datei hat Schienen mehrerer Daten: die Schiene von jetzt ist die vom { $last }, davor steht die vom { $before }
+device-changes = Spalte `{ $column }` wechselt mit den Daten, von { $first } auf { $last }, und diese werden nicht unterschieden: worin die Geräte voneinander abweichen, ist Teil der Änderung zwischen den Daten
 now-is-latest-of-each-rail = Spalte `{ $column }` hat { $count } Daten: jetzt ist das letzte jeder Schiene, { $last }
 commas = Kommas
 semicolons = Semikolons

@@ -1166,6 +1166,9 @@ heights-missing = { $count ->
        *[other] { $count } heights missing, filled by straight lines where no more than { $longest } follow each other, else left out
     }
 heights-clipped = { $samples } heights stand at the end of the range, { $low } or { $high } in the unit of the file, for { $run } samples and more: the sensor is clipped
+dates-are-day-numbers = column `{ $column }` holds the day numbers of a spreadsheet: { $cell } is read as { $date }
+rails-of-last-date = the file has rails of several dates: the rail now is that of { $last }, and before it stands that of { $before }
+device-changes = column `{ $column }` changes along the dates, from { $first } to { $last }, and these are not told apart: what the instruments differ by is part of the change between the dates
 now-is-latest-of-each-rail = column `{ $column }` has { $count } dates: now is the latest of each rail, { $last }
 commas = commas
 semicolons = semicolons

@@ -317,7 +317,8 @@ fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
     }
 }
 
-/// Rails of which nothing can be said because no earlier survey of their line names them, a sentence for each line.
+/// Rails of which nothing can be said, or not by all surveys, because the last survey of their line has rails of other names than
+/// those before; a sentence for each line.
 ///
 /// # Errors
 /// Those of the files.
@@ -328,28 +329,29 @@ pub fn rails_without_growth(
     let names = |survey: &SurveyRecord| -> Vec<String> {
         survey.rails.iter().map(|rail| rail.name.clone()).collect()
     };
+    // Names of one survey that none of the others has, with its date.
+    let lacking = |survey: &SurveyRecord, others: &[&SurveyRecord]| -> Option<String> {
+        let known: Vec<String> = others.iter().flat_map(|other| names(other)).collect();
+        let alone: Vec<String> = names(survey)
+            .into_iter()
+            .filter(|name| !known.contains(name))
+            .collect();
+        (!alone.is_empty()).then(|| format!("{} of {}", alone.join(", "), survey.date))
+    };
     let sentence = |surveys: &Vec<SurveyRecord>| {
         let (last, earlier) = surveys.split_last()?;
         if earlier.is_empty() {
             return None;
         }
-        let mut known: Vec<String> = earlier.iter().flat_map(names).collect();
-        known.sort_unstable();
-        known.dedup();
-        let found = names(last);
-        let alone: Vec<&str> = found
-            .iter()
-            .filter(|name| !known.contains(name))
-            .map(String::as_str)
-            .collect();
+        let all: Vec<&SurveyRecord> = earlier.iter().collect();
+        let before = earlier.iter().filter_map(|survey| lacking(survey, &[last]));
+        let alone: Vec<String> = before.chain(lacking(last, &all)).collect();
         (!alone.is_empty()).then(|| {
-            let before = earlier.last().unwrap_or(last);
             format!(
-                "{}: nothing is known of the growth of {}: the survey of {} has {}",
+                "{}: nothing is known of the growth of {}, for these names are not in both the last survey and one before; if a rail \
+                 has two names, ingest its survey again with --rename OLD=NEW --replace",
                 last.line,
-                alone.join(", "),
-                before.date,
-                names(before).join(", ")
+                alone.join("; ")
             )
         })
     };

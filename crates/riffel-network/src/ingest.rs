@@ -13,6 +13,7 @@ use serde_json::json;
 
 use crate::grid::Gridded;
 use crate::name::{array_name, arrays_name, record_name};
+use crate::rails::LineRails;
 use crate::record::{MOST_CELLS, NetworkRecord, RailRecord, SurveyRecord};
 use crate::store::{ROWS, Store, array, write_document};
 use crate::{GoesBack, NetworkError, SurveyFile};
@@ -34,16 +35,21 @@ pub struct Ingested {
     pub measured: BTreeMap<String, u64>,
     /// Where places go back, as at a long kilometre: cells of both stretches hold the mean of their energies.
     pub goes_back: Vec<GoesBack>,
+    /// Rails of the file that have other names in the line.
+    pub renamed: BTreeMap<String, String>,
+    /// Rails that the line has not had, if it had any.
+    pub new_rails: Vec<String>,
 }
 
 impl Store {
     /// Add a survey of a line at a date. The same file of the same date is there already and changes nothing; another one is
-    /// refused, unless it is to `replace`. `progress` is told of blocks done.
+    /// refused, unless it is to `replace`. Rails have the names that other surveys of the line have for them. `progress` is told of
+    /// blocks done.
     ///
     /// Memory: a chunk of cells for each rail.
     ///
     /// # Errors
-    /// [`NetworkError::Date`] for what is no date; [`NetworkError::Value`] for a line without a name, other bands than the store has, or more than 10⁸
+    /// [`NetworkError::Date`] for what is no date; [`NetworkError::Value`] for a line without a name, two rails of one, other bands than the store has, or more than 10⁸
     /// cells; [`NetworkError::Conflict`], [`NetworkError::Locked`], [`NetworkError::Write`].
     pub fn ingest(
         &self,
@@ -64,6 +70,10 @@ impl Store {
         let is_known = surveys.iter().any(|survey| survey.line == line);
         let is_alike = |survey: &&SurveyRecord| plain(&survey.line) == plain(line);
         let alike = surveys.iter().find(is_alike).filter(|_| !is_known);
+        let others = surveys.iter();
+        let others = others.filter(|survey| survey.line == line && survey.date != day);
+        let rails = LineRails::new(file, &others.collect::<Vec<_>>())?;
+        let sha256 = rails.sha256(file);
         let done = |survey: &SurveyRecord, there_already: bool| Ingested {
             line: survey.line.clone(),
             date: survey.date.to_string(),
@@ -74,6 +84,8 @@ impl Store {
                 .map(|rail| (rail.name.clone(), rail.measured))
                 .collect(),
             goes_back: file.goes_back.clone(),
+            renamed: rails.renamed.clone(),
+            new_rails: rails.new.clone(),
         };
         let there = surveys
             .iter()
@@ -82,7 +94,7 @@ impl Store {
         if let Some(survey) = there {
             broken = self.check_arrays(survey).err();
             match broken {
-                None if survey.sha256 == file.sha256 => return Ok(done(survey, true)),
+                None if survey.sha256 == sha256 => return Ok(done(survey, true)),
                 None if !replace => {
                     return Err(NetworkError::Conflict {
                         line: line.to_owned(),
@@ -97,7 +109,13 @@ impl Store {
         if let Some(error) = broken.filter(|_| !replace) {
             return Err(error);
         }
-        let mut survey = record(line, day, file, network.resolution_m)?;
+        let mut survey = record(
+            line,
+            day,
+            file,
+            (&rails.names, sha256),
+            network.resolution_m,
+        )?;
         fs::create_dir_all(&folder).map_err(NetworkError::write(&folder))?;
         let recorded = there.map_or("", |survey| &survey.folder);
         Self::sweep(&folder, day, recorded)?;
@@ -149,6 +167,7 @@ fn record(
     line: &str,
     day: Date,
     file: &SurveyFile,
+    (names, sha256): (&[String], String),
     resolution: f64,
 ) -> Result<SurveyRecord, NetworkError> {
     let first = (file.ends[0] / resolution + 1e-6).floor();
@@ -164,11 +183,11 @@ fn record(
         line: line.to_owned(),
         date: day,
         source: file.name(),
-        sha256: file.sha256.clone(),
-        folder: arrays_name(day, &file.sha256),
+        folder: arrays_name(day, &sha256),
+        sha256,
         start_m: first * resolution,
         cells: cells as u64,
-        rails: (file.rails.iter().enumerate())
+        rails: (names.iter().enumerate())
             .map(|(index, name)| RailRecord {
                 name: name.clone(),
                 array: array_name(name, index),

@@ -28,6 +28,7 @@ mod layout;
 mod most_track;
 mod name;
 mod plan;
+mod rails;
 mod record;
 mod sections;
 mod single_places;

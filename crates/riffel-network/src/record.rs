@@ -34,7 +34,7 @@ pub struct SurveyRecord {
     pub date: Date,
     /// Name of the file it came from.
     pub source: String,
-    /// SHA-256 of that file.
+    /// SHA-256 of that file, or of it and the names of its rails, where the line has others.
     pub sha256: String,
     /// Folder of the arrays, beside this record.
     pub(crate) folder: String,

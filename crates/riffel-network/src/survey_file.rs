@@ -1,6 +1,6 @@
 //! A table of blocks along the rails of a line: what `riffel roughness` and `riffel axlebox` write as `blocks.csv`.
 
-use std::collections::HashMap;
+use std::collections::{BTreeMap, HashMap};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -93,6 +93,8 @@ pub struct SurveyFile {
     pub(crate) sha256: String,
     /// Names of the rails.
     pub(crate) rails: Vec<String>,
+    /// Names of the file in whose place there are others.
+    pub(crate) renamed: BTreeMap<String, String>,
     /// First and last place \[m\].
     pub(crate) ends: [f64; 2],
     /// Where places go back.
@@ -148,6 +150,7 @@ impl SurveyFile {
             columns,
             sha256: String::new(),
             rails: Vec::new(),
+            renamed: BTreeMap::new(),
             ends: [f64::INFINITY, f64::NEG_INFINITY],
             goes_back: Vec::new(),
             rows: 0,
@@ -200,6 +203,23 @@ impl SurveyFile {
     /// Whether it says where welds, joints and squats are.
     pub(crate) fn has_defects(&self) -> bool {
         self.columns.defects.is_some()
+    }
+
+    /// The survey with other names for some of its rails.
+    ///
+    /// # Errors
+    /// [`CaseError::Data`] for a rail that is not in the file.
+    pub fn rename(mut self, names: BTreeMap<String, String>) -> Result<Self, CaseError> {
+        for (old, new) in &names {
+            let Some(rail) = self.rails.iter().position(|rail| rail == old) else {
+                let there = self.rails.join(", ");
+                let message = format!("there is no rail \"{old}\" in the file; there are {there}");
+                return Err(CaseError::data(&self.path, message));
+            };
+            self.rails[rail].clone_from(new);
+        }
+        self.renamed = names;
+        Ok(self)
     }
 
     /// The bands, as the head names them.

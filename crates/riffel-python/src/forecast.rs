@@ -230,7 +230,10 @@ pub(crate) fn fit_wear<'py>(
     let layout = Layout::default();
     let [earlier, later] = match places_of_both(py, &earlier, &later, &layout)? {
         Some(places) => places,
-        None => [survey(py, &earlier, &layout)?, survey(py, &later, &layout)?],
+        None => {
+            let latest = |given| Ok::<_, PyErr>(survey(py, given, &layout)?.latest().0);
+            [latest(&earlier)?, latest(&later)?]
+        }
     };
     let traffic = traffic_of(case, traffic.as_ref())?;
     let on = case.compute(py, move |case| {

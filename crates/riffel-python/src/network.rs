@@ -1,5 +1,6 @@
 //! Surveys of many lines and dates.
 
+use std::collections::BTreeMap;
 use std::io;
 use std::path::PathBuf;
 
@@ -38,10 +39,11 @@ pub(crate) fn network_ingest(
     line: String,
     date: String,
     replace: bool,
+    rename: BTreeMap<String, String>,
 ) -> PyResult<Bound<'_, PyAny>> {
     answer(py, move || {
         let store = Store::create_or_open(&store, StoreSettings { resolution })?;
-        let file = SurveyFile::check(&file)?;
+        let file = SurveyFile::check(&file)?.rename(rename)?;
         store.ingest(&line, &date, &file, replace, &|_| ())
     })
 }

@@ -7,8 +7,8 @@ use pyo3::prelude::*;
 use riffel_keys::Message;
 use riffel_keys::quantity::Quantity;
 use riffel_rail::{
-    LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness, ReaderFormat,
-    RoughnessFile, Survey, coarse_sampling, unlike_a_rail,
+    EarlierRails, LabelledSpectrum, Layout, LengthUnit, Rail, RailRecord, RailRoughness,
+    ReaderFormat, RoughnessFile, Survey, coarse_sampling, unlike_a_rail,
 };
 
 use crate::array::owned;
@@ -73,9 +73,12 @@ pub(crate) struct Record {
 }
 
 enum Roughness {
-    Profile(Vec<Rail>, Vec<Message>),
+    Profile(Vec<Rail>, Dated, Vec<Message>),
     Spectra(Vec<LabelledSpectrum>),
 }
+
+/// The date of rails, and the rails before.
+type Dated = Option<(jiff::civil::Date, Vec<EarlierRails>)>;
 
 impl Record {
     pub(crate) fn new(
@@ -85,7 +88,10 @@ impl Record {
     ) -> PyResult<Self> {
         let roughness = match given {
             GivenRoughness::File(path) => match read(py, path, layout)? {
-                RoughnessFile::Profile(record) => Roughness::Profile(record.rails, record.warnings),
+                RoughnessFile::Profile(record) => {
+                    let dated = record.date.map(|date| (date, record.earlier));
+                    Roughness::Profile(record.rails, dated, record.warnings)
+                }
                 RoughnessFile::Spectra(spectra, _) => Roughness::Spectra(spectra),
             },
             GivenRoughness::Profile((spacing, given)) => {
@@ -98,7 +104,7 @@ impl Record {
                 }
                 let doubts = unlike_a_rail(&rails);
                 let warnings = coarse_sampling(*spacing).into_iter().chain(doubts);
-                Roughness::Profile(rails, warnings.collect())
+                Roughness::Profile(rails, None, warnings.collect())
             }
             GivenRoughness::Spectra(spectra) => Roughness::Spectra(labelled(spectra)?),
         };
@@ -115,7 +121,11 @@ impl Record {
             // Checked where it was given.
             date: self.date.as_ref().and_then(|date| date.parse().ok()),
             roughness: match &self.roughness {
-                Roughness::Profile(rails, warnings) => RailRoughness::Profile { rails, warnings },
+                Roughness::Profile(rails, dated, warnings) => RailRoughness::Profile {
+                    rails,
+                    before: dated.as_ref().map(|(date, before)| (*date, &before[..])),
+                    warnings,
+                },
                 Roughness::Spectra(spectra) => RailRoughness::Spectra(spectra),
             },
         }

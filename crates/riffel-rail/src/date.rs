@@ -2,12 +2,20 @@
 
 use std::ops::RangeInclusive;
 
-use jiff::civil::Date;
+use jiff::ToSpan as _;
+use jiff::civil::{Date, date};
 use riffel_keys::table::{is_one_of, words};
 
-/// Whether the name of a column is that of dates.
-pub(super) fn is_date(name: &str) -> bool {
-    words(name).iter().any(|word| is_one_of(word, "date|datum"))
+/// Days that spreadsheets write in place of dates, counted from 1899-12-30: 2009 to 2064.
+const DAY_NUMBERS: RangeInclusive<i32> = 40_000..=60_000;
+
+/// A text that is no date, or may be two.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct NoDate {
+    /// Place of the text among all.
+    pub(super) place: usize,
+    /// A sentence that begins with the text.
+    pub(super) message: String,
 }
 
 /// Years of what is measured and of what is planned: another one is a slip, or stands for no date.
@@ -15,6 +23,8 @@ const YEARS: RangeInclusive<i16> = 1950..=2100;
 
 /// The numbers of a date in the order in which they are written.
 enum DateNumbers {
+    /// The day of a spreadsheet.
+    Day(Date),
     YearFirst([i16; 3]),
     DayFirst([i16; 3]),
     /// Day and month in an order that depends on the country.
@@ -26,46 +36,54 @@ enum DateNumbers {
 /// # Errors
 /// A sentence on the text.
 pub fn read_date(text: &str) -> Result<Date, String> {
-    Ok(read_dates([text])?[0])
+    let dates = read_dates([text]).map_err(|no_date| no_date.message)?;
+    Ok(dates[0])
 }
 
 /// The dates of a column, in its order: 2026-01-31, 2026/01/31, 20260131 or 31.01.2026, each with or without a time of
-/// day. 31/01/2026, 01/31/2026 and the same with hyphens are read where one date of the column leaves no doubt which
-/// number is the day.
+/// day, or the days of a spreadsheet from 40000 to 60000. 31/01/2026, 01/31/2026 and the same with hyphens are read where
+/// one date of the column leaves no doubt which number is the day.
 ///
 /// # Errors
-/// A sentence that begins with the first text that is no date, or may be two.
-pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Date>, String> {
+/// The first text that is no date, or may be two.
+pub(super) fn read_dates<'a>(
+    texts: impl IntoIterator<Item = &'a str>,
+) -> Result<Vec<Date>, NoDate> {
     let texts: Vec<&str> = texts.into_iter().collect();
-    let written: Vec<DateNumbers> = texts
-        .iter()
-        .map(|text| DateNumbers::of(text))
+    let at = |place: usize| move |message: String| NoDate { place, message };
+    let written = texts.iter().enumerate();
+    let written: Vec<DateNumbers> = written
+        .map(|(place, text)| DateNumbers::of(text).map_err(at(place)))
         .collect::<Result<_, _>>()?;
     let open = || {
-        let pairs = written.iter().zip(&texts);
-        pairs.filter_map(|(date, text)| match date {
-            DateNumbers::Open(numbers) => Some((*numbers, *text)),
+        let pairs = written.iter().enumerate();
+        pairs.filter_map(|(place, date)| match date {
+            DateNumbers::Open(numbers) => Some((*numbers, place)),
             _ => None,
         })
     };
     let day_first = open().find(|([first, ..], _)| *first > 12);
     let month_first = open().find(|([_, second, _], _)| *second > 12);
     if let (Some((_, day)), Some((_, month))) = (day_first, month_first) {
-        return Err(format!(
-            "\"{day}\" and \"{month}\" have day and month in different orders; write both as in 2026-01-31"
-        ));
+        return Err(at(day)(format!(
+            "\"{}\" and \"{}\" have day and month in different orders; write both as in 2026-01-31",
+            texts[day], texts[month]
+        )));
     }
     if day_first.is_none()
         && month_first.is_none()
-        && let Some(([first, second, year], text)) =
+        && let Some(([first, second, year], place)) =
             open().find(|([day, month, _], _)| day != month)
     {
-        return Err(format!(
-            "\"{text}\" may be two dates; write {year}-{second:02}-{first:02} or {year}-{first:02}-{second:02}"
-        ));
+        return Err(at(place)(format!(
+            "\"{}\" may be two dates; write {year}-{second:02}-{first:02} or {year}-{first:02}-{second:02}",
+            texts[place]
+        )));
     }
-    let dates = written.into_iter().zip(&texts).map(|(date, text)| {
+    let dates = written.into_iter().zip(&texts).enumerate();
+    let dates = dates.map(|(place, (date, text))| {
         let [year, month, day] = match date {
+            DateNumbers::Day(date) => return Ok(date),
             DateNumbers::YearFirst(numbers) => numbers,
             DateNumbers::DayFirst([day, month, year]) => [year, month, day],
             DateNumbers::Open([month, day, year]) if month_first.is_some() => [year, month, day],
@@ -73,23 +91,58 @@ pub fn read_dates<'a>(texts: impl IntoIterator<Item = &'a str>) -> Result<Vec<Da
         };
         if !YEARS.contains(&year) {
             let (first, last) = (YEARS.start(), YEARS.end());
-            return Err(format!(
+            return Err(at(place)(format!(
                 "\"{text}\" is not a day between {first} and {last}"
-            ));
+            )));
         }
         let small = |number: i16| i8::try_from(number).unwrap_or(0);
         Date::new(year, small(month), small(day))
-            .map_err(|_| format!("\"{text}\" is not in the calendar"))
+            .map_err(|_| at(place)(format!("\"{text}\" is not in the calendar")))
     });
     dates.collect()
+}
+
+/// The date that a spreadsheet writes as a number of days, with the time of day as decimals.
+pub(super) fn of_day_number(text: &str) -> Option<Date> {
+    let text = text.trim();
+    let (days, time) = text.split_once(['.', ',']).unwrap_or((text, ""));
+    let is_number = days.len() == 5 && [days, time].iter().all(|part| are_digits(part));
+    let days: i32 = days.parse().ok().filter(|_| is_number)?;
+    let is_known = DAY_NUMBERS.contains(&days);
+    is_known.then(|| date(1899, 12, 30).saturating_add(days.days()))
+}
+
+/// Whether a cell is a date by its form, whatever its column is called: three numbers, or the name of a month beside a year.
+pub(super) fn looks_like_date(text: &str) -> bool {
+    const MONTHS: &str = "jan|feb|mar|mär|mrz|apr|may|mai|jun|jul|aug|sep|sept|oct|okt|nov|dec|dez|january|february|march|\
+                          april|june|july|august|september|october|november|december|januar|februar|märz|juni|juli|oktober|\
+                          dezember|janv|févr|mars|avr|avril|juin|juil|juillet|août|déc|ene|abr|ago|dic|gen|mag|giu|lug|set|ott";
+    let words = words(text);
+    let is_year = |word: &String| {
+        word.len() == 4 && are_digits(word) && (word.starts_with("19") || word.starts_with("20"))
+    };
+    let has_month = words.iter().any(|word| is_one_of(word, MONTHS));
+    matches!(words.len(), 2..=3) && has_month && words.iter().any(is_year)
+        || of_day_number(text).is_none() && DateNumbers::of(text).is_ok()
+}
+
+fn are_digits(text: &str) -> bool {
+    text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 impl DateNumbers {
     fn of(text: &str) -> Result<Self, String> {
         let wrong = |rule: &str| format!("\"{}\" {rule}", riffel_keys::text_file::printable(text));
-        let no_date = || wrong("is no date; write it as 2026-01-31 or 31.01.2026");
+        let no_date = || {
+            wrong(
+                "is no date; write it as 2026-01-31 or 31.01.2026, or as the day number of a spreadsheet from 40000 to 60000",
+            )
+        };
+        if let Some(day) = of_day_number(text) {
+            return Ok(Self::Day(day));
+        }
         let date = without_time(text.trim()).ok_or_else(no_date)?;
-        if date.len() == 8 && date.bytes().all(|byte| byte.is_ascii_digit()) {
+        if date.len() == 8 && are_digits(date) {
             let part = |range: std::ops::Range<usize>| date[range].parse().unwrap_or(0);
             return Ok(Self::YearFirst([part(0..4), part(4..6), part(6..8)]));
         }
@@ -101,8 +154,7 @@ impl DateNumbers {
         let [first, second, third] = parts[..] else {
             return Err(no_date());
         };
-        let digits = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-        if !(digits(first) && digits(second) && digits(third)) {
+        if !parts.iter().all(|part| are_digits(part)) {
             return Err(no_date());
         }
         // No more than four digits, or refused by the lengths below.
@@ -150,6 +202,9 @@ mod tests {
             "15/03/2024",
             "03/15/2024 2:30 PM",
             "15-03-2024",
+            "45366",
+            "45366.39",
+            "45366,0",
         ] {
             assert_eq!(
                 read_date(text).map(|date| date.to_string()),
@@ -162,13 +217,15 @@ mod tests {
     fn one_date_of_a_column_tells_the_order_of_all() {
         let words = |texts: &[&str]| {
             let dates = read_dates(texts.iter().copied());
-            dates.map(|dates| {
-                dates
-                    .iter()
-                    .map(Date::to_string)
-                    .collect::<Vec<_>>()
-                    .join(" ")
-            })
+            dates
+                .map(|dates| {
+                    dates
+                        .iter()
+                        .map(Date::to_string)
+                        .collect::<Vec<_>>()
+                        .join(" ")
+                })
+                .map_err(|no_date| no_date.message)
         };
         assert_eq!(
             words(&["03/04/2024", "25/04/2024"]).unwrap(),
@@ -201,6 +258,9 @@ mod tests {
             ("2999-01-01", "between 1950 and 2100"),
             ("9999-12-31", "between 1950 and 2100"),
             ("01.01.0026", "between 1950 and 2100"),
+            ("39999", "no date"),
+            ("60001", "no date"),
+            ("45,366", "no date"),
             ("15.03.2024 before grinding", "no date"),
             ("1.2.3.2024", "no date"),
             ("2024-03-99999999999999999999", "no date"),

@@ -4,7 +4,7 @@ use riffel::diagnosis::CleanRail;
 use riffel::roughness::RailDefect;
 use riffel_keys::{Message, Value, fixed, say};
 
-use crate::{Record, RoughnessFile};
+use crate::{EarlierRails, Rail, Record, RoughnessFile};
 
 /// What became of the defects of a rail.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,11 +66,18 @@ impl RoughnessFile {
 impl Record {
     /// As [`RoughnessFile::without_defects`].
     pub fn without_defects(mut self) -> Self {
-        for rail in &mut self.rails {
+        let clean = |rail: &mut Rail| {
             let clean = CleanRail::new(std::mem::take(&mut rail.stretches));
             let said = defects_in_words(&rail.name, clean.defects(), DefectsAre::LeftOut);
-            self.warnings.extend(said);
             rail.stretches = clean.into_stretches();
+            said
+        };
+        self.warnings
+            .extend(self.rails.iter_mut().filter_map(clean));
+        for EarlierRails { date, rails } in &mut self.earlier {
+            let said = rails.iter_mut().filter_map(clean);
+            self.warnings
+                .extend(said.map(|said| said.about(date.to_string())));
         }
         self
     }

@@ -6,7 +6,7 @@ use riffel::roughness::Profile;
 use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, say};
 
-use crate::{LabelledSpectrum, Rail, Record, RoughnessFile, Survey};
+use crate::{EarlierRails, LabelledSpectrum, Rail, Record, RoughnessFile, Survey, find_rail};
 
 /// Shortest part of a stretch that is kept \[m\]: the shortest segment of EN 15610.
 const SHORTEST: f64 = 1.0;
@@ -31,10 +31,10 @@ impl RecordPart {
     pub fn of_rails(&self, path: &Path, mut rails: Vec<Rail>) -> Result<Vec<Rail>, CaseError> {
         if let Some(name) = &self.rail {
             let names: Vec<String> = rails.iter().map(|rail| rail.name.clone()).collect();
-            rails.retain(|rail| rail.name == *name);
-            if rails.is_empty() {
+            let Some(name) = named(&names, name) else {
                 return Err(no_rail(path, name, &names));
-            }
+            };
+            rails.retain(|rail| rail.name == *name);
         }
         if self.from.is_none() && self.to.is_none() {
             return Ok(rails);
@@ -79,6 +79,12 @@ impl RecordPart {
     }
 }
 
+/// The name that the file has for a rail.
+fn named<'a>(names: &'a [String], name: &str) -> Option<&'a String> {
+    let place = find_rail(names.iter().map(String::as_str), name)?;
+    names.get(place)
+}
+
 fn no_rail(path: &Path, name: &str, names: &[String]) -> CaseError {
     let names = names.join(", ");
     let message = format!("there is no rail \"{name}\" in the file; there are {names}");
@@ -93,7 +99,9 @@ impl Record {
     pub fn part(mut self, path: &Path, part: &RecordPart) -> Result<Self, CaseError> {
         if let Some(name) = &part.rail {
             // Columns are in the order of the rails, again for each record.
-            let kept: Vec<bool> = self.rails.iter().map(|rail| rail.name == *name).collect();
+            let names: Vec<String> = self.rails.iter().map(|rail| rail.name.clone()).collect();
+            let own = named(&names, name);
+            let kept: Vec<bool> = names.iter().map(|name| Some(name) == own).collect();
             if kept.contains(&true) {
                 let columns = self.format.rails.len();
                 let mut column = 0..;
@@ -104,6 +112,14 @@ impl Record {
             }
         }
         self.rails = part.of_rails(path, self.rails)?;
+        // Of an earlier date there may be less.
+        self.earlier = std::mem::take(&mut self.earlier)
+            .into_iter()
+            .filter_map(|EarlierRails { date, rails }| {
+                let rails = part.of_rails(path, rails).ok()?;
+                Some(EarlierRails { date, rails })
+            })
+            .collect();
         let all = || self.rails.iter().flat_map(|rail| &rail.stretches);
         let last = |stretch: &Profile| stretch.position(stretch.heights().len() - 1);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
@@ -157,7 +173,8 @@ impl RecordPart {
             return Err(CaseError::data(path, message));
         }
         let names: Vec<String> = rails.iter().map(|(rail, _)| rail.clone()).collect();
-        let chosen = rails.into_iter().find(|(rail, _)| rail == name);
+        let own = named(&names, name);
+        let chosen = rails.into_iter().find(|(rail, _)| Some(rail) == own);
         chosen
             .map(|(_, survey)| survey.records)
             .ok_or_else(|| no_rail(path, name, &names))

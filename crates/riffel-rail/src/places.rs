@@ -7,7 +7,7 @@ use riffel::roughness::Profile;
 use riffel_keys::CaseError;
 
 use crate::survey::spectrum;
-use crate::{LabelledSpectrum, Rail, Record, RoughnessFile, Survey};
+use crate::{LabelledSpectrum, Rail, Record, RoughnessFile, Survey, find_rail};
 
 /// Length of a place \[m\]: long enough for third octaves up to 0.25 m, and that of which the page shows a spectrum.
 const PLACE: f64 = 10.0;
@@ -31,6 +31,8 @@ impl Survey {
         else {
             return Ok(None);
         };
+        // One rail may have a name of its own in each file.
+        let now = &now.with_names_of(before);
         let both = &places(before) & &places(now);
         if both.len() < FEWEST {
             return Ok(None);
@@ -43,6 +45,20 @@ impl Survey {
             Self::new(path, records.concat(), record.warnings.clone())
         };
         Ok(Some([at_both(earlier.0, before)?, at_both(later.0, now)?]))
+    }
+}
+
+impl Record {
+    /// The record with the names that another one has for its rails.
+    fn with_names_of(&self, other: &Self) -> Self {
+        let mut named = self.clone();
+        for rail in &mut named.rails {
+            let names = other.rails.iter().map(|rail| rail.name.as_str());
+            if let Some(place) = find_rail(names, &rail.name) {
+                rail.name.clone_from(&other.rails[place].name);
+            }
+        }
+        named
     }
 }
 

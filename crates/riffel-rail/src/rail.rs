@@ -1,5 +1,6 @@
 //! A measured rail.
 
+use jiff::civil::Date;
 use riffel::roughness::Profile;
 
 /// One rail, or one line of measurement.
@@ -16,4 +17,13 @@ impl Rail {
     pub fn length(&self) -> f64 {
         self.stretches.iter().map(Profile::length).sum()
     }
+}
+
+/// Rails as they were at a date before the last.
+#[derive(Debug, Clone, PartialEq)]
+pub struct EarlierRails {
+    /// The date.
+    pub date: Date,
+    /// The rails.
+    pub rails: Vec<Rail>,
 }

@@ -5,7 +5,7 @@ use std::path::Path;
 use jiff::civil::Date;
 use riffel_keys::Message;
 
-use crate::{LabelledSpectrum, Rail, RoughnessFile};
+use crate::{EarlierRails, LabelledSpectrum, Rail, RoughnessFile};
 
 /// A record of a rail: one file, or what another program has in memory.
 #[derive(Debug, Clone, Copy)]
@@ -23,8 +23,10 @@ pub struct RailRecord<'a> {
 pub enum RailRoughness<'a> {
     /// A longitudinal profile.
     Profile {
-        /// Its rails.
+        /// Its rails as they were last.
         rails: &'a [Rail],
+        /// The date of these and the rails before, where the file is of several dates.
+        before: Option<(Date, &'a [EarlierRails])>,
         /// What was put right in it.
         warnings: &'a [Message],
     },
@@ -37,6 +39,7 @@ impl<'a> From<&'a RoughnessFile> for RailRoughness<'a> {
         match file {
             RoughnessFile::Profile(record) => Self::Profile {
                 rails: &record.rails,
+                before: (record.date).map(|date| (date, &record.earlier[..])),
                 warnings: &record.warnings,
             },
             RoughnessFile::Spectra(spectra, _) => Self::Spectra(spectra),

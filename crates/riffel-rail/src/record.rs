@@ -1,13 +1,18 @@
 //! A measured profile of one or more rails.
 
+use std::collections::BTreeMap;
+
+use jiff::civil::Date;
 use riffel::roughness::Profile;
 use riffel_keys::table::NumberRows;
-use riffel_keys::{Message, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
+use crate::date::read_dates;
+use crate::date_column::{date_column, day_numbers};
 use crate::format::{Column, ReaderFormat};
 use crate::plausibility;
-use crate::rail::Rail;
+use crate::rail::{EarlierRails, Rail};
 use crate::rail_name::name_in_words;
 use crate::refusal::Refusal;
 use crate::resampling::resampled;
@@ -38,16 +43,22 @@ pub struct Record {
     pub to: f64,
     /// Whether positions fall from line to line; heights here are in the order of rising position.
     pub falling: bool,
-    /// The rails, in the order of the format, for one record after the other.
+    /// The rails as they were last, in the order of the format, for one record after the other.
     pub rails: Vec<Rail>,
+    /// The last date, where the file has dates.
+    pub date: Option<Date>,
+    /// The rails as they were before, the earliest first.
+    pub earlier: Vec<EarlierRails>,
     /// Defects of the file that were put right, each counted.
     pub warnings: Vec<Message>,
 }
 
 impl Record {
-    /// `insisted` on the unit of the heights, a user is not refused because they are unlike any rail.
+    /// `heads` are those of the columns of labels. `insisted` on the unit of the heights, a user is not refused because they
+    /// are unlike any rail.
     pub(super) fn new(
         format: ReaderFormat,
+        heads: &[String],
         rows: NumberRows,
         assumptions: Vec<Message>,
         insisted: bool,
@@ -66,23 +77,24 @@ impl Record {
                 say!(first_at_line, sentence = said, line = line)
             }));
         }
-        let records = rows.by_label();
-        let (first_label, count) = (records[0].0.clone(), records.len());
-        let mut rails = Vec::new();
+        let records = Labelled::all(heads, rows.by_label(), &mut warnings)?;
+        let first_label = records[0].words.clone();
+        let (mut rails, mut dates) = (Vec::new(), Vec::new());
         let mut read: Option<Chainage> = None;
-        for (label, rows) in records {
-            let label = if count > 1 { &label[..] } else { "" };
-            let chainage = read_record(&format, &rows, label, &mut rails, &mut warnings)?;
+        for record in records {
+            let chainage = read_record(&format, &record, &mut rails, &mut warnings)?;
+            dates.resize(rails.len(), record.date);
             if let Some(first) = &read
                 && (chainage.spacing / first.spacing - 1.0).abs() > SAME_SPACING
             {
                 let message = format!(
-                    "samples of {label} are {:.4} mm apart, but those of {first_label} {:.4} mm: give each record a file \
+                    "samples of {} are {:.4} mm apart, but those of {first_label} {:.4} mm: give each record a file \
                      of its own",
+                    record.words,
                     1e3 * chainage.spacing,
                     1e3 * first.spacing
                 );
-                return Err(Refusal::new(Some(rows.line(0)), message));
+                return Err(Refusal::new(Some(record.rows.line(0)), message));
             }
             read.get_or_insert(chainage);
         }
@@ -97,6 +109,16 @@ impl Record {
             checked => checked?,
         }
         warnings.extend(coarse_sampling(spacing));
+        let (rails, earlier) = latest_and_earlier(rails, &dates);
+        let date = dates.iter().copied().max().flatten();
+        if let (Some(last), [_, ..]) = (date, &earlier[..]) {
+            let before: Value = earlier.iter().map(|one| one.date.to_string()).collect();
+            warnings.push(say!(
+                rails_of_last_date,
+                last = last.to_string(),
+                before = before
+            ));
+        }
         let all = || rails.iter().flat_map(|rail| &rail.stretches);
         let from = all().map(Profile::start).fold(f64::INFINITY, f64::min);
         let end = |profile: &Profile| profile.position(profile.heights().len() - 1);
@@ -108,6 +130,8 @@ impl Record {
             to,
             falling,
             rails,
+            date,
+            earlier,
             warnings,
         })
     }
@@ -123,14 +147,100 @@ fn size(column: &Column) -> f64 {
     column.metres().unwrap_or(1.0)
 }
 
-/// The rails of the rows of one label, which is empty where there is one record only.
+/// The rows of one record.
+struct Labelled {
+    /// What tells its rails from those of other records; empty where there is one only.
+    rail: String,
+    /// The same with the date, where there are several.
+    words: String,
+    date: Option<Date>,
+    rows: NumberRows,
+}
+
+impl Labelled {
+    /// Cells of labels, under heads, as dates and rails.
+    fn all(
+        heads: &[String],
+        records: Vec<(Vec<String>, NumberRows)>,
+        warnings: &mut Vec<Message>,
+    ) -> Result<Vec<Self>, Refusal> {
+        let cells = |column: usize| -> Vec<String> {
+            let records = records.iter();
+            records
+                .filter_map(|(cells, _)| cells.get(column).cloned())
+                .collect()
+        };
+        let names: Vec<&str> = heads.iter().map(String::as_str).collect();
+        let time = date_column(&names, &cells);
+        let mut dates = vec![None; records.len()];
+        if let Some(column) = time {
+            let texts = cells(column);
+            let texts = || texts.iter().map(String::as_str);
+            let read = read_dates(texts()).map_err(|no_date| {
+                let line = records[no_date.place].1.line(0);
+                Refusal::new(Some(line), no_date.of(&heads[column]).message)
+            })?;
+            dates = read.into_iter().map(Some).collect();
+            warnings.extend(day_numbers(&heads[column], texts()));
+        }
+        let rail_of = |cells: &[String]| {
+            let cells = cells.iter().enumerate();
+            let cells = cells.filter(|(column, _)| Some(*column) != time);
+            let cells: Vec<&str> = cells.map(|(_, cell)| cell.as_str()).collect();
+            cells.join(" ")
+        };
+        let first = rail_of(&records[0].0);
+        let one_rail = records.iter().all(|(cells, _)| rail_of(cells) == first);
+        let one_date = dates.iter().all(|date| *date == dates[0]);
+        let records = records.into_iter().zip(dates);
+        let labelled = records.map(|((cells, rows), date)| {
+            let rail = match one_rail {
+                true => String::new(),
+                false => rail_of(&cells),
+            };
+            let day = date.filter(|_| !one_date).map(|date| date.to_string());
+            let words = [day.as_deref().unwrap_or_default(), &rail];
+            Self {
+                words: words.join(" ").trim().to_owned(),
+                rail,
+                date,
+                rows,
+            }
+        });
+        Ok(labelled.collect())
+    }
+}
+
+/// Rails as they were last, each by its name, and before, the earliest date first.
+fn latest_and_earlier(rails: Vec<Rail>, dates: &[Option<Date>]) -> (Vec<Rail>, Vec<EarlierRails>) {
+    let mut last: BTreeMap<String, Option<Date>> = BTreeMap::new();
+    for (rail, date) in rails.iter().zip(dates) {
+        let known = last.entry(rail.name.clone()).or_default();
+        *known = (*known).max(*date);
+    }
+    let (mut latest, mut before) = (Vec::new(), BTreeMap::<Date, Vec<Rail>>::new());
+    for (rail, date) in rails.into_iter().zip(dates) {
+        match *date {
+            Some(date) if last[&rail.name] > Some(date) => {
+                before.entry(date).or_default().push(rail);
+            }
+            _ => latest.push(rail),
+        }
+    }
+    let earlier = before
+        .into_iter()
+        .map(|(date, rails)| EarlierRails { date, rails });
+    (latest, earlier.collect())
+}
+
+/// The rails of one record.
 fn read_record(
     format: &ReaderFormat,
-    rows: &NumberRows,
-    label: &str,
+    record: &Labelled,
     rails: &mut Vec<Rail>,
     warnings: &mut Vec<Message>,
 ) -> Result<Chainage, Refusal> {
+    let (rows, label) = (&record.rows, &record.words[..]);
     let count = rows.columns.first().map_or(0, Vec::len);
     if count < 2 {
         return Err(Refusal::new(
@@ -178,7 +288,7 @@ fn read_record(
         }
     }));
     for (column, heights) in format.rails.iter().zip(columns) {
-        let name = match (&column.name[..], label) {
+        let name = match (&column.name[..], &record.rail[..]) {
             (_, label) if !label.is_empty() && format.rails.len() == 1 => label.to_owned(),
             ("", label) => format!("{label} column {}", column.column),
             (name, label) => format!("{label} {name}"),

@@ -8,7 +8,7 @@ use riffel_keys::table::{
 };
 use riffel_keys::{Message, say};
 
-use crate::date::{is_date, read_dates};
+use crate::date_column::write_dates_alike;
 use crate::labelled_spectrum::LabelledSpectrum;
 use crate::length_unit::metres;
 use crate::level_unit::level_shift;
@@ -98,7 +98,7 @@ impl Columns {
     }
 
     /// Columns of numbers that were left out, a sentence for each.
-    pub(super) fn left_out(&self, rows: &Rows<'_>) -> Vec<Message> {
+    fn left_out(&self, rows: &Rows<'_>) -> Vec<Message> {
         let Self::Long { others, .. } = self else {
             return Vec::new();
         };
@@ -247,9 +247,13 @@ impl<'a> Rows<'a> {
     }
 }
 
-/// Read the rows of a table. With a row for each band, those whose other columns agree make a spectrum.
-pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<Vec<LabelledSpectrum>, Refusal> {
-    let mut spectra = match columns {
+/// Read the rows of a table, and what is said of its columns. With a row for each band, those whose other columns agree make
+/// a spectrum.
+pub(super) fn read(
+    rows: &Rows<'_>,
+    columns: &Columns,
+) -> Result<(Vec<LabelledSpectrum>, Vec<Message>), Refusal> {
+    let (lines, mut spectra): (Vec<usize>, Vec<LabelledSpectrum>) = match columns {
         Columns::Long {
             wavelength,
             levels,
@@ -257,14 +261,18 @@ pub(super) fn read(rows: &Rows<'_>, columns: &Columns) -> Result<Vec<LabelledSpe
             ..
         } => read_long(rows, *wavelength, levels, labels)?,
         Columns::Wide { bands, unit } => read_wide(rows, bands, *unit)?,
-    };
+    }
+    .into_iter()
+    .unzip();
     refuse_octaves(&spectra)?;
     let levels = spectra
         .iter()
         .flat_map(|spectrum| spectrum.spectrum.levels());
     plausibility::check_levels(levels.map(|level| level.level))?;
-    write_dates_alike(&mut spectra);
-    Ok(spectra)
+    let dates = write_dates_alike(&mut spectra)
+        .map_err(|no_date| Refusal::new(Some(lines[no_date.place]), no_date.message))?;
+    let remarks = columns.left_out(rows).into_iter().chain(dates);
+    Ok((spectra, remarks.collect()))
 }
 
 /// Octaves are no one-third octaves: each of their levels is the sum of three.
@@ -288,13 +296,13 @@ fn refuse_octaves(spectra: &[LabelledSpectrum]) -> Result<(), Refusal> {
     Ok(())
 }
 
-/// A band for each row.
+/// A band for each row: spectra with the line on which each begins.
 fn read_long(
     rows: &Rows<'_>,
     wavelength: usize,
     levels: &[usize],
     labels: &[usize],
-) -> Result<Vec<LabelledSpectrum>, Refusal> {
+) -> Result<Vec<(usize, LabelledSpectrum)>, Refusal> {
     let header = rows.header;
     let metres = unit(&header[wavelength]).map_err(|message| rows.in_header(message))?;
     let shifts = levels
@@ -302,7 +310,7 @@ fn read_long(
         .map(|&level| level_shift(&header[level]).map_err(|message| rows.in_header(message)))
         .collect::<Result<Vec<f64>, Refusal>>()?;
     let mut spectra: BTreeMap<usize, Vec<(ThirdOctave, f64)>> = BTreeMap::new();
-    let mut known: Vec<Vec<String>> = Vec::new();
+    let mut known: Vec<(usize, Vec<String>)> = Vec::new();
     for row in rows.rows() {
         let row = row?;
         let at = |message: String| Refusal::new(Some(row.line), message);
@@ -326,9 +334,9 @@ fn read_long(
             if levels.len() > 1 {
                 own.push(header[level].clone());
             }
-            let place = known.iter().position(|other| *other == own);
+            let place = known.iter().position(|(_, other)| *other == own);
             let place = place.unwrap_or_else(|| {
-                known.push(own);
+                known.push((row.line, own));
                 known.len() - 1
             });
             let levels = spectra.entry(place).or_default();
@@ -348,16 +356,19 @@ fn read_long(
     }
     spectra
         .into_iter()
-        .map(|(place, levels)| labelled(&names, &known[place], levels))
+        .map(|(place, levels)| {
+            let (line, labels) = &known[place];
+            Ok((*line, labelled(&names, labels, levels)?))
+        })
         .collect()
 }
 
-/// A spectrum for each row.
+/// A spectrum for each row, with its line.
 fn read_wide(
     rows: &Rows<'_>,
     bands: &[(usize, f64)],
     unit: Option<f64>,
-) -> Result<Vec<LabelledSpectrum>, Refusal> {
+) -> Result<Vec<(usize, LabelledSpectrum)>, Refusal> {
     let header = rows.header;
     let wrong = |message: String| rows.in_header(message);
     let Some(unit) = unit else {
@@ -396,7 +407,7 @@ fn read_wide(
                 return Err(Refusal::new(Some(row.line), "has no level in any band"));
             }
             let labels: Vec<String> = others.iter().map(|&index| row.text(index)).collect();
-            labelled(&names, &labels, levels)
+            Ok((row.line, labelled(&names, &labels, levels)?))
         })
         .collect()
 }
@@ -411,24 +422,6 @@ fn labelled(
         labels: names.iter().cloned().zip(labels.iter().cloned()).collect(),
         spectrum,
     })
-}
-
-/// Columns of dates as in 2026-01-31, whatever the file writes, where the whole column leaves no doubt.
-fn write_dates_alike(spectra: &mut [LabelledSpectrum]) {
-    let columns = spectra.first().map_or(0, |first| first.labels.len());
-    for column in 0..columns {
-        if !is_date(&spectra[0].labels[column].0) {
-            continue;
-        }
-        let texts = spectra
-            .iter()
-            .map(|spectrum| spectrum.labels[column].1.as_str());
-        if let Ok(dates) = read_dates(texts) {
-            for (spectrum, date) in spectra.iter_mut().zip(dates) {
-                spectrum.labels[column].1 = date.to_string();
-            }
-        }
-    }
 }
 
 /// Size of the unit of the wavelength \[m\] from the name of its column, which must say it.

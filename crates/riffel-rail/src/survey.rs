@@ -6,11 +6,17 @@ use std::path::{Path, PathBuf};
 use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
+use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{CaseError, Message, number, say};
 
-use crate::date::{is_date, read_date, read_dates};
+use crate::date::{read_date, read_dates};
+use crate::rail_name::is_rail_column;
 use crate::rail_spectrum::RailSpectrum;
-use crate::{LabelledSpectrum, Layout, RoughnessFile};
+use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
+
+/// Words for an instrument at the head of a column.
+const DEVICE: &str = "device|instrument|trolley|gerät|geraet|messgerät|messgeraet|messsystem|appareil|équipement|equipo|aparato|\
+                      dispositivo|strumento|apparecchio|toestel|serial|seriennummer";
 
 /// The spectrum of stretches after EN 15610, levels alone; `place` is where they lie in words.
 pub(crate) fn spectrum(
@@ -41,15 +47,18 @@ impl Survey {
     /// Spectra of a file, with what was put right in it.
     ///
     /// # Errors
-    /// [`CaseError::Data`] where there is none.
+    /// [`CaseError::Data`] where there is none, or one has a date that is not read.
     pub fn new(
         path: &Path,
-        records: Vec<LabelledSpectrum>,
-        warnings: Vec<Message>,
+        mut records: Vec<LabelledSpectrum>,
+        mut warnings: Vec<Message>,
     ) -> Result<Self, CaseError> {
         if records.is_empty() {
             return Err(CaseError::data(path, "there is no spectrum in the file"));
         }
+        // Those of a file were read with their lines.
+        let read = date_column::write_dates_alike(&mut records);
+        warnings.extend(read.map_err(|no_date| CaseError::data(path, no_date.message))?);
         Ok(Self {
             path: path.to_owned(),
             records,
@@ -66,12 +75,19 @@ impl Survey {
             RoughnessFile::Spectra(records, warnings) => return Self::new(path, records, warnings),
             RoughnessFile::Profile(record) => record,
         };
-        let rails = record.rails.into_iter().map(|rail| {
-            let spectrum = spectrum(path, &rail.name, rail.stretches)?;
-            Ok(LabelledSpectrum::of_rail(&rail.name, spectrum))
-        });
-        let rails = rails.collect::<Result<_, CaseError>>()?;
-        Self::new(path, rails, record.warnings)
+        let mut records = Vec::new();
+        let earlier = record.earlier.into_iter();
+        let dated = earlier.map(|one| (Some(one.date), one.rails));
+        for (date, rails) in dated.chain([(record.date, record.rails)]) {
+            for rail in rails {
+                let spectrum = spectrum(path, &rail.name, rail.stretches)?;
+                let mut spectrum = LabelledSpectrum::of_rail(&rail.name, spectrum);
+                let date = date.map(|date| ("date".to_owned(), date.to_string()));
+                spectrum.labels.extend(date);
+                records.push(spectrum);
+            }
+        }
+        Self::new(path, records, record.warnings)
     }
 
     /// The file.
@@ -97,8 +113,8 @@ impl Survey {
             };
             self.check_column(column)?;
             // A date may be written as in the file or in another way.
-            let date = is_date(column).then(|| read_date(value).ok()).flatten();
-            let date = date.map(|date| date.to_string());
+            let date = (self.date_column() == Some(column)).then(|| read_date(value).ok());
+            let date = date.flatten().map(|date| date.to_string());
             let chosen = |record: &LabelledSpectrum| {
                 let label = record.label(column);
                 label == Some(value) || (date.is_some() && label == date.as_deref())
@@ -108,23 +124,46 @@ impl Survey {
             }
             self.records.retain(chosen);
         }
+        self.warnings.extend(self.change_of_device());
         Ok(self)
     }
 
-    /// The first column that is called a date.
+    /// What is said where the last date was measured by other instruments than the first.
+    fn change_of_device(&self) -> Option<Message> {
+        let is_device = |column: &&str| words(column).iter().any(|word| is_one_of(word, DEVICE));
+        let column = self.columns().find(is_device)?;
+        let dates = self.by_date(self.date_column()?).ok()?;
+        let devices = |survey: &Self| -> Vec<String> {
+            let labels = survey.records.iter().filter_map(|one| one.label(column));
+            let devices: BTreeSet<&str> = labels.collect();
+            devices.into_iter().map(str::to_owned).collect()
+        };
+        let ends = (devices(&dates.first()?.1), devices(&dates.last()?.1));
+        (ends.0 != ends.1).then(|| {
+            say!(
+                device_changes,
+                column = column,
+                first = ends.0.join(", "),
+                last = ends.1.join(", ")
+            )
+        })
+    }
+
+    /// The column of the dates, by its head or its cells.
     pub fn date_column(&self) -> Option<&str> {
-        self.columns().find(|column| is_date(column))
+        let column = date_column::of_spectra(&self.records)?;
+        self.columns().nth(column)
     }
 
     /// The records by the values of a column: by dates the earliest first, else in the order of the file; one group
     /// named "all" without a column.
     ///
     /// # Errors
-    /// [`CaseError::Data`] for a column that is not there, or is called a date and holds something else.
+    /// [`CaseError::Data`] for a column that is not there.
     pub fn groups(&self, by: Option<&str>) -> Result<Vec<(String, Self)>, CaseError> {
         match by {
             None => Ok(vec![("all".to_owned(), self.clone())]),
-            Some(column) if is_date(column) => {
+            Some(column) if self.date_column() == Some(column) => {
                 let dates = self.by_date(column)?.into_iter();
                 Ok(dates
                     .map(|(date, survey)| (date.to_string(), survey))
@@ -146,7 +185,7 @@ impl Survey {
                     Self {
                         path: self.path.clone(),
                         records: vec![record.clone()],
-                        warnings: Vec::new(),
+                        warnings: self.warnings.clone(),
                     },
                 )),
             }
@@ -156,8 +195,7 @@ impl Survey {
 
     /// The column that names the rail of each record, if there is one.
     pub fn rail_column(&self) -> Option<&str> {
-        self.columns()
-            .find(|column| ["rail", "schiene"].contains(&column.to_lowercase().as_str()))
+        self.columns().find(|column| is_rail_column(column))
     }
 
     /// The records of each rail, in the order of the file; all under an empty name where rails are not named.
@@ -180,7 +218,7 @@ impl Survey {
     pub fn by_date(&self, column: &str) -> Result<Vec<(Date, Self)>, CaseError> {
         let groups = self.groups_in_order(column)?;
         let read = read_dates(groups.iter().map(|(written, _)| written.as_str()))
-            .map_err(|message| self.refuse(format!("column `{column}`: {message}")))?;
+            .map_err(|no_date| self.refuse(no_date.of(column).message))?;
         let mut dates: Vec<(Date, Self)> = Vec::new();
         for (date, (_, mut survey)) in read.into_iter().zip(groups) {
             // One date may be written in several ways.
@@ -206,7 +244,6 @@ impl Survey {
         let Some(column) = self.date_column().map(str::to_owned) else {
             return (self, None);
         };
-        // A column that is called a date and holds something else tells no time.
         let Ok(dates) = self.by_date(&column) else {
             return (self, None);
         };
@@ -240,13 +277,13 @@ impl Survey {
         (latest, Some(last))
     }
 
-    /// The energy mean of what a file has, its layout told from itself.
+    /// The energy mean of the latest that a file has, its layout told from itself.
     ///
     /// # Errors
     /// Those of [`RoughnessFile::read`] and [`of`](Self::of).
     pub fn mean_of(path: &Path) -> Result<Spectrum, CaseError> {
         let file = RoughnessFile::read(path, &Layout::default(), &|_| ())?;
-        Ok(Self::of(path, file)?.mean())
+        Ok(Self::of(path, file)?.latest().0.mean())
     }
 
     /// Energy mean of the records.
@@ -286,6 +323,7 @@ impl Survey {
         earlier: &Self,
         passages: f64,
     ) -> Result<MeasuredChange, riffel::Error> {
+        let earlier = &earlier.with_names_of(self);
         let values = |survey: &Self, column: &str| -> BTreeSet<String> {
             let labels = survey.records.iter().filter_map(|r| r.label(column));
             labels.map(str::to_owned).collect()
@@ -320,6 +358,23 @@ impl Survey {
         } else {
             MeasuredChange::groups(earlier.spectra(), self.spectra(), passages)
         }
+    }
+
+    /// The survey with the names that another one has for its rails and the column of them.
+    fn with_names_of(&self, other: &Self) -> Self {
+        let mut named = self.clone();
+        let (Some(own), Some(column)) = (self.rail_column(), other.rail_column()) else {
+            return named;
+        };
+        let names = other.rails();
+        let labels = named.records.iter_mut().flat_map(|one| &mut one.labels);
+        for (head, rail) in labels.filter(|(head, _)| head == own) {
+            column.clone_into(head);
+            if let Some(place) = find_rail(names.iter().map(String::as_str), rail) {
+                rail.clone_from(&names[place]);
+            }
+        }
+        named
     }
 
     fn check_column(&self, column: &str) -> Result<(), CaseError> {

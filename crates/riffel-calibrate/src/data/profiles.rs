@@ -246,6 +246,13 @@ fn profile(path: &Path, rail: Option<&str>) -> Result<Profile, CaseError> {
             "has spectra, but a profile is needed: heights along the rail",
         ));
     };
+    if let Some(before) = record.earlier.first() {
+        let message = format!(
+            "has profiles of several dates, the first {}; give each date a file",
+            before.date
+        );
+        return Err(refuse(&message));
+    }
     let names: Vec<&str> = record.rails.iter().map(|rail| &*rail.name).collect();
     let own = match (rail, &record.rails[..]) {
         (None, [only]) => Some(only),

@@ -33,7 +33,7 @@ pub(crate) struct Forecast {
     pub(crate) traffic: Option<PathBuf>,
 
     /// Folder of a finished calibration of the case: its levels, traffic and draws, with bands of 50 and 90 %.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["traffic", "spectrum", "ground_rail", "passages", "mgt", "date"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["traffic", "spectrum", "ground_rail", "passages", "mgt", "date", "earlier", "dates", "date_column", "choose", "earlier_choose", "passages_between"])]
     pub(crate) posterior: Option<PathBuf>,
 
     /// Limit of the levels, by name or as a TOML file.
@@ -80,16 +80,31 @@ pub(crate) struct Spectra {
     pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
+    #[arg(
+        long = "where",
+        value_name = "COLUMN=VALUE",
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
+    )]
     pub(crate) choose: Vec<String>,
 
     /// Column of dates, as 2026-01-31 or 31.01.2026: the latest is now, the earliest before.
-    #[arg(long, value_name = "COLUMN", requires = "spectrum")]
+    #[arg(
+        long,
+        value_name = "COLUMN",
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
+    )]
     pub(crate) date_column: Option<String>,
 
     /// An earlier measurement of the same rail, to fit the wear coefficient to; may be repeated, the oldest first: that is the one
     /// taken.
-    #[arg(long, value_name = "FILE", requires = "spectrum")]
+    #[arg(
+        long,
+        value_name = "FILE",
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
+    )]
     pub(crate) earlier: Vec<PathBuf>,
 
     /// Dates of the measurements, as 2026-01-31: one for each --earlier and one for --spectrum.
@@ -98,7 +113,7 @@ pub(crate) struct Spectra {
         value_name = "DATE,…",
         value_delimiter = ',',
         requires = "earlier",
-        conflicts_with = "date_column",
+        conflicts_with_all = ["date_column", "ground_rail"],
         value_parser = read_date
     )]
     pub(crate) dates: Vec<jiff::civil::Date>,
@@ -107,7 +122,8 @@ pub(crate) struct Spectra {
     #[arg(
         long = "earlier-where",
         value_name = "COLUMN=VALUE",
-        requires = "spectrum"
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
     )]
     pub(crate) earlier_choose: Vec<String>,
 
@@ -117,7 +133,8 @@ pub(crate) struct Spectra {
         value_name = "N",
         allow_negative_numbers = true,
         value_parser = plain_number,
-        requires = "spectrum"
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
     )]
     pub(crate) passages_between: Option<f64>,
 }
@@ -254,7 +271,12 @@ pub(crate) struct Compare {
     pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
+    #[arg(
+        long = "where",
+        value_name = "COLUMN=VALUE",
+        requires = "spectrum",
+        conflicts_with = "ground_rail"
+    )]
     pub(crate) choose: Vec<String>,
 
     /// Limit of the levels, by name or as a TOML file.

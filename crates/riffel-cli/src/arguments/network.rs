@@ -63,6 +63,11 @@ pub(crate) struct Ingest {
     #[arg(long, value_name = "LENGTH")]
     pub(crate) resolution: Option<Quantity<Length>>,
 
+    /// Call a rail of the file by another name; may be repeated. Without it "Höhe links", "L", "1" or "gauche" is the rail that the
+    /// line calls left.
+    #[arg(long, value_name = "OLD=NEW", value_parser = renamed)]
+    pub(crate) rename: Vec<(String, String)>,
+
     /// Put it in the place of another survey of the line on that day.
     #[arg(long)]
     pub(crate) replace: bool,
@@ -232,4 +237,17 @@ pub(crate) struct Plan {
     /// Cost of each site, besides.
     #[arg(long, value_name = "MONEY", allow_negative_numbers = true, value_parser = sum_of_money, default_value = "0", requires = "money")]
     pub(crate) cost_per_site: f64,
+}
+
+/// The name of a rail and another one for it.
+fn renamed(text: &str) -> Result<(String, String), String> {
+    match text
+        .split_once('=')
+        .map(|(old, new)| (old.trim(), new.trim()))
+    {
+        Some((old, new)) if !old.is_empty() && !new.is_empty() => {
+            Ok((old.to_owned(), new.to_owned()))
+        }
+        _ => Err("must be OLD=NEW".to_owned()),
+    }
 }

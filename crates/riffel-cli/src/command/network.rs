@@ -119,6 +119,7 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
     };
     let store = Store::create_or_open(&arguments.store, settings)?;
     let file = SurveyFile::check(&arguments.path)?;
+    let file = file.rename(arguments.rename.iter().cloned().collect())?;
     let progress = Progress::new("taking in blocks", file.rows() as usize);
     let (line, date) = (&arguments.line, &arguments.date);
     let found = store.ingest(line, date, &file, arguments.replace, &|by| {
@@ -148,6 +149,16 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
         )
     });
     print_remarks(&twice.collect::<Vec<String>>());
+    let renamed = found.renamed.iter();
+    let renamed =
+        renamed.map(|(old, new)| format!("rail {old} of the file is rail {new} of the line"));
+    print_remarks(&renamed.collect::<Vec<_>>());
+    if let [_, ..] = &found.new_rails[..] {
+        print_remarks(&[format!(
+            "the line has not had rail {} before; if it has another name there, ingest the file again with --rename OLD=NEW --replace",
+            found.new_rails.join(", ")
+        )]);
+    }
     if let Some(alike) = &found.alike {
         print_remarks(&[format!(
             "the store has a line \"{alike}\", and \"{}\" is another one; if the same was meant, delete the folder of this one in \

@@ -24,8 +24,9 @@ pub struct NumberRows {
     pub marked: Vec<Option<Marked>>,
     /// First row and line of each piece, and the lines of its rows where some were left out.
     pieces: Vec<(usize, usize, Option<Vec<u32>>)>,
-    /// What the columns of labels hold together, once each, and which of these every row has; empty without such columns.
-    labels: (Vec<String>, Vec<u32>),
+    /// The cells of the columns of labels, those of a row together and once each, and which of these every row has; empty
+    /// without such columns.
+    labels: (Vec<Vec<String>>, Vec<u32>),
 }
 
 /// A row that has no such numbers.
@@ -48,8 +49,9 @@ impl NumberRows {
         }
     }
 
-    /// The rows of each label, in the order in which labels first come; all rows under an empty one where there are none.
-    pub fn by_label(self) -> Vec<(String, Self)> {
+    /// The rows of each label with its cells, in the order in which labels first come; all rows without one where there are
+    /// none.
+    pub fn by_label(self) -> Vec<(Vec<String>, Self)> {
         if self.labels.0.len() < 2 {
             let label = self.labels.0.first().cloned().unwrap_or_default();
             return vec![(label, self)];
@@ -330,7 +332,7 @@ impl Piece {
 #[derive(Default)]
 struct Labels {
     ids: BTreeMap<Vec<u8>, u32>,
-    known: Vec<String>,
+    known: Vec<Vec<String>>,
     of_rows: Vec<u32>,
     last: Vec<u8>,
 }
@@ -341,8 +343,8 @@ impl Labels {
         let id = match self.of_rows.last() {
             Some(&id) if joined == self.last => id,
             _ => *self.ids.entry(joined.clone()).or_insert_with(|| {
-                let words: Vec<String> = cells.iter().map(|cell| label(cell)).collect();
-                self.known.push(words.join(" "));
+                self.known
+                    .push(cells.iter().map(|cell| label(cell)).collect());
                 (self.known.len() - 1) as u32
             }),
         };
@@ -385,7 +387,7 @@ mod tests {
             Some((-9999.0, 1))
         );
         let records = rows.by_label();
-        let names: Vec<&str> = records.iter().map(|record| &record.0[..]).collect();
+        let names: Vec<String> = records.iter().map(|record| record.0.join(" ")).collect();
         assert_eq!(names, ["L", "R"]);
         assert_eq!(records[0].1.columns[0], [0.0, 0.1, 0.2]);
         assert_eq!(records[0].1.line(2), 5);

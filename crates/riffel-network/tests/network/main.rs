@@ -4,6 +4,7 @@ mod damaged;
 mod growing;
 mod kinds;
 mod planning;
+mod rails;
 mod records;
 
 use std::fmt::Write;

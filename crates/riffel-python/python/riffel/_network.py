@@ -60,7 +60,13 @@ class Network:
         return f"Network({self._folder!r})"
 
     def ingest(
-        self, file: str | os.PathLike[str], line: str, date: str, *, replace: bool = False
+        self,
+        file: str | os.PathLike[str],
+        line: str,
+        date: str,
+        *,
+        replace: bool = False,
+        rename: dict[str, str] | None = None,
     ) -> dict[str, Any]:
         """Add a survey: blocks along the rails of a line, as `riffel axlebox` and `riffel roughness` write them.
 
@@ -74,14 +80,17 @@ class Network:
             The day, as in ``"2026-01-31"``.
         replace : bool, default False
             Put it in the place of another survey of the line on that day.
+        rename : dict, optional
+            Other names for rails of the file. ``"links"``, ``"L"`` or ``"gauche"`` is the rail that the line calls left without it.
 
         Returns
         -------
         dict
-            ``line``, ``date``, ``there_already``, ``measured``, the cells of each rail, and ``goes_back``, the long kilometres. Surveys are there whole or not at all;
+            ``line``, ``date``, ``there_already``, ``measured``, the cells of each rail, ``goes_back``, the long kilometres, ``renamed``,
+            the rails that have other names in the file, and ``new_rails``, those that the line has not had. Surveys are there whole or not at all;
             the same one again changes nothing. Of several processes that add at once, as under Dask, all but one raise `OSError`.
         """
-        return _riffel.network_ingest(self._folder, self._resolution, os.fspath(file), line, date, replace)
+        return _riffel.network_ingest(self._folder, self._resolution, os.fspath(file), line, date, replace, rename or {})
 
     def status(self) -> dict[str, Any]:
         """Lines, dates, kilometres and RMS of the latest surveys: what ``riffel network status --json`` prints."""

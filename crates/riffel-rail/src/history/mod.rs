@@ -81,6 +81,31 @@ impl RailHistory {
         earlier: &[RailRecord<'_>],
         choice: SpectraChoice<'_>,
     ) -> Result<Self, CaseError> {
+        if let (
+            [],
+            None,
+            RailRoughness::Profile {
+                rails,
+                before: Some((date, before @ [_, ..])),
+                warnings,
+            },
+        ) = (earlier, present.date, present.roughness)
+        {
+            let record = |date: Date, rails, warnings| RailRecord {
+                name: present.name,
+                date: Some(date),
+                roughness: RailRoughness::Profile {
+                    rails,
+                    before: None,
+                    warnings,
+                },
+            };
+            let earlier: Vec<RailRecord<'_>> = before
+                .iter()
+                .map(|one| record(one.date, &one.rails, &[]))
+                .collect();
+            return Self::new(&record(date, rails, warnings), &earlier, choice);
+        }
         let given = dates(earlier.iter().chain([present])).unwrap_or_default();
         if let Some(pair) = given.windows(2).find(|pair| pair[1] <= pair[0]) {
             let message = format!(
@@ -90,9 +115,9 @@ impl RailHistory {
             return Err(CaseError::data(present.name, message));
         }
         match present.roughness {
-            RailRoughness::Profile { rails, warnings } => {
-                profiles::history(present, rails, warnings, earlier, choice)
-            }
+            RailRoughness::Profile {
+                rails, warnings, ..
+            } => profiles::history(present, rails, warnings, earlier, choice),
             RailRoughness::Spectra(spectra) => tables::history(present, spectra, earlier, choice),
         }
     }

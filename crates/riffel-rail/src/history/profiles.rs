@@ -5,7 +5,9 @@ use riffel::diagnosis::{CleanRail, Course, CoursePoint, FineSpectrum, LocatedWav
 use riffel_keys::{CaseError, Message, fixed, number, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
-use crate::{DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, name_in_words};
+use crate::{
+    DefectsAre, Rail, RailRecord, RailRoughness, defects_in_words, find_rail, name_in_words,
+};
 
 /// The history of rails whose heights were measured.
 pub(super) fn history(
@@ -185,6 +187,7 @@ impl FoundWavelengths {
             let RailRoughness::Profile {
                 rails: past,
                 warnings: remarks,
+                ..
             } = record.roughness
             else {
                 return Err(CaseError::data(
@@ -240,10 +243,13 @@ fn clean_rail(rail: &Rail, choice: SpectraChoice<'_>) -> CleanRail {
     }
 }
 
-/// The rail of an earlier record that is this one: that of the same name, or where no name agrees the one at the
+/// The rail of an earlier record that is this one: that of a name for the same rail, or where no name agrees the one at the
 /// same place in the file.
 fn same_rail<'a>(past: &'a [Rail], rails: &[Rail], index: usize) -> Option<&'a Rail> {
-    let named = |name: &str| past.iter().find(|rail| rail.name == name);
+    let named = |name: &str| {
+        let place = find_rail(past.iter().map(|rail| rail.name.as_str()), name);
+        place.and_then(|place| past.get(place))
+    };
     if let Some(same) = named(&rails[index].name) {
         return Some(same);
     }

@@ -8,7 +8,7 @@ use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_keys::{CaseError, Message, number, say};
 
 use super::{Curves, Measured, RailHistory, SpectraChoice, dates, times};
-use crate::{LabelledSpectrum, RailRecord, RailRoughness, Survey, name_in_words};
+use crate::{LabelledSpectrum, RailRecord, RailRoughness, Survey, find_rail, name_in_words};
 
 /// The history of rails whose levels were measured.
 pub(super) fn history(
@@ -35,6 +35,7 @@ pub(super) fn history(
         records.push((record.name.display().to_string(), survey));
     }
     let survey = chosen(present.name, spectra)?;
+    let remarks = survey.warnings.clone();
     // The rails, unless the records are told apart by just that.
     let rails: Vec<Option<String>> = match survey.rail_column() {
         Some(column) if choice.by != Some(column) => {
@@ -69,7 +70,7 @@ pub(super) fn history(
             rails = number(rails)
         ),
     };
-    let mut warnings = Vec::new();
+    let mut warnings = remarks;
     let records: Vec<(&str, f64, &Survey)> = (records.iter().zip(&times))
         .map(|((name, survey), &time)| (name.as_str(), time, survey))
         .collect();
@@ -107,10 +108,9 @@ fn groups(
     for &(name, time, survey) in records {
         let of_rail = match (rail, survey.rail_column()) {
             (Some(rail), Some(_)) => {
-                let mut rails = survey.by_rail().into_iter();
-                rails
-                    .find(|(name, _)| name == rail)
-                    .map(|(_, survey)| survey)
+                let mut rails = survey.by_rail();
+                let place = find_rail(rails.iter().map(|(name, _)| name.as_str()), rail);
+                place.map(|place| rails.swap_remove(place).1)
             }
             (Some(_), None) if are_several => None,
             _ => Some(survey.clone()),

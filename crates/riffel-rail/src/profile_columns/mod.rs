@@ -8,6 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use riffel_keys::table::{self, Table, is_one_of, words};
 use riffel_keys::{Message, number, say};
 
+use crate::date_column::is_of_time;
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
 use crate::unit_remark::{Kind, UnitRemarks};
@@ -31,12 +32,13 @@ impl<'a> ProfileTable<'a> {
             stated: UnitRemarks::of(&table.heading.remarks, table.count()),
             labels: label_columns(table, bytes),
         };
-        if found.labels.is_empty()
+        let is_time = |&column: &usize| is_of_time(table.heading.name(column).unwrap_or_default());
+        if found.labels.iter().all(is_time)
             && let Some(position) = found.position_and_others().0
         {
-            found.labels = dividing_column(table, bytes, position)
-                .into_iter()
-                .collect();
+            let dividing = dividing_column(table, bytes, position);
+            let other = dividing.filter(|column| !found.labels.contains(column));
+            found.labels.extend(other);
         }
         found
     }
@@ -322,7 +324,9 @@ fn is_something_else(table: &Table, column: usize) -> bool {
         .name(column)
         .unwrap_or_default()
         .to_lowercase();
-    table.heading.is(column, IGNORED) || OTHER_UNITS.iter().any(|unit| name.contains(unit))
+    table.heading.is(column, IGNORED)
+        || is_of_time(&name)
+        || OTHER_UNITS.iter().any(|unit| name.contains(unit))
 }
 
 /// That a column is left out, and why.
@@ -364,7 +368,7 @@ pub(super) fn is_statistic(name: &[String]) -> bool {
 }
 
 /// Columns that tell records apart: of text under one of [`LABELS`] or without any head, or of such whole numbers, with few
-/// that differ. A clock in it tells rows apart, not records.
+/// that differ; or of few dates. A clock beside no date tells rows apart, not records.
 fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
     /// Rows that are looked at, and of these for each label.
     const ROWS: (usize, usize) = (2000, 100);
@@ -380,15 +384,16 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
             .get(column)
             .copied()
             .unwrap_or(table::Kind::Text);
-        let is_named = heading.is(column, LABELS);
+        let is_time = is_of_time(heading.name(column).unwrap_or_default());
+        let is_named = is_time || heading.is(column, LABELS);
         let is_whole = || {
             let mut values = table.sample.iter().map(|row| row[column]);
             values.all(|value| value.fract() == 0.0) && heading.unit_of(column).is_none()
         };
         let may_be = match kind {
             table::Kind::Text => is_named || heading.names.is_none() && column < table.count(),
-            table::Kind::Number => is_named && is_whole(),
-            _ => false,
+            table::Kind::Number => is_time || is_named && is_whole(),
+            _ => is_time,
         };
         if !may_be {
             return false;
@@ -398,7 +403,7 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
         different.len() <= (cells.len() / ROWS.1).max(2)
             && cells
                 .iter()
-                .all(|cell| !cell.is_empty() && !cell.contains(':'))
+                .all(|cell| !cell.is_empty() && (is_time || !cell.contains(':')))
     };
     (0..widest).filter(is_label).collect()
 }

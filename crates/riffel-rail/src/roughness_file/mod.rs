@@ -67,11 +67,12 @@ impl RoughnessFile {
             }
             plausibility::check_spacing(spacing.si(), None)?;
         }
-        let (format, count, text_behind, assumptions) = match &layout.format {
+        let (format, heads, count, text_behind, assumptions) = match &layout.format {
             Some(format) => {
                 let format = layout.apply(format);
                 let (count, text_behind) = count_of(bytes, &format)?;
-                (format, count, text_behind, Vec::new())
+                let heads = heads_of(bytes, &format);
+                (format, heads, count, text_behind, Vec::new())
             }
             None => {
                 let table = Table::find(bytes).ok_or_else(|| no_table(bytes))?;
@@ -92,8 +93,8 @@ impl RoughnessFile {
                     }
                     progress(bytes.len());
                     let rows = spectra::Rows::new(bytes, &table, header);
-                    let read = spectra::read(&rows, &columns);
-                    return read.map(|spectra| Self::Spectra(spectra, columns.left_out(&rows)));
+                    let (spectra, remarks) = spectra::read(&rows, &columns)?;
+                    return Ok(Self::Spectra(spectra, remarks));
                 }
                 let profile = ProfileTable::new(&table, bytes, layout);
                 let format = profile.format().map_err(|message| Refusal {
@@ -102,7 +103,10 @@ impl RoughnessFile {
                     help: Some(HELP.to_owned().into()),
                 })?;
                 let assumptions = profile.assumptions(&format);
-                (format, table.count(), table.text_behind, assumptions)
+                let head =
+                    |label: &usize| table.heading.name(label - 1).unwrap_or_default().to_owned();
+                let heads = format.labels.iter().map(head).collect();
+                (format, heads, table.count(), table.text_behind, assumptions)
             }
         };
         let start = bytes.len() - from_line(bytes, format.header_lines).len();
@@ -110,7 +114,7 @@ impl RoughnessFile {
             .parse(bytes, start, format.header_lines + 1, progress)
             .map_err(|error| Refusal::new(Some(error.line), error.message))?;
         let insisted = layout.height_unit.is_some();
-        let record = Record::new(format, rows, assumptions, insisted)?;
+        let record = Record::new(format, &heads, rows, assumptions, insisted)?;
         if let Some(spacing) = spacing
             && (spacing.si() / record.spacing - 1.0).abs() > 0.02
         {
@@ -228,6 +232,18 @@ fn count_of(bytes: &[u8], format: &ReaderFormat) -> Result<(usize, bool), Refusa
         "the reader profile asks for column {needed}, but there are {has}, separated by {}",
         format.delimiter.words()
     ))
+}
+
+/// What stands above the columns of labels, in all lines of the header.
+fn heads_of(bytes: &[u8], format: &ReaderFormat) -> Vec<String> {
+    let header: Vec<_> = rows(bytes, 0, format.delimiter, None)
+        .take_while(|row| row.line <= format.header_lines)
+        .collect();
+    let head = |label: &usize| {
+        let cells: Vec<String> = header.iter().map(|row| row.text(label - 1)).collect();
+        cells.join(" ").trim().to_owned()
+    };
+    format.labels.iter().map(head).collect()
 }
 
 /// The text from a line on, counted from zero.

@@ -31,7 +31,10 @@ pub(crate) fn ground_rail(
     };
     if !GroundRail::is_table(name) {
         return Ok(Some(GroundRail {
-            spectrum: survey(Path::new(name), &Layout::default())?.mean(),
+            spectrum: survey(Path::new(name), &Layout::default())?
+                .latest()
+                .0
+                .mean(),
             words: Message::verbatim(name),
         }));
     }

@@ -275,6 +275,8 @@ fn measured(
                 false => profile.clone().without_defects(),
             };
             let survey = Survey::of(path, RoughnessFile::Profile(growing))?;
+            let before = Before::of_table(&survey);
+            let (survey, date) = survey.latest();
             let statistics = Statistics {
                 block: Quantity::new(block_of_strip(&profile)),
                 ..Statistics::default()
@@ -282,9 +284,9 @@ fn measured(
             let answer = judged(path, profile, limits, &statistics)?;
             Measured {
                 understood: answer.understood(),
-                date: None,
+                date,
                 survey,
-                before: None,
+                before,
                 roughness: MeasuredRoughness::Profile {
                     strips,
                     answer: Box::new(answer),

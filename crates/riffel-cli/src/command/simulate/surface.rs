@@ -137,7 +137,7 @@ fn at_the_end(levels: Survey) -> Result<Survey, CaseError> {
         .flatten()
         .max_by(|one, other| number(one).total_cmp(&number(other)));
     let Some(last) = last.map(str::to_owned) else {
-        return Ok(levels);
+        return Ok(levels.latest().0);
     };
     say(format_args!(
         "note: of the levels those after {last} passages are taken"

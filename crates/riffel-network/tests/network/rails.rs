@@ -1,0 +1,102 @@
+//! Rails that instruments call by other names.
+
+use std::collections::BTreeMap;
+use std::fs;
+use std::path::PathBuf;
+
+use riffel_network::{NetworkError, SurveyFile, growth, rails_without_growth};
+use tempfile::TempDir;
+
+use crate::{grassie, store, survey};
+
+/// A survey whose rails have other names than left and right.
+fn named(folder: &TempDir, file: &str, names: [&str; 2], rms: f64) -> PathBuf {
+    let (path, _) = survey(folder.path(), file, [0, 200], |_, _| rms);
+    let text = fs::read_to_string(&path).unwrap();
+    let text = text.replace("\nleft,", &format!("\n{},", names[0]));
+    fs::write(&path, text.replace("\nright,", &format!("\n{},", names[1]))).unwrap();
+    path
+}
+
+/// Left and right grow from 4 to 8 µm in two years, 3.01 dB a year, whatever the last survey calls them.
+#[test]
+fn one_rail_has_one_name_in_its_line() -> Result<(), NetworkError> {
+    for names in [
+        ["Höhe links", "Höhe rechts"],
+        ["L", "R"],
+        ["1", "2"],
+        ["gauche", "droite"],
+        ["Schiene 1", "Schiene 2"],
+        ["izquierda", "derecha"],
+        ["sinistra", "destra"],
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let store = store(&folder);
+        for (date, names, rms) in [
+            ("2024-01-01", ["left", "right"], 4.0),
+            ("2026-01-01", names, 8.0),
+        ] {
+            let file = SurveyFile::check(&named(&folder, date, names, rms))?;
+            let found = store.ingest("A", date, &file, false, &|_| ())?;
+            assert!(found.new_rails.is_empty(), "{names:?}");
+            assert_eq!(found.renamed.len(), if rms == 8.0 { 2 } else { 0 });
+            // The same again changes nothing.
+            assert!(
+                store
+                    .ingest("A", date, &file, false, &|_| ())?
+                    .there_already
+            );
+        }
+        let grown = growth(&store, &grassie(&store), 100.0, None)?;
+        assert_eq!(grown.len(), 4, "{names:?}");
+        // 20 lg 2 over 731 days.
+        let right = 20.0 * 2f64.log10() * 365.2425 / 731.0;
+        for section in grown {
+            assert!((section.growth_db_per_year.unwrap() - right).abs() < 1e-6);
+        }
+        assert!(rails_without_growth(&store, None)?.is_empty());
+    }
+    Ok(())
+}
+
+/// A rail that the line has not had is told, as is the survey whose rails are lost for growth; `rename` puts both right.
+#[test]
+fn a_new_rail_is_told_and_renamed() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let take = |date: &str, names, replace, rename: &[(&str, &str)]| {
+        let file = SurveyFile::check(&named(&folder, date, names, 5.0))?;
+        let pairs = rename.iter();
+        let pairs = pairs.map(|(old, new)| ((*old).to_owned(), (*new).to_owned()));
+        let file = file.rename(pairs.collect::<BTreeMap<_, _>>())?;
+        store.ingest("A", date, &file, replace, &|_| ())
+    };
+    take("2024-01-01", ["left", "right"], false, &[])?;
+    let found = take("2025-01-01", ["north", "south"], false, &[])?;
+    assert_eq!(found.new_rails, ["north", "south"]);
+    take("2026-01-01", ["left", "right"], false, &[])?;
+    let told = rails_without_growth(&store, None)?.join("\n");
+    assert!(told.contains("north, south of 2025-01-01"), "{told}");
+    let names = [("north", "left"), ("south", "right")];
+    let refusal = take("2025-01-01", ["north", "south"], false, &names).unwrap_err();
+    assert!(
+        matches!(refusal, NetworkError::Conflict { .. }),
+        "{refusal}"
+    );
+    let found = take("2025-01-01", ["north", "south"], true, &names)?;
+    assert!(found.new_rails.is_empty());
+    assert_eq!(found.renamed.get("north").map(String::as_str), Some("left"));
+    assert!(take("2025-01-01", ["north", "south"], false, &names)?.there_already);
+    assert!(rails_without_growth(&store, None)?.is_empty());
+    for (names, part) in [
+        (
+            [("east", "left")],
+            "no rail \"east\" in the file; there are north, south",
+        ),
+        ([("north", "south")], "the only one of that name"),
+    ] {
+        let refusal = take("2026-02-01", ["north", "south"], false, &names).unwrap_err();
+        assert!(refusal.to_string().contains(part), "{refusal}");
+    }
+    Ok(())
+}
