@@ -62,6 +62,13 @@ impl Store {
         let line = line.trim();
         check_line(line)?;
         let day = day_of(date)?;
+        if let Some([first, last]) = file
+            .dates
+            .filter(|[first, last]| !(first..=last).contains(&&day))
+        {
+            let rule = format!("a day of the blocks, which are of {first} to {last}");
+            return Err(value("the date", day.to_string(), &rule));
+        }
         let _held = self.lock()?;
         self.check_writable(line)?;
         let network = self.begin(&file.bands(), file.usual_block)?;

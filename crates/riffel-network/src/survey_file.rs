@@ -5,9 +5,11 @@ use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
 
+use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use riffel_keys::{CaseError, text_file};
 use serde::Serialize;
+use riffel_rail::{ends_of_dates, is_of_time};
 
 use crate::survey_text::SurveyText;
 
@@ -100,6 +102,8 @@ pub struct SurveyFile {
     /// Where places go back.
     pub(crate) goes_back: Vec<GoesBack>,
     rows: u64,
+    /// First and last date of the blocks, where they have dates.
+    pub(crate) dates: Option<[Date; 2]>,
     /// Length that most blocks have, to a millimetre \[m\].
     pub(crate) usual_block: f64,
 }
@@ -154,6 +158,7 @@ impl SurveyFile {
             ends: [f64::INFINITY, f64::NEG_INFINITY],
             goes_back: Vec::new(),
             rows: 0,
+            dates: dates_of(path, &head)?,
             usual_block: 1.0,
         };
         let (mut ends, mut rows, mut rails) = (survey.ends, 0, Vec::new());
@@ -416,6 +421,23 @@ fn defects(cell: &[u8], [from, to]: [f64; 2]) -> Result<Vec<f64>, String> {
         })
     });
     places.collect()
+}
+
+/// First and last date of the blocks, if a column has dates.
+fn dates_of(path: &Path, head: &csv::StringRecord) -> Result<Option<[Date; 2]>, CaseError> {
+    let Some((column, name)) = head.iter().enumerate().find(|(_, name)| is_of_time(name)) else {
+        return Ok(None);
+    };
+    // Lines by what the column has in them first.
+    let mut lines: BTreeMap<String, usize> = BTreeMap::new();
+    for record in reader(path)?.byte_records() {
+        let record = record.map_err(|error| csv_error(path, &error))?;
+        let line = record.position().map_or(0, csv::Position::line) as usize;
+        let cell = String::from_utf8_lossy(record.get(column).unwrap_or_default());
+        lines.entry(cell.trim().to_owned()).or_insert(line);
+    }
+    let cells: Vec<String> = lines.keys().cloned().collect();
+    ends_of_dates(name, &cells).map_err(|(place, message)| at(path, lines[&cells[place]], message))
 }
 
 /// `30_to_100_mm_um`: the band, and the unit of the RMS in metres.

@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use jiff::civil::Date;
 use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
 
@@ -21,7 +22,7 @@ const OTHER: &str = "built|build|installed|installation|laid|commissioned|renewe
                      schleifen|kalibriert|kalibrierung|pose|meulage|made|birth";
 
 /// Whether the head of a column is a word for the date of a measurement or a part of one.
-pub(super) fn is_of_time(head: &str) -> bool {
+pub fn is_of_time(head: &str) -> bool {
     let words = words(head);
     let is = |list: &str| words.iter().any(|word| is_one_of(word, list));
     !is(OTHER) && (is(DATE) || is(PART))
@@ -55,6 +56,25 @@ pub(super) fn date_column(heads: &[&str], cells: &dyn Fn(usize) -> Vec<String>) 
                 (is(column, PART) || is(column, "data")) && differ && cells.iter().any(has_digit)
             })
         })
+}
+
+/// First and last date of a column, if it is one of dates.
+///
+/// # Errors
+/// The place of the first cell that is no date, or may be two, with a sentence.
+pub fn ends_of_dates(head: &str, cells: &[String]) -> Result<Option<[Date; 2]>, (usize, String)> {
+    if date_column(&[head], &|_| cells.to_vec()).is_none() {
+        return Ok(None);
+    }
+    let mut dates = read_dates(cells.iter().map(String::as_str)).map_err(|no_date| {
+        let NoDate { place, message } = no_date.of(head);
+        (place, message)
+    })?;
+    dates.sort_unstable();
+    Ok(dates
+        .first()
+        .zip(dates.last())
+        .map(|(first, last)| [*first, *last]))
 }
 
 /// The column of dates among the labels of spectra.

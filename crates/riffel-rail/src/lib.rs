@@ -56,6 +56,7 @@ mod wheel_roughness;
 
 pub use axle_box::{AxleBoxFile, AxleBoxLayout, AxleBoxPlace, AxleBoxReading, RunEnd};
 pub use date::read_date;
+pub use date_column::{ends_of_dates, is_of_time};
 pub use decay_rate_file::read_decay_rates;
 pub use defects::{DefectsAre, defects_in_words};
 pub use format::{Column, ReaderFormat};

@@ -1,4 +1,4 @@
-//! Rails that instruments call by other names.
+//! Rails that instruments call by other names, and dates of blocks.
 
 use std::collections::BTreeMap;
 use std::fs;
@@ -98,5 +98,50 @@ fn a_new_rail_is_told_and_renamed() -> Result<(), NetworkError> {
         let refusal = take("2026-02-01", ["north", "south"], false, &names).unwrap_err();
         assert!(refusal.to_string().contains(part), "{refusal}");
     }
+    Ok(())
+}
+
+/// A column of dates in the blocks is read, or refused with its line; the day of the survey is one of them.
+#[test]
+fn dates_of_blocks_are_read_or_refused() -> Result<(), NetworkError> {
+    let folder = tempfile::tempdir().unwrap();
+    let store = store(&folder);
+    let (path, _) = survey(folder.path(), "a.csv", [0, 200], |_, _| 5.0);
+    let plain = fs::read_to_string(&path).unwrap();
+    let checked = |head: &str, date: &str| {
+        let rows = plain.lines().enumerate().map(|(row, line)| match row {
+            0 => format!("{line},{head}\n"),
+            _ => format!("{line},{date}\n"),
+        });
+        fs::write(&path, rows.collect::<String>()).unwrap();
+        SurveyFile::check(&path)
+    };
+    for date in ["2026-01-31", "31.01.2026", "46053", "2026-01-31 02:59"] {
+        let file = checked("date", date)?;
+        store.ingest("A", "2026-01-31", &file, true, &|_| ())?;
+        let refusal = store
+            .ingest("A", "2025-01-31", &file, true, &|_| ())
+            .unwrap_err();
+        assert!(
+            refusal.to_string().contains("2026-01-31 to 2026-01-31"),
+            "{refusal}"
+        );
+    }
+    for (head, date, part) in [
+        ("date", "01/02/2026", "may be two dates"),
+        ("Datum", "31.01.26", "two digits"),
+        ("date", "Jan 2026", "is no date"),
+        ("date", "2026.08", "is no date"),
+        ("date", "1769817600", "is no date"),
+    ] {
+        let refusal = checked(head, date).unwrap_err().to_string();
+        assert!(
+            refusal.contains(part) && refusal.contains(&format!("column `{head}`")),
+            "{refusal}"
+        );
+    }
+    // A year of which all blocks are tells them not apart.
+    let file = checked("year", "2026")?;
+    store.ingest("B", "2026-01-31", &file, false, &|_| ())?;
     Ok(())
 }
