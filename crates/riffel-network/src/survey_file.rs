@@ -8,8 +8,8 @@ use std::path::{Path, PathBuf};
 use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use riffel_keys::{CaseError, text_file};
-use serde::Serialize;
 use riffel_rail::{ends_of_dates, is_of_time};
+use serde::Serialize;
 
 use crate::survey_text::SurveyText;
 

@@ -8,7 +8,7 @@ use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
 
 use crate::LabelledSpectrum;
-use crate::date::{NoDate, looks_like_date, of_day_number, read_dates};
+use crate::date::{NoDate, looks_like_date, of_day_number, read_date, read_dates};
 
 /// Words for a date at the head of a column.
 const DATE: &str = "date|dates|datum|datums|dato|fecha|dátum|päivämäärä|pvm|kuupäev|tarih|datetime|timestamp|zeitstempel|\
@@ -75,6 +75,29 @@ pub fn ends_of_dates(head: &str, cells: &[String]) -> Result<Option<[Date; 2]>, 
         .first()
         .zip(dates.last())
         .map(|(first, last)| [*first, *last]))
+}
+
+/// The dates in the heads of columns that stand beside each other, each with what else its head says; `None` where one has no
+/// date.
+pub(super) fn dates_of_heads(heads: &[&str]) -> Option<Vec<(Date, String)>> {
+    let dated = |head: &&str| {
+        let parts: Vec<&str> = head.split([' ', '_', '[', ']', '(', ')']).collect();
+        let place = parts.iter().position(|part| looks_like_date(part))?;
+        let mut rest = parts.clone();
+        let date = read_date(rest.remove(place)).ok()?;
+        let mut rest = words(&rest.join(" "));
+        rest.retain(|word| !is_one_of(word, "db|um|µm|mm|m"));
+        let rest = rest.join(" ");
+        Some((
+            date,
+            if rest.is_empty() {
+                "rail".to_owned()
+            } else {
+                rest
+            },
+        ))
+    };
+    (heads.len() > 1).then(|| heads.iter().map(dated).collect())?
 }
 
 /// The column of dates among the labels of spectra.

@@ -1,5 +1,8 @@
 //! The names of rails: in sentences, and those that different instruments give one rail.
 
+use std::collections::{BTreeMap, BTreeSet};
+
+use jiff::civil::Date;
 use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
 
@@ -78,6 +81,26 @@ pub fn find_rail<'a>(names: impl Iterator<Item = &'a str> + Clone, name: &str) -
     }
 }
 
+/// Give a rail of several dates one name: that of the last date, unless both names are there at one date.
+pub(super) fn name_alike(rails: Vec<(Date, &mut String)>) {
+    let mut by_date: BTreeMap<Date, Vec<&mut String>> = BTreeMap::new();
+    for (date, name) in rails {
+        by_date.entry(date).or_default().push(name);
+    }
+    let mut known: Vec<String> = Vec::new();
+    for names in by_date.into_values().rev() {
+        let there: BTreeSet<String> = names.iter().map(|name| (*name).clone()).collect();
+        for name in names {
+            let place = find_rail(known.iter().map(String::as_str), name);
+            match place.map(|place| &known[place]) {
+                Some(other) if other == name => {}
+                Some(other) if !there.contains(other) => name.clone_from(other),
+                _ => known.push(name.clone()),
+            }
+        }
+    }
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -118,6 +141,23 @@ mod tests {
         assert_eq!(find_rail(twice.into_iter(), "left"), None);
         assert_eq!(find_rail(twice.into_iter(), "links"), Some(1));
         assert_eq!(find_rail(["North", "South"].into_iter(), "south"), Some(1));
+    }
+
+    #[test]
+    fn a_rail_has_one_name_over_the_dates() {
+        let mut rails = [
+            (2024, "links"),
+            (2024, "rechts"),
+            (2025, "1"),
+            (2025, "left"),
+            (2026, "left"),
+            (2026, "right"),
+        ]
+        .map(|(year, name)| (jiff::civil::date(year, 6, 1), name.to_owned()));
+        name_alike(rails.iter_mut().map(|(date, name)| (*date, name)).collect());
+        let names: Vec<&str> = rails.iter().map(|(_, name)| name.as_str()).collect();
+        // In 2025 one is called left and the other 1.
+        assert_eq!(names, ["left", "right", "1", "left", "left", "right"]);
     }
 
     #[test]

@@ -9,11 +9,11 @@ use riffel_keys::{Message, Value, fixed, number, say};
 
 use crate::chainage::{Chainage, LONGEST_FILLED, Stretch};
 use crate::date::read_dates;
-use crate::date_column::{date_column, day_numbers};
+use crate::date_column::{date_column, dates_of_heads, day_numbers};
 use crate::format::{Column, ReaderFormat};
 use crate::plausibility;
 use crate::rail::{EarlierRails, Rail};
-use crate::rail_name::name_in_words;
+use crate::rail_name::{name_alike, name_in_words};
 use crate::refusal::Refusal;
 use crate::resampling::resampled;
 
@@ -80,10 +80,14 @@ impl Record {
         let records = Labelled::all(heads, rows.by_label(), &mut warnings)?;
         let first_label = records[0].words.clone();
         let (mut rails, mut dates) = (Vec::new(), Vec::new());
+        let of_heads = of_heads(&format);
         let mut read: Option<Chainage> = None;
         for record in records {
             let chainage = read_record(&format, &record, &mut rails, &mut warnings)?;
-            dates.resize(rails.len(), record.date);
+            match &of_heads {
+                Some(of_heads) => dates.extend(of_heads.iter().map(|(date, _)| Some(*date))),
+                None => dates.resize(rails.len(), record.date),
+            }
             if let Some(first) = &read
                 && (chainage.spacing / first.spacing - 1.0).abs() > SAME_SPACING
             {
@@ -211,8 +215,23 @@ impl Labelled {
     }
 }
 
+/// Dates that columns of heights have in their names, each with the name of its rail.
+fn of_heads(format: &ReaderFormat) -> Option<Vec<(Date, String)>> {
+    let names: Vec<&str> = format.rails.iter().map(|rail| &rail.name[..]).collect();
+    dates_of_heads(&names)
+}
+
 /// Rails as they were last, each by its name, and before, the earliest date first.
-fn latest_and_earlier(rails: Vec<Rail>, dates: &[Option<Date>]) -> (Vec<Rail>, Vec<EarlierRails>) {
+fn latest_and_earlier(
+    mut rails: Vec<Rail>,
+    dates: &[Option<Date>],
+) -> (Vec<Rail>, Vec<EarlierRails>) {
+    let dated = rails.iter_mut().zip(dates);
+    name_alike(
+        dated
+            .filter_map(|(rail, date)| Some(((*date)?, &mut rail.name)))
+            .collect(),
+    );
     let mut last: BTreeMap<String, Option<Date>> = BTreeMap::new();
     for (rail, date) in rails.iter().zip(dates) {
         let known = last.entry(rail.name.clone()).or_default();
@@ -287,8 +306,13 @@ fn read_record(
             label => said.about(Message::verbatim(label)),
         }
     }));
-    for (column, heights) in format.rails.iter().zip(columns) {
-        let name = match (&column.name[..], &record.rail[..]) {
+    let of_heads = of_heads(format);
+    for (place, (column, heights)) in format.rails.iter().zip(columns).enumerate() {
+        let own = match &of_heads {
+            Some(of_heads) => &of_heads[place].1,
+            None => &column.name,
+        };
+        let name = match (&own[..], &record.rail[..]) {
             (_, label) if !label.is_empty() && format.rails.len() == 1 => label.to_owned(),
             ("", label) => format!("{label} column {}", column.column),
             (name, label) => format!("{label} {name}"),

@@ -8,7 +8,7 @@ use riffel_keys::table::{
 };
 use riffel_keys::{Message, say};
 
-use crate::date_column::write_dates_alike;
+use crate::date_column::{dates_of_heads, write_dates_alike};
 use crate::labelled_spectrum::LabelledSpectrum;
 use crate::length_unit::metres;
 use crate::level_unit::level_shift;
@@ -311,6 +311,8 @@ fn read_long(
         .collect::<Result<Vec<f64>, Refusal>>()?;
     let mut spectra: BTreeMap<usize, Vec<(ThirdOctave, f64)>> = BTreeMap::new();
     let mut known: Vec<(usize, Vec<String>)> = Vec::new();
+    let heads: Vec<&str> = levels.iter().map(|&level| header[level].as_str()).collect();
+    let dated = dates_of_heads(&heads);
     for row in rows.rows() {
         let row = row?;
         let at = |message: String| Refusal::new(Some(row.line), message);
@@ -321,7 +323,7 @@ fn read_long(
         let band = check_length(length, &row.text(wavelength), &header[wavelength])
             .and_then(|()| band_of(length))
             .map_err(at)?;
-        for (&level, shift) in levels.iter().zip(&shifts) {
+        for (column, (&level, shift)) in levels.iter().zip(&shifts).enumerate() {
             let value = rows.number(&row, level)? + shift;
             if !value.is_finite() {
                 // One of several may have no level in a band.
@@ -331,8 +333,13 @@ fn read_long(
                 return Err(rows.no_number(&row, level));
             }
             let mut own: Vec<String> = labels.iter().map(|&label| row.text(label)).collect();
-            if levels.len() > 1 {
-                own.push(header[level].clone());
+            match (&dated, levels.len()) {
+                (Some(dated), _) => {
+                    let (date, rest) = &dated[column];
+                    own.extend([rest.clone(), date.to_string()]);
+                }
+                (None, 1) => {}
+                (None, _) => own.push(header[level].clone()),
             }
             let place = known.iter().position(|(_, other)| *other == own);
             let place = place.unwrap_or_else(|| {
@@ -354,6 +361,7 @@ fn read_long(
         let taken = names.iter().any(|name| name == "rail");
         names.push(if taken { "column" } else { "rail" }.to_owned());
     }
+    names.extend(dated.map(|_| "date".to_owned()));
     spectra
         .into_iter()
         .map(|(place, levels)| {

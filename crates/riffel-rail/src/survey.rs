@@ -10,7 +10,7 @@ use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{CaseError, Message, number, say};
 
 use crate::date::{read_date, read_dates};
-use crate::rail_name::is_rail_column;
+use crate::rail_name::{is_rail_column, name_alike};
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
 
@@ -59,11 +59,22 @@ impl Survey {
         // Those of a file were read with their lines.
         let read = date_column::write_dates_alike(&mut records);
         warnings.extend(read.map_err(|no_date| CaseError::data(path, no_date.message))?);
-        Ok(Self {
+        let mut survey = Self {
             path: path.to_owned(),
             records,
             warnings,
-        })
+        };
+        if let (Some(rail), Some(date)) = (survey.rail_column(), survey.date_column()) {
+            let (rail, date) = (rail.to_owned(), date.to_owned());
+            let dated = survey.records.iter_mut().filter_map(|record| {
+                let date = record.label(&date)?.parse().ok()?;
+                let mut labels = record.labels.iter_mut();
+                let name = labels.find(|(head, _)| *head == rail)?;
+                Some((date, &mut name.1))
+            });
+            name_alike(dated.collect());
+        }
+        Ok(survey)
     }
 
     /// What was read of a file; profiles are processed after EN 15610, see [`RailAnalysis`].
@@ -128,23 +139,27 @@ impl Survey {
         Ok(self)
     }
 
-    /// What is said where the last date was measured by other instruments than the first.
     fn change_of_device(&self) -> Option<Message> {
+        let dates = self.by_date(self.date_column()?).ok()?;
+        dates.last()?.1.device_since(&dates.first()?.1)
+    }
+
+    /// What is said where a column names other instruments than in an earlier survey.
+    pub fn device_since(&self, earlier: &Self) -> Option<Message> {
         let is_device = |column: &&str| words(column).iter().any(|word| is_one_of(word, DEVICE));
         let column = self.columns().find(is_device)?;
-        let dates = self.by_date(self.date_column()?).ok()?;
         let devices = |survey: &Self| -> Vec<String> {
             let labels = survey.records.iter().filter_map(|one| one.label(column));
             let devices: BTreeSet<&str> = labels.collect();
             devices.into_iter().map(str::to_owned).collect()
         };
-        let ends = (devices(&dates.first()?.1), devices(&dates.last()?.1));
-        (ends.0 != ends.1).then(|| {
+        let (first, last) = (devices(earlier), devices(self));
+        (first != last && !first.is_empty()).then(|| {
             say!(
                 device_changes,
                 column = column,
-                first = ends.0.join(", "),
-                last = ends.1.join(", ")
+                first = first.join(", "),
+                last = last.join(", ")
             )
         })
     }

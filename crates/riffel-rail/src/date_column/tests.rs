@@ -213,3 +213,25 @@ fn other_dates_and_words_are_no_dates_of_the_measurement() {
         assert_eq!(date_column(&heads, &own), None, "{head}");
     }
 }
+
+/// Dates at the heads of columns beside each other are dates, too, and their rails rails.
+#[test]
+fn dates_of_heads_are_dates() {
+    let mut levels = "wavelength_mm;left 2024-06-01 [dB];left 2026-06-01 [dB]\n".to_owned();
+    let mut heights = "x_m;01.06.2024 um;01.06.2026 um\n".to_owned();
+    for wavelength in [100, 80, 63, 50] {
+        writeln!(levels, "{wavelength};3;9").unwrap();
+    }
+    for sample in 0..600 {
+        let x = 5e-3 * f64::from(sample);
+        let wave = (std::f64::consts::TAU * x / 0.05).sin();
+        writeln!(heights, "{x:.3};{:.3};{:.3}", 4.0 * wave, 12.0 * wave).unwrap();
+    }
+    for (text, rail) in [(levels, "left"), (heights, "rail")] {
+        let (date, latest) = now(&text).unwrap();
+        assert_eq!(
+            (date.as_str(), latest.rails()),
+            ("2026-06-01", vec![rail.to_owned()])
+        );
+    }
+}

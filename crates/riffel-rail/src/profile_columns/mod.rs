@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use riffel_keys::table::{self, Table, is_one_of, words};
 use riffel_keys::{Message, number, say};
 
-use crate::date_column::is_of_time;
+use crate::date_column::{dates_of_heads, is_of_time};
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
 use crate::unit_remark::{Kind, UnitRemarks};
@@ -68,10 +68,21 @@ impl<'a> ProfileTable<'a> {
             return Err(say!(heights_without_position));
         }
         self.check_units(&columns, position)?;
-        let rails = columns.into_iter().map(|column| Column {
+        let heads: Vec<&str> = columns
+            .iter()
+            .filter_map(|&column| heading.name(column))
+            .collect();
+        let dated = dates_of_heads(&heads).filter(|_| heads.len() == columns.len());
+        let name = |place: usize, column: usize| match &dated {
+            // As the record takes them apart again.
+            Some(dated) => format!("{} {}", dated[place].1, dated[place].0),
+            None => heading.bare_name(column),
+        };
+        let rails = columns.into_iter().enumerate();
+        let rails = rails.map(|(place, column)| Column {
             column: column + 1,
             unit: self.unit(column, Kind::Height).unwrap_or("um").to_owned(),
-            name: heading.bare_name(column),
+            name: name(place, column),
         });
         let position = position.map(|column| Column {
             column: column + 1,

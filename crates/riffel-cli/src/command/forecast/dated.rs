@@ -18,13 +18,17 @@ pub(super) struct Dated {
 impl Dated {
     /// Chosen of all spectra of `--spectrum`, and of those of `--earlier`, which are read here.
     pub(super) fn new(spectra: &Spectra, now: Survey) -> miette::Result<Self> {
-        let now_chosen = now.clone().choose(&spectra.choose)?;
+        let mut now_chosen = now.clone().choose(&spectra.choose)?;
         let dates = in_order(spectra)?;
         let earlier = match (spectra.earlier.first(), &spectra.earlier_choose[..]) {
             (Some(path), choices) => Some(survey(path, &spectra.layout)?.choose(choices)?),
             (None, choices @ [_, ..]) => Some(now.choose(choices)?),
             (None, []) => None,
         };
+        if let Some(earlier) = &earlier {
+            let device = now_chosen.device_since(earlier);
+            now_chosen.warnings.extend(device);
+        }
         let Some(column) = &spectra.date_column else {
             return Ok(Self {
                 now: now_chosen,

@@ -30,12 +30,12 @@ fn levels(dates: [&str; 3]) -> String {
 /// Every command that reads levels of a rail.
 const COMMANDS: [&str; 9] = [
     "roughness FILE --json",
-    "noise cases/nominal.toml --roughness FILE --speed \"100 km/h\" --json",
+    "noise cases/main-line.toml --roughness FILE --speed \"100 km/h\" --json",
     "diagnose cases/nominal.toml --roughness FILE --speed \"100 km/h\" --json",
     "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum FILE --json",
     "forecast cases/nominal.toml --traffic cases/traffic.toml --spectrum FILE --date-column date --json",
     "forecast cases/nominal.toml --traffic cases/traffic.toml --ground FILE --json",
-    "compare cases/nominal.toml --traffic cases/traffic.toml --spectrum FILE --json",
+    "compare cases/nominal.toml --traffic cases/traffic.toml --with cases/soft-pads.toml --spectrum FILE --json",
     "report cases/nominal.toml --roughness FILE --speed \"100 km/h\" -o report",
     "roughness FILE --by date --json",
 ];
@@ -88,7 +88,7 @@ fn the_days_of_a_spreadsheet_are_dates() {
     assert!(told.contains("of 3 dates"), "{told}");
 }
 
-/// 10 m of a wave of 50 mm, `wave` µm high, with half a micrometre of steps that no wave has.
+/// 10 m of a wave of 50 mm, `wave` µm high, and steps within half a micrometre.
 fn profile(date: &str, wave: f64) -> String {
     let mut text = String::new();
     for sample in 0..2000u32 {
@@ -109,7 +109,7 @@ fn profile(date: &str, wave: f64) -> String {
 fn the_survey_before_grinding_leads_no_answer() {
     let sandbox = Sandbox::new();
     let head = "date,x_m,height_um\n";
-    let (before, now) = (profile("2025-06-01", 16.0), profile("2026-06-01", 0.0));
+    let (before, now) = (profile("2025-06-01", 16.0), profile("2026-06-01", 1.0));
     fs::write(sandbox.path("both.csv"), format!("{head}{before}{now}")).unwrap();
     fs::write(sandbox.path("turned.csv"), format!("{head}{now}{before}")).unwrap();
     fs::write(sandbox.path("now.csv"), format!("{head}{now}")).unwrap();
