@@ -95,7 +95,9 @@ pub(super) fn name_alike(rails: Vec<(Date, &mut String)>) {
             match place.map(|place| &known[place]) {
                 Some(other) if other == name => {}
                 Some(other) if !there.contains(other) => name.clone_from(other),
-                _ => known.push(name.clone()),
+                // Two rails of one date.
+                Some(_) => {}
+                None => known.push(name.clone()),
             }
         }
     }
