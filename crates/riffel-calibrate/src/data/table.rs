@@ -208,7 +208,7 @@ impl Numbers {
     ) -> Result<(), CaseError> {
         for (row, own) in rows.iter().enumerate() {
             if let Some(before) = rows[..row].iter().position(|it| same(it, own)) {
-                let rule = say!(is_there_already, line = self.lines[before]);
+                let rule = say!(repeats_line, line = self.lines[before]);
                 return Err(self.refuse(path, row, rule));
             }
         }
