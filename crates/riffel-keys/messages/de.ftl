@@ -1145,6 +1145,14 @@ text-behind-left-out = der Text hinter Spalte { $column } bleibt weg
 text-columns-left-out = Text in Spalte { $columns } bleibt weg
 column-left-out = Spalte { $column } bleibt weg: { $reason }
 headed-column-left-out = Spalte { $column }, "{ $head }", bleibt weg: { $reason }
+it-is-a-chord-offset = das ist die Pfeilhöhe über einer Sehne, in der Wellen von einer halben, einer viertel und einer sechstel Sehne fehlen und solche von ihrer Länge doppelt sind
+it-is-across = das ist längs oder quer zur Schiene
+it-is-above-springs = das gehört zu dem, was ein Zug über den Achslagern hat
+it-is-a-size = das ist ein Betrag ohne Vorzeichen, kein Signal
+it-is-empty = sie ist leer
+it-is-no-signal = sie ist weder Beschleunigung noch Geschwindigkeit, Weg oder Zeit
+it-is-text = sie ist Text
+channel-left-out = { $channel } bleibt weg: { $reason }
 it-is-geometry = das ist Gleisgeometrie
 it-is-a-statistic = das ist eine Grenze oder eine Statistik, keine gemessene Schiene
 marks-of-missing-values = { $count ->
@@ -1586,5 +1594,12 @@ beyond-full-slip = der Schlupf ist { $creepage } %, volles Gleiten beginnt in di
 ## Records that are refused
 
 heights-without-position = es gibt eine Spalte mit Höhen und keinen Ort
+heights-without-position-but = es gibt eine Spalte mit Höhen und keinen Ort: Spalte { $column } ist "{ $cell }", und das ist keine Zahl
 no-heights = es gibt keine Spalte mit Höhen
+no-heights-but = es gibt keine Spalte mit Höhen: { $reason }
 no-table-of-numbers = hier und darunter beginnt keine Tabelle von Zahlen
+cell-has-other-mark = Spalte { $column } ist "{ $cell }", mit { $other }; sonst hat die Datei { $own }
+cell-in-brackets = Spalte { $column } ist "{ $cell }": Klammern sind für die einen ein Minus, für andere ein Zweifel; die Zahl ohne sie schreiben
+cell-with-letters = Spalte { $column } ist "{ $cell }", keine bloße Zahl: eine Einheit steht im Kopf, eine Bemerkung in einer eigenen Spalte
+cell-with-marks = Spalte { $column } ist "{ $cell }", keine bloße Zahl: was die übrigen Zeichen bedeuten, gehört in eine eigene Spalte
+cell-is-no-number = Spalte { $column } ist "{ $cell }", keine Zahl

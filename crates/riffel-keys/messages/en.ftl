@@ -1152,6 +1152,14 @@ text-behind-left-out = the text behind column { $column } is left out
 text-columns-left-out = text in column { $columns } is left out
 column-left-out = column { $column } is left out: { $reason }
 headed-column-left-out = column { $column }, "{ $head }", is left out: { $reason }
+it-is-a-chord-offset = it is an offset from a chord, which has no waves of a half, a quarter or a sixth of the chord and doubles those of its length
+it-is-across = it is along or across the rail
+it-is-above-springs = it is of what a train has above its axle boxes
+it-is-a-size = it is a size without a sign, no signal
+it-is-empty = it is empty
+it-is-no-signal = it is no acceleration, speed, odometer or time
+it-is-text = it is text
+channel-left-out = { $channel } is left out: { $reason }
 it-is-geometry = it is geometry of the track
 it-is-a-statistic = it is a limit or a statistic, no measured rail
 marks-of-missing-values = { $count ->
@@ -1602,5 +1610,12 @@ beyond-full-slip = creepage is { $creepage } %, but full slip begins at { $limit
 ## Records that are refused
 
 heights-without-position = there is one column of heights and no position
+heights-without-position-but = there is one column of heights and no position: column { $column } is "{ $cell }", which is no number
 no-heights = there is no column of heights
+no-heights-but = there is no column of heights: { $reason }
 no-table-of-numbers = no table of numbers begins here or below
+cell-has-other-mark = column { $column } is "{ $cell }", with a { $other }; the file has a { $own } elsewhere
+cell-in-brackets = column { $column } is "{ $cell }": brackets are a minus to some and a doubt to others; write the number without them
+cell-with-letters = column { $column } is "{ $cell }", not a number alone: a unit stands in the head, a remark in a column of its own
+cell-with-marks = column { $column } is "{ $cell }", not a number alone: write what its other signs mean into a column of its own
+cell-is-no-number = column { $column } is "{ $cell }", not a number

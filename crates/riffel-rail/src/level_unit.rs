@@ -1,7 +1,13 @@
 //! The reference of levels, from the name of their column.
 
-use riffel_keys::table::{foreign_unit, length_in};
+use riffel_keys::table::{foreign_unit, is_one_of, length_in, words};
 use riffel_keys::{Exponents, Unit};
+
+/// Words for a size that may be in any unit, unless a word for a level stands beside them.
+const SIZE: &str = "amplitude|amplitudes|amplituden|amplitud|ampiezza|rms|effektivwert|efficace|eficaz|roughness|rauheit|\
+                    rauhigkeit|rugosité|rugosidad|rugosità|ruwheid|height|höhe|hoehe|hauteur|altura|altezza|depth|tiefe|\
+                    peak|p2p|psd";
+const LEVEL: &str = "level|levels|l|lr|pegel|niveau|nivel|livello";
 
 /// What is added to the levels of a column to have them in dB re 1 µm: 0 for a name without a reference, as in
 /// `level_db`, -60 for `level [dB re 1 nm]`.
@@ -17,8 +23,11 @@ pub(super) fn level_shift(name: &str) -> Result<f64, String> {
     };
     let Some(behind) = behind_decibel(name) else {
         let unit = foreign_unit(name).or_else(|| length_in(name).map(str::to_owned));
+        let own = words(name);
+        let has = |known: &str| own.iter().any(|word| is_one_of(word, known));
         return match unit {
             Some(unit) => wrong(&format!("in {unit}")),
+            None if has(SIZE) && !has(LEVEL) => wrong("a size, and its unit is not said"),
             None => Ok(0.0),
         };
     };
@@ -104,6 +113,8 @@ mod tests {
             ("L [dB re 1 um]", 0.0),
             ("level_db_re_1_um", 0.0),
             ("level_db_left", 0.0),
+            ("roughness level", 0.0),
+            ("rms_db", 0.0),
             ("dB right", 0.0),
             ("level [dB re 1 nm]", -60.0),
             ("level (dB ref 1nm)", -60.0),
@@ -124,6 +135,9 @@ mod tests {
             ("level [dB(A)]", "in dB A"),
             ("level_nm", "in nm"),
             ("amplitude_um", "in um"),
+            ("amplitude", "a size, and its unit is not said"),
+            ("rms left", "a size, and its unit is not said"),
+            ("roughness", "a size, and its unit is not said"),
             ("speed_kmh", "in kmh"),
             ("level [%]", "in %"),
         ] {

@@ -34,6 +34,7 @@ mod length_unit;
 mod level_unit;
 mod limit;
 mod line_place;
+mod no_rail;
 mod part;
 mod places;
 mod plausibility;
@@ -53,6 +54,8 @@ mod transfer_table;
 mod unit_remark;
 mod wheel_modes_table;
 mod wheel_roughness;
+#[cfg(test)]
+mod written_cells;
 
 pub use axle_box::{AxleBoxFile, AxleBoxLayout, AxleBoxPlace, AxleBoxReading, RunEnd};
 pub use date::read_date;

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use riffel::roughness::{Spectrum, ThirdOctave};
 use riffel_keys::table::{
-    DecimalMark, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words,
+    DecimalMark, Kind, Row, Table, foreign_unit, is_mark, is_one_of, length_in, rows, words,
 };
 use riffel_keys::{Message, say};
 
@@ -12,8 +12,9 @@ use crate::date_column::{dates_of_heads, write_dates_alike};
 use crate::labelled_spectrum::LabelledSpectrum;
 use crate::length_unit::metres;
 use crate::level_unit::level_shift;
+use crate::no_rail::is_statistic;
 use crate::plausibility;
-use crate::profile_columns::{is_statistic, left_out_sentence};
+use crate::profile_columns::{left_out_sentence, names_a_rail};
 use crate::refusal::Refusal;
 
 /// Names of the column of wavelengths.
@@ -57,8 +58,11 @@ pub(super) struct Rows<'a> {
 impl Columns {
     /// The columns of a table of spectra by their names; None for other tables.
     pub(super) fn of(header: &[String], table: &Table) -> Option<Self> {
-        let is_numeric =
-            |index: usize| table.kinds.get(index).is_some_and(|kind| kind.is_numeric());
+        // Text under the head of a rail is refused with its first cell.
+        let is_numeric = |index: usize| {
+            table.kind(index).is_of_numbers()
+                || table.kind(index) == Kind::Text && names_a_rail(table, index)
+        };
         let named = |index: usize, known: &str| {
             let own = words(&header[index]);
             own.iter().any(|word| is_one_of(word, known))
@@ -75,8 +79,9 @@ impl Columns {
             let kept: Vec<usize> = columns.iter().copied().filter(|&index| is(index)).collect();
             (!kept.is_empty()).then_some(kept)
         };
-        let levels = of(&|index| named(index, LEVEL), &others)
-            .or_else(|| of(&|index| is_numeric(index), &others))?;
+        let is_level =
+            |index: usize| named(index, LEVEL) || is_numeric(index) && names_a_rail(table, index);
+        let levels = of(&is_level, &others).or_else(|| of(&|index| is_numeric(index), &others))?;
         // Limits, scatter and extremes stand beside the levels of rails.
         let levels = of(&|index| !is_statistic(&words(&header[index])), &levels).unwrap_or(levels);
         let levels = of(&|index| !named(index, EXTREME), &levels).unwrap_or(levels);

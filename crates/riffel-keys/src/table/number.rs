@@ -11,8 +11,9 @@ const EXACT: [f64; 23] = [
     1e0, 1e1, 1e2, 1e3, 1e4, 1e5, 1e6, 1e7, 1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15, 1e16,
     1e17, 1e18, 1e19, 1e20, 1e21, 1e22,
 ];
-/// Metres of a foot.
+/// Metres of a foot and of a mile.
 const FOOT: f64 = 0.3048;
+const MILE: f64 = 5280.0 * FOOT;
 
 /// A number at the beginning of `text` written in plain digits, and the bytes it takes. None where there
 /// is none, or where it needs more care than [`number`] of the whole cell gives: exponents, more digits
@@ -51,8 +52,8 @@ pub(super) fn plain(text: &[u8], decimal: u8) -> Option<(f64, usize)> {
 /// The number that a whole cell holds; NaN for a word that says it is missing, and for what a double cannot hold. None for
 /// anything else.
 ///
-/// Quotes around it, exponents with E or D, thousands apart (12.400,123, 12'400, 12 400,5) and the signs − and – are
-/// understood; a chainage (12+400.123) is in metres, also one of American stations (123+45.67, in hundreds of feet).
+/// Quotes around it or an apostrophe before it, exponents with E or D, thousands apart (12.400,123, 12'400, 12 400,5), the
+/// signs − and –, and a minus behind (0.45-) are understood; a [`chainage`] is in metres.
 pub(super) fn number(cell: &[u8], decimal: u8) -> Option<f64> {
     let cell = unquoted(cell.trim_ascii());
     if let Some((value, length)) = plain(cell, decimal)
@@ -64,10 +65,56 @@ pub(super) fn number(cell: &[u8], decimal: u8) -> Option<f64> {
         return Some(f64::NAN);
     }
     let text = written(cell);
-    floating(&text, decimal)
-        .or_else(|| grouped(&text, decimal))
-        .or_else(|| chainage(&text, decimal))
+    let (text, sign) = match text.strip_suffix('-') {
+        Some(size) if size.starts_with(|c: char| c.is_ascii_digit()) => (size, -1.0),
+        _ => (&*text, 1.0),
+    };
+    let value = floating(text, decimal)
+        .or_else(|| grouped(text, decimal))
+        .or_else(|| chainage(text, decimal));
+    value.map(|value| sign * value)
 }
+
+/// How a cell is written that looks like one number, beginning with its first digit, but is none that [`number`] reads.
+pub(super) fn oddity(cell: &[u8]) -> Option<Oddity> {
+    let text = text_of(cell);
+    let text = text.trim();
+    let begin = text.find(char::is_numeric)?;
+    let (before, rest) = text.split_at(begin);
+    let digits = rest
+        .find(|c: char| !c.is_numeric() && !".,'’".contains(c))
+        .unwrap_or(rest.len());
+    let (digits, behind) = rest.split_at(digits);
+    let behind = behind.trim();
+    let is_one = !before.contains(char::is_alphabetic)
+        && !behind.contains(char::is_numeric)
+        && behind.chars().count() <= LONGEST_BEHIND
+        && ['.', ','].into_iter().all(|mark| {
+            let groups: Vec<&str> = digits.split(mark).collect();
+            groups.len() < 3 || groups[1..].iter().all(|group| group.len() == 3)
+        });
+    is_one.then_some(match behind {
+        _ if before.contains('(') => Oddity::Brackets,
+        behind if behind.contains(|c: char| c.is_alphabetic() || "°%‰".contains(c)) => {
+            Oddity::Unit
+        }
+        _ => Oddity::Mark,
+    })
+}
+
+/// How a number is written that is not read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Oddity {
+    /// In round brackets.
+    Brackets,
+    /// With letters behind it.
+    Unit,
+    /// With any other sign.
+    Mark,
+}
+
+/// Signs that may stand behind a number.
+const LONGEST_BEHIND: usize = 12;
 
 /// The complex number that a whole cell holds, as NumPy, MATLAB or a spreadsheet writes it, (1.5e-8-2e-9j), 1.5-2i,
 /// 1.5+j2, or as Fortran does, (1.5,-2.0). None for a real one and anything else.
@@ -99,11 +146,15 @@ pub(super) fn complex(cell: &[u8], decimal: u8) -> Option<Complex64> {
     Some(Complex64::new(real, part(imaginary)?))
 }
 
-/// The text of a cell with a plain minus for every sign that looks like one.
+/// The text of a cell with a plain minus for every sign that looks like one, without the apostrophe by which a spreadsheet
+/// makes it text.
 fn written(cell: &[u8]) -> Cow<'_, str> {
     match std::str::from_utf8(cell) {
-        Ok(text) if text.is_ascii() => Cow::Borrowed(text),
-        _ => Cow::Owned(text_of(cell).replace(['\u{2212}', '\u{2013}'], "-")),
+        Ok(text) if text.is_ascii() => Cow::Borrowed(text.strip_prefix('\'').unwrap_or(text)),
+        _ => {
+            let text = text_of(cell).replace(['\u{2212}', '\u{2013}'], "-");
+            Cow::Owned(text.trim().trim_start_matches(['\'', '’']).to_owned())
+        }
     }
 }
 
@@ -161,28 +212,34 @@ fn grouped(text: &str, decimal: u8) -> Option<f64> {
     })?
 }
 
-/// Metres of a chainage: kilometres and metres (12+400.123, km 12+400) if three digits stand between plus and decimal mark,
-/// American stations of a hundred feet and feet (123+45.67) if two do.
+/// Metres of a chainage: kilometres (km 12.4) or miles (mi:12.3); kilometres and metres (12+400.123, km 12+400) if three
+/// digits stand between plus and decimal mark; American stations of a hundred feet and feet (123+45.67) if two do; the
+/// board of a hundred metres and metres beyond it (26.0+100.005), as German lines have them.
 fn chainage(text: &str, decimal: u8) -> Option<f64> {
-    let text = match text.get(..2) {
-        Some(start) if start.eq_ignore_ascii_case("km") => {
-            text[2..].trim_start_matches([' ', ':', '.'])
-        }
-        _ => text,
+    let (unit, text) = match text.get(..2).map(str::to_ascii_lowercase).as_deref() {
+        Some("km") => (Some(1e3), text[2..].trim_start_matches([' ', ':', '.'])),
+        Some("mi") => (Some(MILE), text[2..].trim_start_matches([' ', ':', '.'])),
+        _ => (None, text),
     };
-    let (posts, behind) = text.split_once('+')?;
+    let Some((posts, behind)) = text.split_once('+') else {
+        return Some(unit? * floating(text, decimal)?);
+    };
     let (whole, decimals) = behind
         .split_once(char::from(decimal))
         .unwrap_or((behind, ""));
-    let unit = match whole.len() {
-        3 => 1.0,
-        2 => FOOT,
-        _ => return None,
-    };
-    if !(1..=5).contains(&posts.len()) || ![posts, whole, decimals].into_iter().all(are_digits) {
+    let (posts, board) = posts.split_once(['.', ',']).unwrap_or((posts, ""));
+    let are_digits = [posts, board, whole, decimals].into_iter().all(are_digits);
+    if !are_digits || unit == Some(MILE) || !(1..=5).contains(&posts.len()) {
         return None;
     }
-    let length: Option<f64> = format!("{posts}{whole}.{decimals}0").parse().ok();
+    let (unit, post) = match (board.len(), whole.len()) {
+        (0, 3) | (1, 1..=4) => (1.0, 1000),
+        (0, 2) => (FOOT, 100),
+        _ => return None,
+    };
+    let number = |text: &str| text.parse::<u64>().ok();
+    let whole = post * number(posts)? + 100 * number(board).unwrap_or(0) + number(whole)?;
+    let length: Option<f64> = format!("{whole}.{decimals}0").parse().ok();
     length.map(|length| unit * length)
 }
 
@@ -203,7 +260,7 @@ fn is_missing(cell: &[u8]) -> bool {
     ];
     WORDS.iter().any(|word| cell.eq_ignore_ascii_case(word))
         || cell.iter().all(|&byte| byte == b'*')
-        || cell == b"--"
+        || cell.iter().all(|&byte| byte == b'-')
 }
 
 #[cfg(test)]
@@ -260,6 +317,11 @@ mod tests {
             ("12 400,5", b',', 12_400.5),
             ("12\u{202f}400", b'.', 12_400.0),
             ("123+45.67", b'.', 0.3048 * 12_345.67),
+            ("26.0+100.005", b'.', 26_100.005),
+            ("km 26,1+5", b'.', 26_105.0),
+            ("26,0+100,005", b',', 26_100.005),
+            ("mi:12.5", b'.', 12.5 * 1609.344),
+            ("km 12,4", b',', 12_400.0),
         ] {
             assert_eq!(number(text.as_bytes(), decimal), Some(metres), "{text}");
         }
@@ -271,6 +333,9 @@ mod tests {
             ("12+4000", b'.'),
             ("1,24,3", b'.'),
             ("12.40,123", b','),
+            ("26.00+100", b'.'),
+            ("26.000+100", b'.'),
+            ("mi:12+400", b'.'),
             ("+400", b'x'),
         ] {
             assert_eq!(
@@ -289,12 +354,38 @@ mod tests {
             ("\u{2212}1.5", -1.5),
             ("\u{2013}2", -2.0),
             ("\u{2212}1.5e\u{2212}3", -1.5e-3),
+            ("'-1.5", -1.5),
+            ("\u{2019}1.5\u{a0}", 1.5),
+            ("0.45-", -0.45),
+            ("1'200.5-", -1200.5),
         ] {
             assert_eq!(number(text.as_bytes(), b'.'), Some(value), "{text}");
         }
         assert_eq!(number(b"\x961.5", b'.'), Some(-1.5), "Windows-1252");
         assert!(number(b"****", b'.').is_some_and(f64::is_nan));
         assert_eq!(number(b"D", b'.'), None);
+    }
+
+    #[test]
+    fn odd_numbers_are_told_from_words_dates_and_clocks() {
+        for (text, oddity_of) in [
+            ("(0.45)", Some(Oddity::Brackets)),
+            ("-0.45 um", Some(Oddity::Unit)),
+            ("1.234,5mm", Some(Oddity::Unit)),
+            ("12 %", Some(Oddity::Unit)),
+            ("0.45*", Some(Oddity::Mark)),
+            ("<0.45", Some(Oddity::Mark)),
+            ("-0,45", Some(Oddity::Mark)),
+            ("2026-11-28", None),
+            ("01.06.26", None),
+            ("02:59:54.00025", None),
+            ("R12", None),
+            ("weld", None),
+            ("0.000,1.31", None),
+            ("2 welds near the station", None),
+        ] {
+            assert_eq!(oddity(text.as_bytes()), oddity_of, "{text}");
+        }
     }
 
     #[test]

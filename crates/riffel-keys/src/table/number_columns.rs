@@ -9,8 +9,9 @@ use super::delimiter::{DecimalMark, Delimiter};
 use super::heading::label;
 use super::line::{is_comment, is_remark, lines, quoted_length, trim_blanks};
 use super::missing::{Marked, leave_out_marks};
-use super::number::{number, plain};
+use super::number::{Oddity, number, oddity, plain};
 use crate::text_file::{printable, text_of};
+use crate::{Message, say};
 
 /// Bytes that one task parses.
 const PIECE: usize = 1 << 20;
@@ -35,7 +36,7 @@ pub struct RowError {
     /// From 1.
     pub line: usize,
     /// What is wrong, as a sentence without its subject, or with the column as its subject.
-    pub message: String,
+    pub message: Message,
 }
 
 impl NumberRows {
@@ -235,7 +236,7 @@ impl NumberColumns {
         line: &'a [u8],
         row: &mut [f64],
         labels: &mut Vec<&'a [u8]>,
-    ) -> Result<(), String> {
+    ) -> Result<(), Message> {
         let decimal = self.decimal.byte();
         let mut rest = trim_blanks(line, self.delimiter);
         let mut cell = 0;
@@ -278,9 +279,7 @@ impl NumberColumns {
             return Ok(());
         }
         let (plural, has) = (if cell == 1 { "" } else { "s" }, self.count);
-        Err(format!(
-            "has {cell} column{plural}, the lines before it have {has}"
-        ))
+        Err(format!("has {cell} column{plural}, the lines before it have {has}").into())
     }
 
     /// Whether a cell ends after this length.
@@ -297,18 +296,26 @@ impl NumberColumns {
             .unwrap_or(text.len())
     }
 
-    fn no_number(&self, cell: usize, text: &[u8]) -> String {
+    fn no_number(&self, cell: usize, text: &[u8]) -> Message {
         let shown: String = text_of(text).trim().chars().take(40).collect();
-        let shown = printable(&shown);
-        let column = cell + 1;
-        let other = self.decimal.other();
+        let (column, shown) = (crate::number(cell + 1), printable(&shown).into_owned());
+        let (own, other) = (self.decimal, self.decimal.other());
         if number(text, other.byte()).is_some() {
-            let (other, own) = (other.words(), self.decimal.words());
-            return format!(
-                "column {column} is \"{shown}\", with a {other}; the file has a {own} elsewhere"
+            let (other, own) = (other.words(), own.words());
+            return say!(
+                cell_has_other_mark,
+                column = column,
+                cell = shown,
+                other = other,
+                own = own
             );
         }
-        format!("column {column} is \"{shown}\", not a number")
+        match oddity(text) {
+            Some(Oddity::Brackets) => say!(cell_in_brackets, column = column, cell = shown),
+            Some(Oddity::Unit) => say!(cell_with_letters, column = column, cell = shown),
+            Some(Oddity::Mark) => say!(cell_with_marks, column = column, cell = shown),
+            None => say!(cell_is_no_number, column = column, cell = shown),
+        }
     }
 }
 
@@ -319,7 +326,7 @@ struct Piece {
     lines: usize,
     lines_of_rows: Option<Vec<u32>>,
     labels: Labels,
-    error: Option<(usize, String)>,
+    error: Option<(usize, Message)>,
 }
 
 impl Piece {

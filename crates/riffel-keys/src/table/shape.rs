@@ -3,7 +3,7 @@
 use super::delimiter::{DecimalMark, Delimiter};
 use super::heading::Heading;
 use super::line::{cells, cells_up_to, is_comment, is_remark, lines};
-use super::number::{complex, is_chainage, number};
+use super::number::{complex, is_chainage, number, oddity};
 use crate::text_file::text_of;
 
 /// Bytes that are looked at.
@@ -31,6 +31,10 @@ pub enum Kind {
     Chainage,
     /// Complex numbers.
     Complex,
+    /// What looks like numbers, but is written as none that is read: `-0.45 um`, `(0.45)`, `0.45*`.
+    Odd,
+    /// Nothing, or marks of missing numbers alone.
+    Empty,
     /// Anything else.
     Text,
 }
@@ -39,6 +43,16 @@ impl Kind {
     /// Whether the cells are numbers, chainages among them.
     pub fn is_numeric(self) -> bool {
         matches!(self, Self::Number | Self::Chainage)
+    }
+
+    /// Whether the cells are numbers, in whatever way they are written: to be read or refused, and no text.
+    pub fn is_of_numbers(self) -> bool {
+        self.is_numeric() || self == Self::Odd
+    }
+
+    /// Whether there are values of numbers, real or complex, that are read.
+    fn has_values(self) -> bool {
+        self.is_numeric() || self == Self::Complex
     }
 }
 
@@ -104,7 +118,9 @@ impl Table {
             .map(|column| kind_of(shaped.iter().map(|row| row.1[column]), decimal))
             .collect();
         // Remarks behind the numbers are there or not, and may have any number of cells.
-        let count = kinds.iter().rposition(|&kind| kind != Kind::Text)? + 1;
+        let is_there = |kind: &Kind| !matches!(kind, Kind::Text | Kind::Empty);
+        let count = kinds.iter().rposition(is_there)? + 1;
+        let are_all_odd = !kinds.iter().any(|kind| kind.has_values());
         kinds.truncate(count);
         let behind = |row: &&&Cells<'_>| row.1[count..].iter().any(|cell| !cell.is_empty());
         let text_behind = shaped.iter().any(|row| behind(&row));
@@ -112,12 +128,14 @@ impl Table {
         for (index, cells) in &mut rows {
             *cells = cells_up_to(all[*index], delimiter, count);
         }
-        let with_values = |kind: Kind| kind != Kind::Text;
+        let with_values = |kind: Kind| kind.has_values() || kind == Kind::Odd && are_all_odd;
         let is_value = |column: usize, cell: &[u8]| match kinds[column] {
+            Kind::Odd => number(cell).is_some() || oddity(cell).is_some(),
             Kind::Complex => complex(cell, decimal.byte()).is_some() || number(cell).is_some(),
             _ => number(cell).is_some(),
         };
         let is_there = |column: usize, cell: &[u8]| match kinds[column] {
+            Kind::Odd => oddity(cell).is_some(),
             Kind::Complex => complex(cell, decimal.byte()).is_some(),
             _ => number(cell).is_some_and(f64::is_finite),
         };
@@ -157,7 +175,7 @@ impl Table {
             let has_words = text_of(all[*index]).contains(char::is_alphabetic);
             has_words.then_some(cells.len())
         });
-        let columns = kinds.iter().filter(|&&kind| with_values(kind)).count();
+        let columns = kinds.iter().filter(|kind| kind.has_values()).count();
         let table = Self {
             delimiter,
             decimal,
@@ -183,10 +201,17 @@ impl Table {
             return None;
         }
         let all_numbers = columns as f64 / widest as f64;
+        // Odd numbers alone may be any way's.
+        let fits = if are_all_odd { fits - 1.0 } else { fits };
         Some((
             1e4 * fits + 1e2 * all_numbers + columns.min(50) as f64,
             table,
         ))
+    }
+
+    /// What a column is; text behind the last that holds numbers.
+    pub fn kind(&self, column: usize) -> Kind {
+        self.kinds.get(column).copied().unwrap_or(Kind::Text)
     }
 
     /// Columns up to the last that holds numbers.
@@ -206,7 +231,7 @@ impl Table {
     /// Median of the steps of a column if nearly all have its sign and about its size.
     pub fn even_step(&self, column: usize) -> Option<f64> {
         let pairs = self.sample.windows(2);
-        let steps = pairs.map(|pair| pair[1][column] - pair[0][column]);
+        let steps = pairs.filter_map(|pair| Some(pair[1].get(column)? - pair[0][column]));
         let mut steps: Vec<f64> = steps.filter(|step| step.is_finite()).collect();
         steps.sort_by(f64::total_cmp);
         let median = *steps.get(steps.len() / 2)?;
@@ -219,7 +244,7 @@ impl Table {
     /// Whether a column only numbers the rows, 0, 1, 2 …, as pandas writes it without a name, or under "Unnamed: 0".
     pub fn is_index(&self, column: usize) -> bool {
         // A column without any number has no sample.
-        if !self.kinds.get(column).is_some_and(|kind| kind.is_numeric()) {
+        if !self.kind(column).is_numeric() {
             return false;
         }
         let name = self.heading.name(column);
@@ -255,13 +280,16 @@ fn kind_of<'a>(cells: impl Iterator<Item = &'a [u8]> + Clone, decimal: DecimalMa
             Kind::Number
         };
     }
-    match most(
-        cells
-            .filter(|cell| complex(cell, decimal).is_some())
-            .count(),
-    ) {
-        true => Kind::Complex,
-        false => Kind::Text,
+    let count = |is: &dyn Fn(&[u8]) -> bool| cells.clone().filter(|cell| is(cell)).count();
+    let numbers = numbers().count();
+    if numbers == all {
+        return Kind::Empty;
+    }
+    let is_odd = |cell: &[u8]| number(cell, decimal).is_none() && oddity(cell).is_some();
+    match count(&is_odd) {
+        _ if most(count(&|cell| complex(cell, decimal).is_some())) => Kind::Complex,
+        odd if odd > 0 && most(odd + numbers) => Kind::Odd,
+        _ => Kind::Text,
     }
 }
 

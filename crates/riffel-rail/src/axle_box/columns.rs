@@ -129,34 +129,6 @@ pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
     }
 }
 
-/// Words for what a box feels along and across the rail, and for what is above the springs.
-const ALONG_OR_ACROSS: &str =
-    "longitudinal|längs|laengs|lateral|transverse|transversal|quer|längsrichtung|querrichtung";
-const ABOVE_SPRINGS: &str = "body|carbody|wagenkasten|kasten|frame|rahmen|drehgestellrahmen";
-
-/// Which of some channels tell nothing of the rail: those along or across it, by these words or named as one that is vertical, z, but
-/// for their axis, x or y; and those of body and bogie frame.
-pub(super) fn not_of_the_rail(names: &[&str]) -> Vec<bool> {
-    let split = |name: &&str| {
-        let mut own = words(name);
-        let axis = own.iter().position(|word| is_one_of(word, "x|y|z"));
-        let axis = axis.map(|place| own.remove(place));
-        (axis.unwrap_or_default(), own)
-    };
-    let split: Vec<(String, Vec<String>)> = names.iter().map(split).collect();
-    let has_vertical = |own: &[String]| {
-        split
-            .iter()
-            .any(|(axis, other)| axis == "z" && other == own)
-    };
-    let is_other = |(axis, own): &(String, Vec<String>)| {
-        let mut words = own.iter();
-        matches!(&axis[..], "x" | "y") && has_vertical(own)
-            || words.any(|word| is_one_of(word, ALONG_OR_ACROSS) || is_one_of(word, ABOVE_SPRINGS))
-    };
-    split.iter().map(is_other).collect()
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -176,10 +148,13 @@ mod tests {
             ("odometer_km", Content::Odometer(1e3)),
             ("time_s", Content::Time(1.0)),
             ("t [ms]", Content::Time(1e-3)),
+            ("left [m/s²]", Content::Acceleration(1.0)),
+            ("gauche (g)", Content::Acceleration(STANDARD_GRAVITY)),
         ] {
             assert_eq!(of(name), Ok(Some(expected)), "{name}");
         }
         assert_eq!(of("temperature_c"), Ok(None));
+        assert_eq!(of("part g"), Ok(None));
         for (name, part) in [
             ("acceleration left", "acceleration_g"),
             ("speed", "speed_km_per_h"),
@@ -188,25 +163,6 @@ mod tests {
         ] {
             assert!(of(name).unwrap_err().contains(part), "{name}");
         }
-    }
-
-    #[test]
-    fn only_vertical_axes_of_a_box_tell_of_the_rail() {
-        let names = ["acc_x_g", "acc_y_g", "acc_z_g", "acc left y [g]"];
-        assert_eq!(not_of_the_rail(&names), [true, true, false, false]);
-        let in_words = [
-            "Acceleration longitudinal [g]",
-            "Acceleration lateral [g]",
-            "Acceleration vertical [g]",
-            "Beschleunigung quer [m/s²]",
-            "acc car body [g]",
-            "acc bogie frame left [g]",
-            "acc bogie 1 left [g]",
-        ];
-        assert_eq!(
-            not_of_the_rail(&in_words),
-            [true, true, false, true, true, true, false]
-        );
     }
 
     #[test]

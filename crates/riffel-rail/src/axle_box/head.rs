@@ -2,10 +2,11 @@
 
 use std::path::Path;
 
-use riffel_keys::{CaseError, Message};
+use riffel_keys::{CaseError, Message, say};
 
 use super::clock::Clock;
 use super::columns::Content;
+use crate::no_rail::why_no_rail;
 use crate::refusal::Refusal;
 
 /// What a user says of a file of axle-box acceleration.
@@ -39,7 +40,12 @@ pub(super) struct AxleBoxHead {
 
 impl AxleBoxHead {
     /// Of signals at even times.
-    pub(super) fn of_samples<S>(names: Vec<String>, rate: f64, places: &Places<S>) -> Self {
+    pub(super) fn of_samples<S>(
+        names: Vec<String>,
+        rate: f64,
+        places: &Places<S>,
+        remarks: Vec<String>,
+    ) -> Self {
         Self {
             names,
             rate,
@@ -47,7 +53,7 @@ impl AxleBoxHead {
             place: places.by,
             witness: places.witness_by,
             counting: Counting::Samples,
-            remarks: Vec::new(),
+            remarks,
         }
     }
 }
@@ -131,6 +137,34 @@ impl<T> Signals<T> {
             Content::Time(unit) => (&mut self.time, unit),
         };
         place.get_or_insert((signal, unit));
+    }
+
+    /// Leave out the channels that tell nothing of the rail by `name`; a sentence on each.
+    ///
+    /// # Errors
+    /// These sentences, where no channel is left.
+    pub(super) fn leave_out_others(
+        &mut self,
+        name: impl Fn(&T) -> String,
+    ) -> Result<Vec<String>, String> {
+        let names: Vec<String> = self
+            .channels
+            .iter()
+            .map(|(signal, _)| name(signal))
+            .collect();
+        let names: Vec<&str> = names.iter().map(String::as_str).collect();
+        let why = why_no_rail(&names);
+        let mut kept = why.iter().map(Option::is_none);
+        self.channels.retain(|_| kept.next().unwrap_or(true));
+        let said = names.iter().zip(why).filter_map(|(name, why)| {
+            let channel = format!("`{name}`");
+            Some(say!(channel_left_out, channel = channel, reason = why?).to_string())
+        });
+        let said: Vec<String> = said.collect();
+        match self.channels.is_empty() && !said.is_empty() {
+            true => Err(said.join("; ")),
+            false => Ok(said),
+        }
     }
 
     /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any.

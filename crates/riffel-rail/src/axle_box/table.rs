@@ -4,13 +4,14 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-use riffel_keys::CaseError;
-use riffel_keys::table::{NumberColumns, Table, is_comment, is_mark};
+use riffel_keys::table::{NumberColumns, Table, is_comment, is_mark, rows};
 use riffel_keys::text_file::Encoding;
+use riffel_keys::{CaseError, Message, say};
 
 use super::clock::{Clock, Regression};
-use super::columns::{Content, channel_name, content, not_of_the_rail};
+use super::columns::{Content, channel_name, content};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Places, Row, Signals, unreadable};
+use crate::profile_columns::left_out_sentence;
 use crate::refusal::Refusal;
 
 /// Longest line \[bytes\].
@@ -86,7 +87,9 @@ impl AxleBoxTable {
         let all = all.chain(places.signal).chain(places.witness).chain(time);
         let (columns, units): (Vec<usize>, Vec<f64>) = all.unzip();
         let largest = columns.iter().map(|&column| {
-            let values = table.sample.iter().map(|row| row[column].abs());
+            // Text behind the last numbers has no sample, and is refused.
+            let values = table.sample.iter().filter_map(|row| row.get(column));
+            let values = values.map(|value| value.abs());
             values.filter(|value| !is_mark(*value)).fold(0.0, f64::max)
         });
         let read = Self {
@@ -118,44 +121,52 @@ impl AxleBoxTable {
             .as_deref()
             .ok_or_else(|| refuse(nothing))?;
         let mut signals = Signals::default();
-        let mut empty = None;
-        for (column, name) in written.iter().enumerate() {
-            let found = content(&table.heading, column);
-            if !table
-                .kinds
-                .get(column)
-                .is_some_and(|kind| kind.is_numeric())
-            {
-                match found {
-                    Ok(Some(Content::Speed(_) | Content::Odometer(_))) => {
-                        empty.get_or_insert(column);
-                    }
-                    Ok(Some(Content::Time(_))) if layout.rate.is_none() => {
-                        let message = format!(
-                            "column `{name}` holds no numbers, but times are needed in seconds: write them so, or give the sampling \
-                             rate by --rate"
-                        );
-                        return Err(Refusal::new(Some(table.header_lines + 1), message));
-                    }
-                    _ => {}
-                }
-                continue;
-            }
+        let (mut empty, mut others) = (None, Vec::new());
+        let mut leave_out = |column: usize, why: Message| {
+            others.push(left_out_sentence(column, &written[column], why).to_string());
+        };
+        for column in 0..written.len() {
+            let kind = table.kind(column);
+            let has_values = has_values(&table, head, column);
             let at_head = |message| Refusal::new(Some(table.header_lines), message);
-            if let Some(content) = found.map_err(at_head)? {
-                signals.push(column, content);
+            match content(&table.heading, column) {
+                Ok(Some(Content::Time(_))) if !kind.is_numeric() => {
+                    if layout.rate.is_none() {
+                        return Err(no_times(&table, head, column));
+                    }
+                    leave_out(column, say!(it_is_text));
+                }
+                Ok(Some(Content::Speed(_) | Content::Odometer(_))) if !has_values => {
+                    empty.get_or_insert(column);
+                }
+                Ok(Some(_)) if !has_values => leave_out(column, say!(it_is_empty)),
+                Ok(Some(content)) => signals.push(column, content),
+                Err(message) if kind.is_of_numbers() => return Err(at_head(message)),
+                Ok(None) if table.is_index(column) => leave_out(column, say!(it_numbers_the_rows)),
+                _ if has_values && kind.is_of_numbers() => leave_out(column, say!(it_is_no_signal)),
+                _ if has_values => leave_out(column, say!(it_is_text)),
+                _ => {}
             }
         }
         if signals.channels.is_empty() {
-            return Err(refuse(
-                "there is no column of accelerations; call it acceleration_m_per_s2 or acceleration_g",
-            ));
+            let nothing = "there is no column of accelerations; call it acceleration_m_per_s2 or acceleration_g";
+            let said = [nothing.to_owned()].into_iter().chain(others);
+            return Err(refuse(&said.collect::<Vec<String>>().join("; ")));
         }
-        let remarks = leave_out_others(&mut signals, written);
-        if signals.channels.is_empty() {
-            let message = remarks.join("; ");
-            return Err(Refusal::new(Some(table.header_lines), message));
+        let is_clock = |column: &usize| {
+            let cell = first_value(&table, head, *column).map(|(_, cell)| cell);
+            cell.is_some_and(|cell| cell.matches(':').count() == 2)
+        };
+        if signals.time.is_none()
+            && layout.rate.is_none()
+            && let Some(clock) = (0..written.len()).find(is_clock)
+        {
+            return Err(no_times(&table, head, clock));
         }
+        let remarks = signals.leave_out_others(|&column| written[column].clone());
+        let at_head = |message| Refusal::new(Some(table.header_lines), message);
+        let mut remarks = remarks.map_err(at_head)?;
+        remarks.append(&mut others);
         let places = signals.place(layout.speed);
         if let Some(Places {
             signal: Some((column, _)),
@@ -165,9 +176,11 @@ impl AxleBoxTable {
             let missing = table
                 .sample
                 .iter()
-                .filter(|row| row[column].is_nan())
+                .filter(|row| row.get(column).is_none_or(|value| value.is_nan()))
                 .count();
-            empty = (2 * missing > table.sample.len()).then_some(column);
+            // What is there and no number is refused with its line.
+            let is_empty = table.kind(column).is_numeric() && 2 * missing > table.sample.len();
+            empty = is_empty.then_some(column);
         }
         if let (Some(column), None) = (empty, layout.speed) {
             let name = &written[column];
@@ -251,11 +264,11 @@ fn each_row(
         if read == 0 {
             break;
         }
-        let refuse = |message: String| Refusal::new(Some(number), message).of(path);
+        let refuse = |message: Message| Refusal::new(Some(number), message).of(path);
         if read as u64 == LONGEST_LINE && !bytes.ends_with(b"\n") {
-            return Err(refuse(format!(
-                "the line is longer than {LONGEST_LINE} bytes"
-            )));
+            return Err(refuse(
+                format!("the line is longer than {LONGEST_LINE} bytes").into(),
+            ));
         }
         progress(read);
         let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
@@ -270,29 +283,31 @@ fn each_row(
     Ok(())
 }
 
-/// Leave out what tells nothing of the rail; as a sentence.
-fn leave_out_others(signals: &mut Signals<usize>, names: &[String]) -> Vec<String> {
-    let channels: Vec<&str> = signals
-        .channels
-        .iter()
-        .map(|&(column, _)| &names[column][..])
-        .collect();
-    let mut others = not_of_the_rail(&channels).into_iter();
-    let mut left_out = Vec::new();
-    signals.channels.retain(|&(column, _)| {
-        let is_other = others.next().unwrap_or(false);
-        if is_other {
-            left_out.push(format!("`{}`", names[column]));
-        }
-        !is_other
-    });
-    if left_out.is_empty() {
-        return left_out;
-    }
-    vec![format!(
-        "{} left out: only what an axle box felt upward tells of the rail",
-        left_out.join(", ")
-    )]
+/// Whether any of the first rows has more than marks of missing values in a column.
+fn has_values(table: &Table, head: &[u8], column: usize) -> bool {
+    first_value(table, head, column).is_some()
+}
+
+/// The first row with more than a mark of a missing value in a column: its line and its cell.
+fn first_value(table: &Table, head: &[u8], column: usize) -> Option<(usize, String)> {
+    let style = (table.delimiter, Some(table.decimal));
+    rows(head, table.header_lines, style.0, style.1)
+        .filter(|row| column < row.cells.len() && !row.value(column).is_some_and(f64::is_nan))
+        .map(|row| (row.line, row.text(column)))
+        .next()
+}
+
+/// That a column of times holds none.
+fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
+    let name = table.heading.name(column).unwrap_or_default();
+    let (line, cell) =
+        first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
+    let message = format!(
+        "column {}, `{name}`, holds no numbers, but \"{cell}\"; times are needed in seconds: write them so, or give the \
+         sampling rate by --rate",
+        column + 1
+    );
+    Refusal::new(Some(line), message)
 }
 
 /// Samples per second: those that are given, which must agree with the times, or else those of the times; with the clock of

@@ -84,6 +84,8 @@ impl AxleBoxUniversal {
             };
             found.push(signal, content);
         }
+        let remarks = found.leave_out_others(|signal| signal.function.title.clone());
+        let remarks = remarks.map_err(|message| CaseError::data(path, message))?;
         let places = found.place(layout.speed);
         let channels = found.channels;
         let Some((first, _)) = channels.first() else {
@@ -134,7 +136,7 @@ impl AxleBoxUniversal {
                 "the file says {rate} samples a second; leave out --rate"
             ));
         }
-        let head = AxleBoxHead::of_samples(names, rate, &places);
+        let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self {
             channels,
             place: places.signal,

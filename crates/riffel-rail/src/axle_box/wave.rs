@@ -5,7 +5,7 @@ use std::path::Path;
 use riffel_keys::CaseError;
 use riffel_keys::table::Heading;
 
-use super::columns::{Content, channel_name, content};
+use super::columns::{channel_name, content};
 use super::head::{AxleBoxHead, AxleBoxLayout, Row, Signals};
 use super::riff::{Wave, WaveError};
 use crate::refusal::Refusal;
@@ -51,7 +51,6 @@ impl AxleBoxWave {
                 layout.channels.len()
             )));
         }
-        let mut names = Vec::new();
         let mut signals = Signals::default();
         for (channel, said) in layout.channels.iter().enumerate() {
             let (name, scale) = said.split_once('=').unwrap_or((said, ""));
@@ -65,12 +64,6 @@ impl AxleBoxWave {
             let heading = Heading::of_name(name.trim());
             let found =
                 content(&heading, 0).map_err(|message| refuse(format!("--channels: {message}")))?;
-            if let Some(Content::Acceleration(_)) = found {
-                names.push(match channel_name(&heading, 0) {
-                    name if name.starts_with("column ") => format!("channel {}", channel + 1),
-                    name => name,
-                });
-            }
             if let Some(content) = found {
                 signals.push(channel, content.scaled(scale));
             }
@@ -80,6 +73,24 @@ impl AxleBoxWave {
                 "--channels names no acceleration, as in {EXAMPLE}"
             )));
         }
+        let said = |channel: usize| {
+            layout.channels[channel]
+                .split('=')
+                .next()
+                .unwrap_or_default()
+        };
+        let remarks = signals
+            .leave_out_others(|&channel| said(channel).trim().to_owned())
+            .map_err(refuse)?;
+        let name = |channel: usize| match channel_name(&Heading::of_name(said(channel).trim()), 0) {
+            name if name.starts_with("column ") => format!("channel {}", channel + 1),
+            name => name,
+        };
+        let names = signals
+            .channels
+            .iter()
+            .map(|&(channel, _)| name(channel))
+            .collect();
         let Some(places) = signals.place(layout.speed) else {
             return Err(refuse(
                 "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
@@ -93,7 +104,7 @@ impl AxleBoxWave {
                 "the file says {rate} samples a second; leave out --rate"
             )));
         }
-        let head = AxleBoxHead::of_samples(names, rate, &places);
+        let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self {
             channels: signals.channels,
             place: places.signal,

@@ -5,12 +5,13 @@ mod tests;
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use riffel_keys::table::{self, Table, is_one_of, words};
+use riffel_keys::table::{self, Table};
 use riffel_keys::{Message, number, say};
 
 use crate::date_column::{dates_of_heads, is_of_time};
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
+use crate::no_rail::why_no_rail;
 use crate::unit_remark::{Kind, UnitRemarks};
 
 /// A table as a profile, with what a user says of it.
@@ -21,6 +22,10 @@ pub(super) struct ProfileTable<'a> {
     stated: UnitRemarks,
     /// Columns whose cells tell records apart: the rail, the date, the run.
     labels: Vec<usize>,
+    /// Columns of text under the head of a rail or a position, which are refused with their first cell.
+    misread: Vec<usize>,
+    /// The first row.
+    first: Vec<String>,
 }
 
 impl<'a> ProfileTable<'a> {
@@ -31,6 +36,8 @@ impl<'a> ProfileTable<'a> {
             layout,
             stated: UnitRemarks::of(&table.heading.remarks, table.count()),
             labels: label_columns(table, bytes),
+            misread: Vec::new(),
+            first: first_row(table, bytes),
         };
         let is_time = |&column: &usize| is_of_time(table.heading.name(column).unwrap_or_default());
         if found.labels.iter().all(is_time)
@@ -40,6 +47,7 @@ impl<'a> ProfileTable<'a> {
             let other = dividing.filter(|column| !found.labels.contains(column));
             found.labels.extend(other);
         }
+        found.misread = misread_columns(table, bytes, &found.labels);
         found
     }
 
@@ -48,8 +56,8 @@ impl<'a> ProfileTable<'a> {
         let (table, heading) = (self.table, &self.table.heading);
         let spacing = self.layout.spacing;
         let (position, mut columns) = self.position_and_others();
-        let lengths = self.columns_of_lengths(&columns);
-        columns.retain(|&column| self.left_out(column, &lengths).is_none());
+        let left_out = self.left_out(&columns);
+        columns.retain(|column| !left_out.contains_key(column));
         if position.is_none_or(|column| table.even_step(column).is_none() && !self.is_named(column))
             && spacing.is_none()
             && let Some(counter) = self.counter()
@@ -62,10 +70,21 @@ impl<'a> ProfileTable<'a> {
             ).into());
         }
         if columns.is_empty() {
-            return Err(say!(no_heights));
+            let first = left_out.into_iter().next();
+            let first = first.or_else(|| Some((self.empty().next()?, say!(it_is_empty))));
+            return Err(first.map_or_else(
+                || say!(no_heights),
+                |(column, why)| {
+                    let name = heading.name(column).unwrap_or_default();
+                    say!(
+                        no_heights_but,
+                        reason = left_out_sentence(column, name, why)
+                    )
+                },
+            ));
         }
         if position.is_none() && spacing.is_none() {
-            return Err(say!(heights_without_position));
+            return Err(self.no_position());
         }
         self.check_units(&columns, position)?;
         let heads: Vec<&str> = columns
@@ -109,11 +128,31 @@ impl<'a> ProfileTable<'a> {
         Ok(format)
     }
 
+    /// That there is no position, with the first column that has digits in it and is text.
+    fn no_position(&self) -> Message {
+        let texts = (0..).zip(&self.first).find(|(column, cell)| {
+            self.table.kind(*column) == table::Kind::Text
+                && !self.labels.contains(column)
+                && cell.contains(char::is_numeric)
+        });
+        texts.map_or_else(
+            || say!(heights_without_position),
+            |(column, cell)| {
+                let column = number(column + 1);
+                say!(
+                    heights_without_position_but,
+                    column = column,
+                    cell = &cell[..]
+                )
+            },
+        )
+    }
+
     /// The column of positions, if there is one, and the other columns of lengths.
     fn position_and_others(&self) -> (Option<usize>, Vec<usize>) {
         let table = self.table;
-        let mut columns: Vec<usize> = (0..table.count())
-            .filter(|&column| table.kinds[column].is_numeric() && !self.is_no_length(column))
+        let mut columns: Vec<usize> = (0..self.width())
+            .filter(|&column| self.may_be_read(column) && !self.is_no_length(column))
             .filter(|&column| !is_something_else(table, column))
             .collect();
         let named = columns.iter().position(|&column| self.is_named(column));
@@ -121,34 +160,55 @@ impl<'a> ProfileTable<'a> {
         (place.map(|place| columns.remove(place)), columns)
     }
 
-    /// Those of some columns whose names and units are those of lengths.
-    fn columns_of_lengths(&self, columns: &[usize]) -> Vec<usize> {
-        let is_length = |&column: &usize| {
-            left_out(self.table, column).is_none()
-                && self.table.heading.foreign_unit_of(column).is_none()
-        };
-        columns.iter().copied().filter(is_length).collect()
+    /// Columns of the head and of the rows.
+    fn width(&self) -> usize {
+        let names = self.table.heading.names.as_ref().map_or(0, Vec::len);
+        names.max(self.table.count())
     }
 
-    /// Why the numbers of a column are no heights of a rail, by its name, or by its unit beside
-    /// [columns of lengths](Self::columns_of_lengths).
-    fn left_out(&self, column: usize, lengths: &[usize]) -> Option<Message> {
-        const COMPUTED: &str =
-            "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|rms";
-        let (table, heading) = (self.table, &self.table.heading);
-        left_out(table, column).or_else(|| {
-            let beside = |is: &dyn Fn(usize) -> bool| {
-                lengths.iter().any(|&other| other != column && is(other))
+    /// Whether a column is to be read or refused unless its head is that of something else.
+    fn may_be_read(&self, column: usize) -> bool {
+        self.table.kind(column).is_of_numbers() || self.misread.contains(&column)
+    }
+
+    /// Columns without any value, under the head of a rail.
+    fn empty(&self) -> impl Iterator<Item = usize> {
+        (0..self.width()).filter(|&column| {
+            let is_empty = match column < self.table.count() {
+                true => self.table.kind(column) == table::Kind::Empty,
+                false => !self.misread.contains(&column) && !self.labels.contains(&column),
             };
-            if heading.foreign_unit_of(column).is_some()
-                && beside(&|other| heading.unit_of(other).is_some())
-            {
-                return Some(say!(its_unit_is_no_length));
-            }
-            let is_computed = |column: usize| heading.is(column, COMPUTED);
-            (is_computed(column) && beside(&|other| !is_computed(other)))
-                .then(|| say!(it_is_computed))
+            is_empty && is_of_a_rail(self.table, column)
         })
+    }
+
+    /// Which of some columns are no heights of a rail, each with the reason: by their names, or by their units beside columns of
+    /// lengths.
+    fn left_out(&self, columns: &[usize]) -> BTreeMap<usize, Message> {
+        let heading = &self.table.heading;
+        let is_foreign = |column: &usize| heading.foreign_unit_of(*column).is_some();
+        let (foreign, lengths): (Vec<usize>, Vec<usize>) =
+            columns.iter().copied().partition(is_foreign);
+        let why = |columns: &[usize]| -> BTreeMap<usize, Message> {
+            let names = columns.iter().map(|&column| heading.name(column));
+            let names: Vec<&str> = names.map(Option::unwrap_or_default).collect();
+            let all = columns.iter().copied().zip(why_no_rail(&names));
+            all.filter_map(|(column, why)| Some((column, why?)))
+                .collect()
+        };
+        let mut left_out = why(&lengths);
+        let is_length =
+            |column: &usize| !left_out.contains_key(column) && heading.unit_of(*column).is_some();
+        let beside_lengths = lengths.iter().any(is_length);
+        left_out.extend(why(&foreign));
+        if beside_lengths {
+            for column in foreign {
+                left_out
+                    .entry(column)
+                    .or_insert(say!(its_unit_is_no_length));
+            }
+        }
+        left_out
     }
 
     /// Whether a column is a position by its head or the form of its numbers.
@@ -162,13 +222,13 @@ impl<'a> ProfileTable<'a> {
     }
 
     fn is_chainage(&self, column: usize) -> bool {
-        self.table.kinds[column] == table::Kind::Chainage
+        self.table.kind(column) == table::Kind::Chainage
     }
 
     /// The column besides positions and heights that rises evenly, if there is one.
     fn counter(&self) -> Option<usize> {
         (0..self.table.count()).find(|&column| {
-            self.table.kinds[column].is_numeric()
+            self.table.kind(column).is_numeric()
                 && (is_something_else(self.table, column) || self.table.is_index(column))
                 && self.table.even_step(column).is_some()
         })
@@ -265,15 +325,17 @@ impl<'a> ProfileTable<'a> {
         });
         let mut sentences: Vec<Message> = sentences.collect();
         let count = self.table.count();
-        let lengths = self.columns_of_lengths(&self.position_and_others().1);
-        sentences.extend((0..count).filter_map(|column| {
+        let mut left_out = self.left_out(&self.position_and_others().1);
+        left_out.extend(self.empty().map(|column| (column, say!(it_is_empty))));
+        sentences.extend((0..self.width()).filter_map(|column| {
             let is_read = |one: &Column| one.column == column + 1;
             let is_read = format.position.iter().chain(&format.rails).any(is_read);
-            if is_read || self.labels.contains(&column) || !self.table.kinds[column].is_numeric() {
+            if is_read || self.labels.contains(&column) {
                 return None;
             }
-            let why = match self.left_out(column, &lengths) {
+            let why = match left_out.remove(&column) {
                 Some(why) => why,
+                None if !self.table.kind(column).is_of_numbers() => return None,
                 None if self.table.is_index(column) => say!(it_numbers_the_rows),
                 None => say!(it_is_neither),
             };
@@ -282,7 +344,9 @@ impl<'a> ProfileTable<'a> {
         }));
         let text: Vec<String> = (0..count)
             .filter(|&column| {
-                !self.table.kinds[column].is_numeric() && !self.labels.contains(&column)
+                let kind = self.table.kind(column);
+                let is_text = matches!(kind, table::Kind::Text | table::Kind::Complex);
+                is_text && !self.labels.contains(&column)
             })
             .map(|column| (column + 1).to_string())
             .collect();
@@ -341,7 +405,7 @@ fn is_something_else(table: &Table, column: usize) -> bool {
 }
 
 /// That a column is left out, and why.
-pub(super) fn left_out_sentence(column: usize, name: &str, why: Message) -> Message {
+pub(crate) fn left_out_sentence(column: usize, name: &str, why: Message) -> Message {
     let column = number(column + 1);
     match name {
         "" => say!(column_left_out, column = column, reason = why),
@@ -354,28 +418,56 @@ pub(super) fn left_out_sentence(column: usize, name: &str, why: Message) -> Mess
     }
 }
 
-/// Why the numbers of a column are no heights of a rail though their unit may be that of one, by its name.
-fn left_out(table: &Table, column: usize) -> Option<Message> {
-    const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|versine|pfeilhöhe|pfeilhoehe|\
-                        twist|verwindung|curvature|krümmung|kruemmung|alignment|crosslevel|dévers|\
-                        écartement|flèche|peralte|ancho|flecha|alabeo|sopraelevazione|scartamento|freccia|sghembo";
-    /// Lines along the head of a rail.
-    const LINES: &str = "corner|side|face";
-    if table.heading.is(column, GEOMETRY) && !table.heading.is(column, LINES) {
-        return Some(say!(it_is_geometry));
-    }
-    let name = words(table.heading.name(column)?);
-    is_statistic(&name).then(|| say!(it_is_a_statistic))
+/// Whether the head of a column is that of a rail or its height, by its words or its unit.
+fn is_of_a_rail(table: &Table, column: usize) -> bool {
+    let has_unit = || table.heading.unit_of(column).is_some();
+    !is_something_else(table, column) && (names_a_rail(table, column) || has_unit())
 }
 
-/// Whether the words of a name are those of a scatter, a count or a limit.
-pub(super) fn is_statistic(name: &[String]) -> bool {
-    const STATISTICS: &str = "std|stdev|stddev|sd|sigma|stdabw|standardabweichung|count|anzahl|quality|limit|limits|\
-                        grenzwert|grenzwerte|grenzkurve|tolerance|toleranz|iso|tsi";
-    let is_norm = |pair: &[String]| {
-        is_one_of(&pair[0], "en|din") && pair[1].starts_with(|c: char| c.is_ascii_digit())
+/// Whether the head of a column has a word for one rail or for heights; one with words for both rails tells them apart.
+pub(super) fn names_a_rail(table: &Table, column: usize) -> bool {
+    const LEFT: &str = "left|links|gauche|izquierda|izquierdo|sinistra|sinistro|lewa|low";
+    const RIGHT: &str = "right|rechts|droite|droit|derecha|derecho|destra|destro|prawa|high";
+    const HEIGHT: &str =
+        "height|heights|höhe|hoehe|höhen|hauteur|altura|altezza|hoogte|roughness|rauheit";
+    let is = |known: &str| table.heading.is(column, known);
+    is(LEFT) != is(RIGHT) || is(HEIGHT) && !is(LEFT)
+}
+
+/// The texts of the first row.
+fn first_row(table: &Table, bytes: &[u8]) -> Vec<String> {
+    let row = table::rows(bytes, table.header_lines, table.delimiter, None).next();
+    row.map_or_else(Vec::new, |row| {
+        (0..row.cells.len())
+            .map(|column| row.text(column))
+            .collect()
+    })
+}
+
+/// Columns of text, none of `labels`, whose head is that of a rail, or that of a position above cells with digits.
+fn misread_columns(table: &Table, bytes: &[u8], labels: &[usize]) -> Vec<usize> {
+    /// Rows that are looked at.
+    const ROWS: usize = 2000;
+    let names = table.heading.names.as_ref().map_or(0, Vec::len);
+    let is_misread = |&column: &usize| {
+        let of_rail = is_of_a_rail(table, column);
+        let of_position = table.heading.is(column, POSITION);
+        if table.kind(column) != table::Kind::Text
+            || labels.contains(&column)
+            || !(of_rail || of_position)
+        {
+            return false;
+        }
+        let (above, style) = (table.header_lines, (table.delimiter, table.decimal));
+        let mut rows = table::rows(bytes, above, style.0, Some(style.1)).take(ROWS);
+        rows.any(|row| {
+            let text = row.text(column);
+            row.value(column).is_none()
+                && !text.is_empty()
+                && (of_rail || text.contains(char::is_numeric))
+        })
     };
-    name.iter().any(|word| is_one_of(word, STATISTICS)) || name.windows(2).any(is_norm)
+    (0..names.max(table.count())).filter(is_misread).collect()
 }
 
 /// Columns that tell records apart: of text under one of [`LABELS`] or without any head, or of such whole numbers, with few
@@ -390,11 +482,7 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
     };
     let widest = sample().map(|row| row.cells.len()).max().unwrap_or(0);
     let is_label = |&column: &usize| {
-        let kind = table
-            .kinds
-            .get(column)
-            .copied()
-            .unwrap_or(table::Kind::Text);
+        let kind = table.kind(column);
         let is_time = is_of_time(heading.name(column).unwrap_or_default());
         let is_named = is_time || heading.is(column, LABELS);
         let is_whole = || {
@@ -404,6 +492,7 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
         let may_be = match kind {
             table::Kind::Text => is_named || heading.names.is_none() && column < table.count(),
             table::Kind::Number => is_time || is_named && is_whole(),
+            table::Kind::Odd => is_time || is_named && heading.unit_of(column).is_none(),
             _ => is_time,
         };
         if !may_be {
@@ -424,7 +513,11 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
 fn dividing_column(table: &Table, bytes: &[u8], position: usize) -> Option<usize> {
     /// Rows for each word.
     const ROWS: usize = 20;
-    let is_text = |&column: &usize| table.kinds[column] == table::Kind::Text;
+    let is_text = |&column: &usize| match table.kind(column) {
+        table::Kind::Text => true,
+        table::Kind::Odd => !is_of_a_rail(table, column),
+        _ => false,
+    };
     let columns: Vec<usize> = (0..table.count()).filter(is_text).collect();
     if columns.is_empty() {
         return None;
