@@ -61,6 +61,9 @@ const FILTERED: [&str; 26] = [
 const FILTERS: &str =
     "bp|lp|hp|bpf|lpf|hpf|band|berechnet|calc|calculated|abgeleitet|calculé|calculado|calcolato";
 
+/// Words for what no filter has touched.
+const RAW: &str = "unfiltered|raw|roh|ungefiltert|brut|grezzo|crudo";
+
 /// Why each of some columns, whose names are given, tells nothing of a rail; None for one that does.
 ///
 /// Left out are track geometry, chord offsets, what is felt along or across the rail or above the springs, statistics, and
@@ -126,7 +129,7 @@ impl Name {
     fn is_made_of(&self, other: &Self) -> bool {
         let has_all = |name: &Self, of: &Self| {
             let mut words = of.words.iter();
-            words.all(|word| is_filter(word) || name.words.contains(word))
+            words.all(|word| is_filter(word) || is_one_of(word, RAW) || name.words.contains(word))
         };
         self.axis == other.axis && (has_all(self, other) || has_all(other, self))
     }

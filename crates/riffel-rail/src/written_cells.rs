@@ -111,7 +111,7 @@ fn wide(value: f64) -> String {
 
 /// The value of a row, of both signs, never zero.
 fn value(row: usize) -> f64 {
-    ((row * 7919 % 101) as f64 - 50.5).round() * 0.06
+    ((row * 7919 % 101) as f64 - 50.5).round() / 5.0
 }
 
 /// What a file of some text gives for its right rail, from the words "right" and beyond.
@@ -182,7 +182,7 @@ fn a_rail_is_read_or_refused_however_its_cells_are_written() {
         let plain = read_as(kind, &table(kind, |v| format!("{v:.2}"), ".")).unwrap();
         for (way, write) in READ {
             let read = read_as(kind, &table(kind, write, "."));
-            assert_eq!(read.as_ref(), Ok(&plain), "{kind}, {way}");
+            assert!(read.as_ref() == Ok(&plain), "{kind}, {way}");
         }
         let point: (&str, Writing) = ("decimal point", |v| format!("{v:.2}"));
         let ways = REFUSED.iter().map(|(way, write)| (way, write, "."));

@@ -81,8 +81,17 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
             None => missing("time_s or time_ms"),
         };
     }
-    Ok(None)
+    // A unit of acceleration says as much as the word; a bare letter may be any name.
+    let written = written.trim_end();
+    let is_marked = UNITS_OF_GRAVITY.iter().any(|unit| written.ends_with(unit));
+    let has_unit = is_marked || SI.iter().any(|unit| written.contains(unit));
+    Ok(acceleration(written)
+        .filter(|_| has_unit)
+        .map(Content::Acceleration))
 }
+
+/// Ends of heads that are units and no words.
+const UNITS_OF_GRAVITY: [&str; 6] = ["[g]", "(g)", "_g", "[mg]", "(mg)", "_mg"];
 
 /// As metres per second squared are written.
 const SI: [&str; 8] = [
