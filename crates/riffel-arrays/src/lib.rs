@@ -15,11 +15,15 @@
 mod array;
 mod band_axes;
 mod group;
+mod in_use;
+mod together;
 pub mod whole_file;
 
 pub use array::{Array, DataType, Values};
 pub use band_axes::band_axes;
 pub use group::group;
+pub use in_use::InUse;
+pub use together::Together;
 
 /// A document as a file of JSON that people read: indented, with a line end. Empty if it cannot be written as JSON,
 /// which no document of numbers, texts and maps with texts as keys is.

@@ -1,16 +1,16 @@
 //! Models by how well they predict what was left out.
 
-use std::fs;
 use std::path::Path;
 
 use serde::Serialize;
 
 use crate::data::Group;
 use crate::error::CalibrationError;
+use crate::folder::{Folder, MODELS};
 use crate::gaussian::Given;
 use crate::held_out::{Score, given_rest};
 use crate::plan::Plan;
-use crate::run::{Chains, Folder};
+use crate::run::Chains;
 
 /// Least difference of ln densities that tells two models apart, however small its error.
 const LEAST_NATS: f64 = 4.0;
@@ -60,10 +60,7 @@ impl Comparison {
         restart: bool,
         sample: &Sampler<'_>,
     ) -> Result<Option<Self>, CalibrationError> {
-        let folder = folder.join("models");
-        if !restart && folder.exists() {
-            fs::remove_dir_all(&folder).map_err(CalibrationError::write(&folder))?;
-        }
+        let folder = folder.join(MODELS);
         let groups = plan.groups()?;
         let mut models = Vec::new();
         for (number, model) in std::iter::once(plan).chain(&plan.models).enumerate() {

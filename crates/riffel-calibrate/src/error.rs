@@ -49,9 +49,28 @@ pub enum CalibrationError {
         folder = folder.display()
     )]
     #[diagnostic(help(
-        "riffel calibrate without --restart begins anew; another folder keeps both"
+        "riffel calibrate PLAN --restart puts those of this plan in their place; another folder keeps both"
     ))]
     OtherPlan {
+        /// The folder.
+        folder: PathBuf,
+    },
+
+    /// The draws for ArviZ are those of another plan.
+    #[error(
+        "the draws in {path} are those of another plan than the chains beside it",
+        path = path.display()
+    )]
+    #[diagnostic(help("riffel calibrate PLAN --restart writes them anew"))]
+    OtherDraws {
+        /// The tree of arrays.
+        path: PathBuf,
+    },
+
+    /// Another run draws there.
+    #[error("another run draws chains in {folder}", folder = folder.display())]
+    #[diagnostic(help("let it come to its end, or give another folder"))]
+    InUse {
         /// The folder.
         folder: PathBuf,
     },
@@ -64,8 +83,8 @@ pub enum CalibrationError {
         folder: PathBuf,
     },
 
-    /// The chains are not whole.
-    #[error("the chains in {folder} are not whole", folder = folder.display())]
+    /// The chains or the results are not whole.
+    #[error("the chains or the results in {folder} are not whole", folder = folder.display())]
     #[diagnostic(help("finish them by riffel calibrate PLAN --restart"))]
     Unfinished {
         /// The folder.

@@ -1,19 +1,38 @@
 //! The files of a calibration.
 
+use std::fs;
+use std::io;
 use std::path::{Path, PathBuf};
 
 use jiff::Timestamp;
-use riffel_arrays::{Array, DataType, Values, group, json, whole_file};
-use serde_json::{Value, json};
+use riffel_arrays::{Array, DataType, Together, Values, group, json};
+use serde_json::{Map, Value, json};
 
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
+use crate::folder::Folder;
 use crate::given::columns;
 use crate::plan::Plan;
 use crate::predicted::replicas;
-use crate::run::{Chains, Folder};
+use crate::record::Record;
+use crate::run::Chains;
 use crate::summary::Summary;
+
+/// The table of marginals.
+pub(crate) const SUMMARY: &str = "summary.csv";
+/// The draws, as ArviZ reads them.
+pub(crate) const TREE: &str = "posterior.zarr";
+/// Its groups.
+pub(crate) const GROUPS: [&str; 7] = [
+    "posterior",
+    "sample_stats",
+    "prior",
+    "log_likelihood",
+    "posterior_predictive",
+    "observed_data",
+    "constant_data",
+];
 
 /// Draws of the prior that are written.
 const OF_PRIOR: u64 = 1000;
@@ -31,26 +50,50 @@ impl Folder<'_> {
     /// # Errors
     /// [`CalibrationError::Write`].
     pub fn write_plan(&self, plan: &Plan) -> Result<(), CalibrationError> {
-        let path = self.path().join("plan.toml");
-        let text = plan.text_in(self.path());
-        whole_file::write(&path, text.as_bytes()).map_err(CalibrationError::write(&path))
+        self.put("plan.toml", plan.text_in(self.path()).as_bytes())
     }
 
-    /// Write `summary.csv` and `posterior.zarr`; their names.
+    /// `summary.csv` and `posterior.zarr`, whole but not yet in their places.
     ///
     /// # Errors
     /// [`CalibrationError::Write`].
-    pub fn write(
+    pub fn results(
         &self,
         plan: &Plan,
         chains: &Chains,
         summary: &Summary,
-    ) -> Result<Vec<&'static str>, CalibrationError> {
-        write_groups(&self.path().join("posterior.zarr"), plan, chains)?;
-        let path = self.path().join("summary.csv");
-        let csv = summary.csv();
-        whole_file::write(&path, csv.as_bytes()).map_err(CalibrationError::write(&path))?;
-        Ok(vec!["summary.csv", "posterior.zarr"])
+    ) -> Result<Results, CalibrationError> {
+        let written = all(plan, chains)?;
+        let mut record = self.record.clone();
+        record.arrays = written.iter().map(|it| it.array.name.clone()).collect();
+        let staged = || {
+            let files = Together::new_in(&self.path)?;
+            write_groups(&files, self, chains, &written)?;
+            files.write(SUMMARY, summary.csv().as_bytes())?;
+            files.write(Record::NAME, &record.bytes())?;
+            Ok(files)
+        };
+        let folder = self.path.clone();
+        let files = staged().map_err(CalibrationError::write(&folder))?;
+        Ok(Results { folder, files })
+    }
+}
+
+/// Results that are whole but not yet in their places.
+pub struct Results {
+    folder: PathBuf,
+    files: Together,
+}
+
+impl Results {
+    /// Rename them to their places; their names. What else is there stays.
+    ///
+    /// # Errors
+    /// [`CalibrationError::Write`].
+    pub fn publish(self) -> Result<[&'static str; 2], CalibrationError> {
+        let published = self.files.publish();
+        published.map_err(CalibrationError::write(&self.folder))?;
+        Ok([SUMMARY, TREE])
     }
 }
 
@@ -246,59 +289,104 @@ fn with_evidence(mut attributes: Value, chains: &Chains) -> Value {
     attributes
 }
 
-fn write_groups(path: &Path, plan: &Plan, chains: &Chains) -> Result<(), CalibrationError> {
-    let written = all(plan, chains)?;
-    let write = |name: PathBuf, bytes: &[u8]| {
-        whole_file::write(&name, bytes).map_err(CalibrationError::write(&name))
-    };
-    if path.exists() {
-        std::fs::remove_dir_all(path).map_err(CalibrationError::write(path))?;
+/// What groups and arrays say of themselves that somebody has added to a tree, by their names in it. Links are not followed.
+fn of_others(tree: &Path, within: &str, own: &[&str], found: &mut Map<String, Value>) {
+    let entries = fs::read_dir(tree.join(within)).into_iter().flatten();
+    let folders = entries
+        .flatten()
+        .filter(|it| it.file_type().is_ok_and(|kind| kind.is_dir()));
+    for folder in folders {
+        let name = folder.file_name();
+        let name = match within {
+            "" => name.to_string_lossy().into_owned(),
+            within => format!("{within}/{}", name.to_string_lossy()),
+        };
+        if own.contains(&&*name) {
+            continue;
+        }
+        let document = fs::read(folder.path().join("zarr.json")).unwrap_or_default();
+        let document = serde_json::from_slice::<Map<String, Value>>(&document);
+        let is_array = |it: &Map<String, Value>| it.get("node_type") == Some(&json!("array"));
+        if !document.as_ref().is_ok_and(is_array) {
+            of_others(tree, &name, own, found);
+        }
+        if let Ok(mut document) = document
+            && document.contains_key("node_type")
+            && !GROUPS.contains(&&*name)
+        {
+            document.remove("consolidated_metadata");
+            found.insert(name, Value::Object(document));
+        }
     }
-    // The one that the same seed does not give again.
+}
+
+fn write_groups(
+    files: &Together,
+    folder: &Folder<'_>,
+    chains: &Chains,
+    written: &[Written],
+) -> io::Result<()> {
+    // `created_at` is the one that the same seed does not give again.
     let attributes = json!({
         "created_at": Timestamp::now().to_string(),
         "inference_library": "riffel",
         "inference_library_version": env!("CARGO_PKG_VERSION"),
+        "fingerprint": folder.record.fingerprint,
     });
-    let empty = || json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
-    let mut root = group(
-        with_evidence(attributes.clone(), chains),
-        written.iter().map(|it| &it.array),
+    let empty = json!({ "zarr_format": 3, "node_type": "group", "attributes": attributes });
+    let own = written.iter().map(|it| it.array.name.as_str());
+    let mut others = Map::new();
+    of_others(
+        &folder.path().join(TREE),
+        "",
+        &own.collect::<Vec<_>>(),
+        &mut others,
     );
-    let mut groups: Vec<&str> = written.iter().map(|it| it.group).collect();
-    groups.dedup();
-    if let Some(metadata) = root
-        .pointer_mut("/consolidated_metadata/metadata")
-        .and_then(Value::as_object_mut)
-    {
-        groups
-            .iter()
-            .for_each(|name| drop(metadata.insert((*name).to_owned(), empty())));
-    }
-    for it in &written {
-        let array = &it.array;
-        write(
-            path.join(&array.name).join("zarr.json"),
-            &json(&array.metadata()),
-        )?;
-        write(
-            path.join(array.file(0)),
-            &array.encode(&Values::Numbers(it.values.clone())),
-        )?;
-    }
-    for name in groups {
-        let own: Vec<Array> = written
-            .iter()
-            .filter(|it| it.group == name)
-            .map(|it| Array {
-                name: it.array.name[name.len() + 1..].to_owned(),
+    // A document repeats those of what is below, and of what somebody has added there.
+    let document = |name: &str, attributes: Value, groups: &[&str]| {
+        let below = |it: &str| match name {
+            "" => Some(it.to_owned()),
+            name => it.strip_prefix(&format!("{name}/")).map(str::to_owned),
+        };
+        let arrays = written.iter().filter_map(|it| {
+            let name = below(&it.array.name)?;
+            Some(Array {
+                name,
                 ..it.array.clone()
             })
-            .collect();
+        });
+        let mut document = group(attributes, &arrays.collect::<Vec<_>>());
+        let metadata = document.pointer_mut("/consolidated_metadata/metadata");
+        if let Some(metadata) = metadata.and_then(Value::as_object_mut) {
+            metadata.extend(groups.iter().map(|it| ((*it).to_owned(), empty.clone())));
+            metadata.extend(
+                others
+                    .iter()
+                    .filter_map(|(name, it)| Some((below(name)?, it.clone()))),
+            );
+        }
+        json(&document)
+    };
+    let mut groups: Vec<&str> = written.iter().map(|it| it.group).collect();
+    groups.dedup();
+    let write = |name: &str, bytes: &[u8]| files.write(&format!("{TREE}/{name}"), bytes);
+    for it in written {
+        let array = &it.array;
         write(
-            path.join(name).join("zarr.json"),
-            &json(&group(attributes.clone(), &own)),
+            &format!("{}/zarr.json", array.name),
+            &json(&array.metadata()),
+        )?;
+        let numbers = Values::Numbers(it.values.clone());
+        write(&array.file(0), &array.encode(&numbers))?;
+    }
+    for name in &groups {
+        write(
+            &format!("{name}/zarr.json"),
+            &document(name, attributes.clone(), &[]),
         )?;
     }
-    write(path.join("zarr.json"), &json(&root))
+    write(
+        "zarr.json",
+        &document("", with_evidence(attributes, chains), &groups),
+    )
 }

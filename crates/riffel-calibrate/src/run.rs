@@ -1,19 +1,16 @@
 //! All chains, kept in parts.
 
 use std::fs;
-use std::path::{Path, PathBuf, absolute};
 
 use rayon::prelude::*;
-use riffel_arrays::{Array, Values, json, whole_file};
+use riffel_arrays::{Array, Values};
 use riffel_study::Stop;
-use serde_json::{Value, json};
-use sha2::{Digest, Sha256};
 
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
+use crate::folder::Folder;
 use crate::nuts::Statistics;
-use crate::plan::Plan;
 use crate::sampling::Sampling;
 
 /// Draws of a part of a chain, which is kept as a whole.
@@ -24,8 +21,8 @@ const OF_DRAW: usize = 7;
 const GOES_ON: u64 = 1000;
 /// Most draws of such a chain, over those of the plan. Riffel's choice.
 const MOST_TIMES: u64 = 4;
-/// The record of what a folder holds.
-const RECORD: &str = "calibration.json";
+/// The folder of the parts.
+pub(crate) const PARTS: &str = "chains";
 
 /// The draws of all chains behind their warm-up.
 pub struct Chains {
@@ -68,89 +65,7 @@ impl Chains {
     }
 }
 
-/// A folder of results.
-pub struct Folder<'a> {
-    plan: &'a Plan,
-    path: PathBuf,
-}
-
-impl<'a> Folder<'a> {
-    /// The folder for the results of a plan, made if need be. Parts of chains that are there are kept for a restart, and
-    /// removed else.
-    ///
-    /// # Errors
-    /// [`CalibrationError`] for a folder of something else, or of another plan if it is to go on.
-    pub fn begin(plan: &'a Plan, path: &Path, restart: bool) -> Result<Self, CalibrationError> {
-        let record = path.join(RECORD);
-        let there = fs::read(&record).ok();
-        let is_empty = fs::read_dir(path).map_or(true, |mut entries| entries.next().is_none());
-        if there.is_none() && !is_empty {
-            let folder = path.to_owned();
-            return Err(CalibrationError::NoCalibration { folder });
-        }
-        let own = plan.inputs[0].as_path();
-        let own = json(&json!({
-            "fingerprint": fingerprint(plan)?,
-            "version": env!("CARGO_PKG_VERSION"),
-            "plan": fs::canonicalize(own).or_else(|_| absolute(own)).unwrap_or_default(),
-        }));
-        if restart && there.is_some_and(|there| !is_of(&there, plan)) {
-            let folder = path.to_owned();
-            return Err(CalibrationError::OtherPlan { folder });
-        }
-        let folder = Self {
-            plan,
-            path: path.to_owned(),
-        };
-        let chains = folder.chains();
-        if !restart && chains.exists() {
-            fs::remove_dir_all(&chains).map_err(CalibrationError::write(&chains))?;
-        }
-        whole_file::write(&record, &own).map_err(CalibrationError::write(&record))?;
-        Ok(folder)
-    }
-
-    /// The folder of finished chains of a plan.
-    ///
-    /// # Errors
-    /// [`CalibrationError::OtherPlan`], [`CalibrationError::NotThere`].
-    fn finished(plan: &'a Plan, path: &Path) -> Result<Self, CalibrationError> {
-        let folder = path.to_owned();
-        let Ok(there) = fs::read(path.join(RECORD)) else {
-            return Err(CalibrationError::NotThere { folder });
-        };
-        match is_of(&there, plan) {
-            true => Ok(Self { plan, path: folder }),
-            false => Err(CalibrationError::OtherPlan { folder }),
-        }
-    }
-
-    /// The chains, if all are there.
-    ///
-    /// # Errors
-    /// [`CalibrationError::Unfinished`].
-    fn chains_of_all(&self) -> Result<Chains, CalibrationError> {
-        let stop = Stop::default();
-        stop.ask();
-        let chains = self.run(&|_| (), &stop)?;
-        chains.ok_or_else(|| CalibrationError::Unfinished {
-            folder: self.path.clone(),
-        })
-    }
-
-    /// Where it is.
-    pub fn path(&self) -> &Path {
-        &self.path
-    }
-
-    fn chains(&self) -> PathBuf {
-        self.path.join("chains")
-    }
-
-    fn part(&self, chain: u64, part: u64) -> PathBuf {
-        self.chains().join(format!("{chain}-{part}"))
-    }
-
+impl Folder<'_> {
     /// Draws of each chain, those of the warm-up among them.
     pub fn draws_of_a_chain(&self) -> u64 {
         self.plan.file.sampler.left_out() + self.plan.file.sampler.draws
@@ -257,7 +172,7 @@ impl<'a> Folder<'a> {
             "number",
             count as u64,
             "",
-            "draws, then the state of the chain",
+            "draws, then the state of the chain, then the mark of the plan",
         )
     }
 
@@ -283,20 +198,24 @@ impl<'a> Folder<'a> {
             ]);
         }
         numbers.extend(state.numbers());
+        numbers.push(self.record.mark());
         let bytes = Self::array(numbers.len()).encode(&Values::Numbers(numbers));
-        let path = self.part(chain, part);
-        whole_file::write(&path, &bytes).map_err(CalibrationError::write(&path))
+        self.put(&part_name(chain, part), &bytes)
     }
 
-    /// The draws of a part and the chain behind them, if it is there and what was written.
+    /// The draws of a part and the chain behind them, if it is there, what was written, and of this plan.
     fn kept(&self, chain: u64, part: u64, length: u64) -> Option<(Vec<Draw>, Sampling)> {
         let sampler = &self.plan.file.sampler;
         let size = self.plan.posterior.parameters().len();
-        let bytes = fs::read(self.part(chain, part)).ok()?;
+        let bytes = fs::read(self.path.join(part_name(chain, part))).ok()?;
         let count = bytes.len().checked_sub(4)? / 8;
         let Ok(Values::Numbers(numbers)) = Self::array(count).decode(&bytes, count as u64) else {
             return None;
         };
+        let (mark, numbers) = numbers.split_last()?;
+        if !self.goes_on || *mark != self.record.mark() {
+            return None;
+        }
         let (of_draws, state) = numbers.split_at_checked(length as usize * (size + OF_DRAW))?;
         let draws = of_draws.chunks(size + OF_DRAW).map(|numbers| {
             let (place, rest) = numbers.split_at(size);
@@ -318,54 +237,7 @@ impl<'a> Folder<'a> {
     }
 }
 
-/// The plan of a finished calibration, the one that its folder names or another, and its chains.
-///
-/// # Errors
-/// [`CalibrationError::NotThere`], [`CalibrationError::OtherPlan`] and [`CalibrationError::Unfinished`] of the folder, and those of the
-/// plan.
-pub fn finished(folder: &Path, plan: Option<&Path>) -> Result<(Plan, Chains), CalibrationError> {
-    let plan = match plan {
-        Some(path) => Plan::read(path)?,
-        None => Plan::read(&plan_of(folder)?)?,
-    };
-    let chains = Folder::finished(&plan, folder)?.chains_of_all()?;
-    Ok((plan, chains))
-}
-
-/// The plan that the record of a folder names.
-///
-/// # Errors
-/// [`CalibrationError::NotThere`].
-fn plan_of(folder: &Path) -> Result<PathBuf, CalibrationError> {
-    let record = fs::read(folder.join(RECORD)).ok();
-    let record: Option<Value> = record.and_then(|bytes| serde_json::from_slice(&bytes).ok());
-    let plan = record.as_ref().and_then(|record| record["plan"].as_str());
-    plan.map(PathBuf::from)
-        .ok_or_else(|| CalibrationError::NotThere {
-            folder: folder.to_owned(),
-        })
-}
-
-/// Whether a record is of the chains of a plan.
-fn is_of(record: &[u8], plan: &Plan) -> bool {
-    let record: Value = serde_json::from_slice(record).unwrap_or_default();
-    let own = fingerprint(plan).ok();
-    own.is_some_and(|own| record["fingerprint"] == own)
-        && record["version"] == env!("CARGO_PKG_VERSION")
-}
-
-/// SHA-256 over all that the numbers follow from: the plan without its decisions, the text of all other files.
-fn fingerprint(plan: &Plan) -> Result<String, CalibrationError> {
-    let mut hash = Sha256::new();
-    hash.update(plan.of_draws());
-    for path in &plan.inputs[1..] {
-        let bytes = fs::read(path).map_err(|reason| CalibrationError::Read {
-            path: path.clone(),
-            reason,
-        })?;
-        hash.update((bytes.len() as u64).to_le_bytes());
-        hash.update(bytes);
-    }
-    let digest = hash.finalize();
-    Ok(digest.iter().map(|byte| format!("{byte:02x}")).collect())
+/// The file of a part of a chain, below the folder of results.
+fn part_name(chain: u64, part: u64) -> String {
+    format!("{PARTS}/{chain}-{part}")
 }

@@ -74,24 +74,32 @@ pub(crate) fn words(
     words.extend(has_json.then(|| "--json".to_owned()));
     for (key, value) in question {
         let argument = arguments(command).find(|argument| key_of(argument) == *key);
-        let option = match argument {
-            Some(argument) if argument.is_positional() => None,
-            // One that is not known is refused by the reader of command lines, which knows what is like it.
-            _ => Some(format!("--{}", key.replace('_', "-"))),
+        let argument = argument.ok_or_else(|| CliError::Question {
+            message: format!(
+                "`{key}` is not a key of {}; its keys are {}",
+                name.join(" "),
+                arguments(command)
+                    .map(key_of)
+                    .collect::<Vec<_>>()
+                    .join(", ")
+            ),
+        })?;
+        let option = match argument.is_positional() {
+            true => None,
+            false => Some(format!("--{}", key.replace('_', "-"))),
         };
-        let given = match (argument, value) {
-            (_, Value::Null | Value::Bool(false)) => continue,
-            (_, Value::Bool(true)) if argument.is_none_or(may_stand_alone) => {
+        let given = match value {
+            Value::Null | Value::Bool(false) => continue,
+            Value::Bool(true) if may_stand_alone(argument) => {
                 words.extend(option);
                 continue;
             }
-            (Some(argument), Value::Array(list)) if takes_many(argument) => {
+            Value::Array(list) if takes_many(argument) => {
                 let list = list.iter().enumerate();
                 list.map(|(place, value)| written(argument, &format!("{key}.{place}"), value))
                     .collect::<Result<_, _>>()?
             }
-            (Some(argument), value) => vec![written(argument, key, value)?],
-            (None, _) => vec![String::new()],
+            value => vec![written(argument, key, value)?],
         };
         match option {
             Some(option) => words.extend(given.iter().map(|value| format!("{option}={value}"))),

@@ -10,6 +10,7 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use riffel_arrays::whole_file;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture};
 use riffel_study::Stop;
 use tempfile::TempPath;
@@ -169,7 +170,7 @@ impl Staging {
         let mut guard = active();
         // The manifest first: what it lists and does not find does no harm, what it does not list is never replaced.
         for name in self.files.iter().rev() {
-            fs::rename(self.temporary.join(name), self.folder.join(name))
+            whole_file::put(&self.temporary.join(name), &self.folder, name)
                 .map_err(|reason| self.cannot_write(name, reason))?;
         }
         manifest::remove(&self.folder, &stale);

@@ -130,10 +130,10 @@ impl Store {
         let half = temporary.path().join("arrays");
         write_arrays(&half, file, &network, &mut survey, progress)?;
         let arrays = folder.join(&survey.folder);
-        fs::rename(half, &arrays).map_err(NetworkError::write(&arrays))?;
+        whole_file::put(&half, &folder, &survey.folder).map_err(NetworkError::write(&arrays))?;
         let synchronise = || whole_file::synchronise(&folder).map_err(NetworkError::write(&folder));
         synchronise()?;
-        write_document(&folder.join(record_name(day)), &survey)?;
+        write_document(&folder, &record_name(day), &survey)?;
         synchronise()?;
         Self::sweep(&folder, day, &survey.folder)?;
         Ok(done(&survey, false))

@@ -1,11 +1,11 @@
 //! Where the files of a store are, and which of them are its own: no other is written to or removed, and no link is followed.
 
-use std::fs::{self, File, TryLockError};
+use std::fs::{self, File};
 use std::io;
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
-use riffel_arrays::whole_file;
+use riffel_arrays::{InUse, whole_file};
 use tempfile::TempDir;
 
 use crate::NetworkError;
@@ -60,21 +60,14 @@ impl Store {
         }
     }
 
-    /// Hold the store against others that add to it; given back when the file is dropped.
-    pub(crate) fn lock(&self) -> Result<File, NetworkError> {
-        fs::create_dir_all(&self.folder).map_err(NetworkError::write(&self.folder))?;
-        let path = self.folder.join(LOCK);
-        check_own(&path, fs::Metadata::is_file)?;
-        let mut options = File::options();
-        let opened = options.write(true).create(true).truncate(false).open(&path);
-        let file = opened.map_err(NetworkError::write(&path))?;
-        match file.try_lock() {
-            Ok(()) => Ok(file),
-            Err(TryLockError::WouldBlock) => Err(NetworkError::Locked {
-                folder: self.folder.clone(),
-            }),
-            Err(TryLockError::Error(reason)) => Err(NetworkError::write(&path)(reason)),
-        }
+    /// Hold the store against others that add to it.
+    pub(crate) fn lock(&self) -> Result<InUse, NetworkError> {
+        check_own(&self.folder.join(LOCK), fs::Metadata::is_file)?;
+        let taken = InUse::take(&self.folder, LOCK, false);
+        let taken = taken.map_err(NetworkError::write(&self.folder))?;
+        taken.ok_or_else(|| NetworkError::Locked {
+            folder: self.folder.clone(),
+        })
     }
 
     /// The folder of a line.

@@ -144,7 +144,7 @@ impl Store {
             value: in_words(&record.bands_m),
             rule: "of wavelengths between 0.1 mm and 1 km, each once".to_owned(),
         })?;
-        write_document(&self.folder.join(RECORD), &record)?;
+        write_document(&self.folder, RECORD, &record)?;
         Ok(record)
     }
 
@@ -202,6 +202,11 @@ pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
     texts.join(", ")
 }
 
-pub(crate) fn write_document(path: &Path, document: &impl Serialize) -> Result<(), NetworkError> {
-    whole_file::write(path, &riffel_arrays::json(document)).map_err(NetworkError::write(path))
+pub(crate) fn write_document(
+    folder: &Path,
+    name: &str,
+    document: &impl Serialize,
+) -> Result<(), NetworkError> {
+    whole_file::write(folder, name, &riffel_arrays::json(document))
+        .map_err(NetworkError::write(&folder.join(name)))
 }

@@ -54,7 +54,7 @@ pub(crate) fn calibrate(
             return Ok((Vec::new(), Vec::new(), None));
         };
         let summary = chains.summary(&plan);
-        own.write(&plan, &chains, &summary)?;
+        own.results(&plan, &chains, &summary)?.publish()?;
         let models = match plan.compares() {
             true => CompetingModels::new(&plan, &chains, (&*folder, restart), &sample)?,
             false => None,

@@ -39,7 +39,7 @@ pub use error::StudyError;
 pub use outputs::{Band, Dimension, Outputs, Variable, WaveQuantity};
 pub use parameter::{Parameter, ParameterValue, Spread};
 pub use plan::{Plan, distribution, file};
-pub use results::{ChunkState, InUse, MergeReport, Reason, ResultFolder, Summary};
+pub use results::{ChunkState, MergeReport, Reason, ResultFolder, Summary};
 pub use run::{Shard, Stop};
 pub use study::{Chunk, Sample, Study};
 

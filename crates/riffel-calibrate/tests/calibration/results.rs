@@ -1,11 +1,13 @@
 //! What a folder of results holds, by whatever sampler.
 
+use std::collections::BTreeMap;
 use std::fs;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use riffel_calibrate::file::SamplerKind;
-use riffel_calibrate::{Chains, Folder, Plan};
+use riffel_calibrate::{CalibrationError, Chains, Folder, Plan, finished};
 use riffel_study::Stop;
+use serde_json::Value;
 
 /// A plan of one parameter in a folder of its own beside the case of three dates.
 fn small(folder: &Path, kind: &str) -> Plan {
@@ -112,4 +114,154 @@ fn chains_go_on_until_they_conclude() {
             .draws,
         250
     );
+}
+
+/// All files below a folder, by name, with their bytes.
+fn files(folder: &Path) -> BTreeMap<PathBuf, Vec<u8>> {
+    let mut found = BTreeMap::new();
+    let mut folders = vec![folder.to_owned()];
+    while let Some(next) = folders.pop() {
+        for entry in fs::read_dir(next).unwrap() {
+            let path = entry.unwrap().path();
+            match path.is_dir() {
+                true => folders.push(path),
+                false => drop(found.insert(path.clone(), fs::read(&path).unwrap())),
+            }
+        }
+    }
+    found
+}
+
+fn whole(plan: &Plan, path: &Path, restart: bool) -> Result<(), CalibrationError> {
+    let folder = Folder::begin(plan, path, restart)?;
+    folder.write_plan(plan)?;
+    let chains = folder.run(&|_| {}, &Stop::default())?.unwrap();
+    let results = folder.results(plan, &chains, &chains.summary(plan))?;
+    results.publish().map(drop)
+}
+
+/// The small plan with another number of its random choices.
+fn with_seed(plan: &Plan, seed: u64) -> Plan {
+    let path = plan.inputs[0].with_file_name(format!("seed-{seed}.toml"));
+    let text = fs::read_to_string(&plan.inputs[0]).unwrap();
+    let text = text.replace("draws = 300", &format!("draws = 300\nseed = {seed}"));
+    fs::write(&path, text).unwrap();
+    Plan::read(&path).unwrap()
+}
+
+/// Chains of another plan are refused, and nothing is touched; with a restart they are replaced, but for what somebody has put beside
+/// them, which stays and can be opened.
+#[test]
+fn chains_of_another_plan_are_replaced_on_demand_and_no_file_of_others() {
+    let there = tempfile::tempdir().unwrap();
+    let one = small(there.path(), "ensemble");
+    let two = with_seed(&one, 2);
+    let out = there.path().join("out");
+    whole(&one, &out, false).unwrap();
+    let tree = out.join("posterior.zarr");
+    let group = r#"{"zarr_format":3,"node_type":"group","attributes":{"mine":1}}"#;
+    let mine = [
+        (tree.join("my_diagnostics/zarr.json"), group),
+        (tree.join("posterior/my_group/zarr.json"), group),
+        (tree.join("notes.txt"), "mine"),
+        (out.join("chains/notes.txt"), "mine"),
+        (out.join("notes.txt"), "mine"),
+    ];
+    for (path, text) in &mine {
+        fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fs::write(path, text).unwrap();
+    }
+    let before = files(&out);
+    let refusal = whole(&two, &out, false);
+    assert!(matches!(refusal, Err(CalibrationError::OtherPlan { .. })));
+    assert!(files(&out) == before);
+    // Drawn anew for their own plan, they are what they were.
+    whole(&one, &out, false).unwrap();
+    whole(&two, &out, true).unwrap();
+    let alone = there.path().join("alone");
+    whole(&two, &alone, false).unwrap();
+    let own = |folder: &Path, name: &str| fs::read(folder.join(name)).unwrap();
+    for name in [
+        "summary.csv",
+        "chains/1-1",
+        "posterior.zarr/posterior/wear.coefficient/c/0/0",
+    ] {
+        assert!(own(&out, name) == own(&alone, name), "{name}");
+        assert!(before[&out.join(name)] != own(&out, name), "{name}");
+    }
+    for (path, text) in &mine {
+        assert_eq!(fs::read_to_string(path).unwrap(), *text, "{path:?}");
+    }
+    assert_eq!(files(&out).len(), files(&alone).len() + mine.len());
+    let document = |name: &str| -> Value {
+        let metadata: Value = serde_json::from_slice(&own(&tree, name)).unwrap();
+        metadata["consolidated_metadata"]["metadata"].clone()
+    };
+    let root = document("zarr.json");
+    assert_eq!(root["my_diagnostics"]["attributes"]["mine"], 1);
+    assert_eq!(root["posterior/my_group"]["attributes"]["mine"], 1);
+    assert_eq!(root["posterior"]["node_type"], "group");
+    assert_eq!(
+        document("posterior/zarr.json")["my_group"]["attributes"]["mine"],
+        1
+    );
+}
+
+/// Draws are believed for the plan that stands inside them: neither another tree, nor other parts of chains, nor a tree that is not
+/// whole, are taken for those of the record.
+#[test]
+fn draws_say_of_which_plan_they_are() {
+    let there = tempfile::tempdir().unwrap();
+    let one = small(there.path(), "ensemble");
+    let two = with_seed(&one, 2);
+    let [out, other] = ["out", "other"].map(|name| there.path().join(name));
+    whole(&one, &out, false).unwrap();
+    whole(&two, &other, false).unwrap();
+    assert!(finished(&out, None).is_ok());
+    for name in ["posterior.zarr/zarr.json", "chains/1-0", "calibration.json"] {
+        let [own, others] = [&out, &other].map(|folder| fs::read(folder.join(name)).unwrap());
+        fs::write(out.join(name), others).unwrap();
+        let plan = Some(one.inputs[0].as_path());
+        let refusal = finished(&out, plan).err();
+        assert!(
+            matches!(
+                (name, refusal),
+                (
+                    "posterior.zarr/zarr.json",
+                    Some(CalibrationError::OtherDraws { .. })
+                ) | ("chains/1-0", Some(CalibrationError::Unfinished { .. }))
+                    | ("calibration.json", Some(CalibrationError::OtherPlan { .. }))
+            ),
+            "{name}"
+        );
+        fs::write(out.join(name), own).unwrap();
+    }
+    assert!(finished(&out, None).is_ok());
+    fs::remove_file(out.join("posterior.zarr/zarr.json")).unwrap();
+    let refusal = finished(&out, None);
+    assert!(matches!(refusal, Err(CalibrationError::Unfinished { .. })));
+}
+
+/// One run at a time draws in a folder, and none through a link.
+#[test]
+fn a_folder_in_use_is_not_drawn_into() {
+    let there = tempfile::tempdir().unwrap();
+    let plan = small(there.path(), "ensemble");
+    let out = there.path().join("out");
+    let held = Folder::begin(&plan, &out, false).unwrap();
+    for other in [&plan, &with_seed(&plan, 2)] {
+        let refusal = Folder::begin(other, &out, true);
+        assert!(matches!(refusal, Err(CalibrationError::InUse { .. })));
+    }
+    drop(held);
+    drop(Folder::begin(&plan, &out, false).unwrap());
+    assert_eq!(fs::read_dir(&out).unwrap().count(), 1);
+    #[cfg(unix)]
+    for name in ["chains", "posterior.zarr", "models", "in-use.lock"] {
+        let link = out.join(name);
+        std::os::unix::fs::symlink("../set", &link).unwrap();
+        let refusal = Folder::begin(&plan, &out, false).err().unwrap();
+        assert!(refusal.to_string().contains("is a link"), "{refusal}");
+        fs::remove_file(link).unwrap();
+    }
 }

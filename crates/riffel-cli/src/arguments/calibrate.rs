@@ -52,7 +52,8 @@ pub(crate) struct CalibrateChains {
     #[arg(short, long, value_name = "DIR")]
     pub(crate) output: Option<PathBuf>,
 
-    /// Keep the finished parts of chains that were stopped, and go on from there.
+    /// Keep the finished parts of chains that were stopped, and go on from there; put chains of this plan in the place of those of
+    /// another, which are refused else.
     #[arg(long)]
     pub(crate) restart: bool,
 

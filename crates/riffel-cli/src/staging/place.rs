@@ -1,9 +1,11 @@
 //! Where a file may be put: where there is none yet, or in place of a regular file that is no input of the run.
 
-use std::fs::{self, FileType, Metadata};
+use std::fs::{self, Metadata};
 use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, MutexGuard, PoisonError};
+
+use riffel_arrays::whole_file::kind;
 
 use crate::error::CliError;
 
@@ -61,32 +63,6 @@ pub(super) fn check_folder(path: &Path) -> Result<(), CliError> {
             what: kind(there.file_type()),
         }),
         _ => Ok(()),
-    }
-}
-
-/// What something on a disk is, with its article.
-fn kind(file: FileType) -> &'static str {
-    #[cfg(unix)]
-    {
-        use std::os::unix::fs::FileTypeExt;
-        if file.is_block_device() || file.is_char_device() {
-            return "a device";
-        }
-        if file.is_fifo() {
-            return "a pipe";
-        }
-        if file.is_socket() {
-            return "a socket";
-        }
-    }
-    if file.is_dir() {
-        "a folder"
-    } else if file.is_symlink() {
-        "a link"
-    } else if file.is_file() {
-        "a file"
-    } else {
-        "no regular file"
     }
 }
 

@@ -166,7 +166,32 @@ fn what_is_wrong_is_one_line_of_json() {
         (
             "point",
             format!("{{{point}, \"wavelenth\": 1}}"),
-            "unexpected argument '--wavelenth'",
+            "`wavelenth` is not a key of point; its keys are case, ",
+        ),
+        (
+            "point",
+            r#"{"help": true}"#.to_owned(),
+            "`help` is not a key of point",
+        ),
+        (
+            "point",
+            format!("{{{point}, \"wavelength\": 0.05, \"quiet\": true}}"),
+            "`quiet` is not a key of point",
+        ),
+        (
+            "network worst",
+            r#"{"store": "s", "language": "de"}"#.to_owned(),
+            "`language` is not a key of network worst",
+        ),
+        (
+            "presets",
+            r#"{"json": false}"#.to_owned(),
+            "`json` is not a key of presets; its keys are name",
+        ),
+        (
+            "presets",
+            r#"{"version": null}"#.to_owned(),
+            "`version` is not a key",
         ),
         (
             "point",

@@ -161,8 +161,7 @@ fn surveys_are_there_whole_once_or_not_at_all() -> Result<(), NetworkError> {
     assert!((sections.sections[5].rms[0] - 6e-6).abs() < 1e-18);
 
     // One process at a time adds.
-    let lock = fs::File::open(network.join("network.lock")).unwrap();
-    lock.lock().unwrap();
+    let _held = riffel_arrays::InUse::take(&network, "network.lock", false).unwrap();
     let refusal = store.ingest("S-Bahn/Süd", "2026-03-01", &other, false, &|_| ());
     assert!(matches!(refusal, Err(NetworkError::Locked { .. })));
     Ok(())

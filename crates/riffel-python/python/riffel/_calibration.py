@@ -57,7 +57,8 @@ def calibrate(
     traffic : path, optional
         Traffic file that made dated levels grow, beside ``with_``; a plan names its own.
     restart : bool
-        Keep finished parts of chains that were stopped, and go on from there.
+        Keep finished parts of chains that were stopped, and go on from there; put chains of this plan in the place of those of
+        another, which are refused else.
 
     Returns
     -------
@@ -76,7 +77,7 @@ def calibrate(
     Raises
     ------
     ValueError
-        For a key, a value or data that cannot be used.
+        For a key, a value or data that cannot be used; for a folder with chains of another plan, or where another run draws.
     """
     tables = [with_] if isinstance(with_, str | os.PathLike) else with_
     if traffic is not None and not tables:

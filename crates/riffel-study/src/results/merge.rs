@@ -102,9 +102,9 @@ impl ResultFolder {
                 if super::checksum(&bytes) != *checksum {
                     return Err(StudyError::Damaged { path, chunk });
                 }
-                super::write(&target.path.join(ARRAYS).join(name), &bytes)?;
+                target.put(&format!("{ARRAYS}/{name}"), &bytes)?;
             }
-            super::write(&target.record_path(chunk), &riffel_arrays::json(&record))?;
+            target.put(&super::record_name(chunk), &riffel_arrays::json(&record))?;
             copied += 1;
         }
         target.report(copied, there_already)

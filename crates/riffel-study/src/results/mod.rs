@@ -18,12 +18,12 @@ mod merge;
 mod record;
 
 use std::fs;
+use std::io;
 use std::path::{Component, Path, PathBuf};
 
 use rayon::prelude::*;
 use riffel_arrays::{Values, json, whole_file};
 
-pub use in_use::InUse;
 pub use merge::MergeReport;
 pub use record::{Reason, Summary};
 
@@ -71,12 +71,18 @@ impl ResultFolder {
             arrays: Arrays::new(study),
             study: own,
         };
-        if path.join(STUDY).exists() {
-            let there = StudyRecord::read(&path.join(STUDY))?;
-            there.check(&folder.study, path)?;
-            return Ok(folder);
+        if !path.join(STUDY).exists() {
+            folder.check_free(study)?;
+            // Of two studies that begin here at once, the second finds the record of the first.
+            match whole_file::write_new(path, STUDY, &json(&folder.study)) {
+                Err(reason) if reason.kind() != io::ErrorKind::AlreadyExists => {
+                    return Err(StudyError::write(&path.join(STUDY))(reason));
+                }
+                _ => {}
+            }
         }
-        folder.check_free(study)?;
+        let there = StudyRecord::read(&path.join(STUDY))?;
+        there.check(&folder.study, path)?;
         folder.write_study(study)?;
         Ok(folder)
     }
@@ -158,13 +164,12 @@ impl ResultFolder {
         Ok(())
     }
 
-    /// Write all but the chunks; `study.json` last, so that a folder with it is complete.
+    /// Write what is not there of all but the chunks, after `study.json`, and find links in the way of the chunks.
     fn write_study(&self, study: &Study) -> Result<(), StudyError> {
-        let write = |name: &str, bytes: &[u8]| write(&self.path.join(name), bytes);
-        for folder in [FINISHED, ARRAYS] {
-            let path = self.path.join(folder);
-            fs::create_dir_all(&path).map_err(StudyError::write(&path))?;
-        }
+        let write = |name: &str, bytes: &[u8]| match self.path.join(name).exists() {
+            true => Ok(()),
+            false => self.put(name, bytes),
+        };
         write(PLAN, study.plan.text.as_bytes())?;
         write(CASE, study.case_text.as_bytes())?;
         for (name, bytes) in &study.data {
@@ -179,11 +184,23 @@ impl ResultFolder {
         for (name, bytes) in self.arrays.beginning(study) {
             write(&format!("{ARRAYS}/{name}"), &bytes)?;
         }
-        write(STUDY, &json(&self.study))
+        let of_chunks = self
+            .arrays
+            .files_of(0)
+            .map(|name| format!("{ARRAYS}/{name}"));
+        for name in of_chunks.chain([record_name(0)]) {
+            let path = self.path.join(&name);
+            whole_file::place(&self.path, &name).map_err(StudyError::write(&path))?;
+        }
+        Ok(())
+    }
+
+    fn put(&self, name: &str, bytes: &[u8]) -> Result<(), StudyError> {
+        whole_file::write(&self.path, name, bytes).map_err(StudyError::write(&self.path.join(name)))
     }
 
     fn record_path(&self, chunk: u64) -> PathBuf {
-        self.path.join(FINISHED).join(format!("{chunk:06}.json"))
+        self.path.join(record_name(chunk))
     }
 
     /// Write a chunk, all its arrays and then its record. From then on it is finished.
@@ -193,10 +210,10 @@ impl ResultFolder {
     pub fn commit(&self, chunk: &Chunk) -> Result<(), StudyError> {
         let mut record = ChunkRecord::new(chunk);
         for (name, bytes) in self.arrays.encode(chunk) {
-            write(&self.path.join(ARRAYS).join(&name), &bytes)?;
+            self.put(&format!("{ARRAYS}/{name}"), &bytes)?;
             record.files.insert(name, checksum(&bytes));
         }
-        write(&self.record_path(chunk.index), &json(&record))
+        self.put(&record_name(chunk.index), &json(&record))
     }
 
     /// What is known of a chunk. Cost: its files are read.
@@ -346,8 +363,9 @@ impl ResultFolder {
     }
 }
 
-fn write(path: &Path, bytes: &[u8]) -> Result<(), StudyError> {
-    whole_file::write(path, bytes).map_err(StudyError::write(path))
+/// The record of a chunk, below the folder of results.
+fn record_name(chunk: u64) -> String {
+    format!("{FINISHED}/{chunk:06}.json")
 }
 
 /// SHA-256 of a file. Not a CRC: the files of the arrays end with their own, and the CRC of any such file is the

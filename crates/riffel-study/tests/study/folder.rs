@@ -344,3 +344,83 @@ fn two_runs_into_one_folder_are_noticed() {
     assert!(!is_taken(Shard::ALL));
     assert!(files(place.path()) == before);
 }
+
+/// Links in a folder of results lead to files of somebody else: the study is refused, and they stay as they are.
+#[cfg(unix)]
+#[test]
+fn nothing_is_written_through_links() {
+    use std::os::unix::fs::symlink;
+
+    let place = tempfile::tempdir().unwrap();
+    let [results, victim] = ["results", "victim"].map(|name| place.path().join(name));
+    let study = study_of(PLAN);
+    run(&study, &results, Shard::ALL);
+    for name in [
+        "000000.json",
+        "zarr.json",
+        "c/0",
+        "contact.friction/zarr.json",
+    ] {
+        fs::create_dir_all(victim.join(name).parent().unwrap()).unwrap();
+        fs::write(victim.join(name), "precious").unwrap();
+    }
+    let precious = files(&victim);
+    for (name, to) in [
+        ("finished", "../victim"),
+        ("results.zarr", "../victim"),
+        ("results.zarr/contact.friction", "../../victim"),
+        ("in-use.lock", "../victim/lock"),
+    ] {
+        let aside = place.path().join("aside");
+        let link = results.join(name);
+        let is_there = fs::rename(&link, &aside).is_ok();
+        symlink(to, &link).unwrap();
+        let begun = ResultFolder::begin(&study, &results);
+        let error = begun.and_then(|folder| folder.occupy(Shard::ALL)).err();
+        let told = error.map(|error| error.to_string()).unwrap_or_default();
+        assert!(told.contains("is a link"), "{name}: {told}");
+        assert!(files(&victim) == precious, "{name}");
+        fs::remove_file(&link).unwrap();
+        if is_there {
+            fs::rename(&aside, &link).unwrap();
+        }
+    }
+    ResultFolder::begin(&study, &results).unwrap();
+}
+
+/// Of two studies that begin in one folder at once one has it, with all of its files; the other is refused.
+#[test]
+fn two_studies_that_begin_at_once_do_not_mix() {
+    let studies = [
+        study_of(PLAN),
+        study_of(&PLAN.replace("seed = 4", "seed = 5")),
+    ];
+    assert_ne!(studies[0].fingerprint, studies[1].fingerprint);
+    for _ in 0..30 {
+        let place = tempfile::tempdir().unwrap();
+        let path = place.path().join("results");
+        let begin = |study| ResultFolder::begin(study, &path).map(drop);
+        let begun = std::thread::scope(|scope| {
+            let threads = studies
+                .each_ref()
+                .map(|study| scope.spawn(move || begin(study)));
+            threads.map(|thread| thread.join().unwrap())
+        });
+        let (study, _) = ResultFolder::open(&path).unwrap();
+        for (own, begun) in studies.iter().zip(begun) {
+            assert_eq!(own.fingerprint == study.fingerprint, begun.is_ok());
+        }
+    }
+}
+
+/// Whoever removes the arrays has them again, with what makes them open.
+#[test]
+fn what_was_removed_is_written_again() {
+    let place = tempfile::tempdir().unwrap();
+    let study = study_of(PLAN);
+    run(&study, place.path(), Shard::ALL);
+    let before = files(place.path());
+    fs::remove_dir_all(place.path().join("results.zarr")).unwrap();
+    run(&study, place.path(), Shard::ALL);
+    assert!(files(place.path()) == before);
+}

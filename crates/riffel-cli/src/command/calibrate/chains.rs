@@ -17,11 +17,19 @@ use crate::command::study::progress::{SampleProgress, duration};
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print, table, table_of};
 use crate::results::readable;
-use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
+use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
 use crate::threads::on_threads;
 
 /// The months of the forecast that is made with every calibration.
 const MONTHS: f64 = 24.0;
+/// What is written in any case, beside the draws.
+const FILES: [&str; 5] = [
+    "posterior.png",
+    "posterior.svg",
+    "posterior.html",
+    "identifiability.csv",
+    "correlations.csv",
+];
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
@@ -43,6 +51,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         print_remarks(&plan.remarks);
         return Ok(0);
     }
+    check_files(&path, &FILES)?;
     let stop = stop_on_interrupt();
     let folder = Folder::begin(&plan, &path, arguments.restart)?;
     folder.write_plan(&plan)?;
@@ -95,10 +104,12 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         }
     };
     let summary = chains.summary(&plan);
-    let names = folder.write(&plan, &chains, &summary)?;
+    // Whole before anything appears: a full disk leaves what was there.
+    let results = folder.results(&plan, &chains, &summary)?;
     let told = Identifiability::of(&plan, &chains).map_err(CalibrationError::Refused)?;
     let answer = Calibration::new(&plan, &chains, &summary, &told);
     let conclusions = conclusions(&plan, &chains, (&summary, &told), models.as_ref(), &path)?;
+    let names = results.publish()?;
     let title = plan.file.title.as_deref().unwrap_or("Calibration");
     print(&match arguments.json {
         true => json(&answer),
