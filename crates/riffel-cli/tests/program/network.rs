@@ -231,7 +231,7 @@ fn surveys_that_mislead_are_refused_or_told() {
     );
     write(
         "turned.csv",
-        b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_10_to_30_mm_um\nlinks,0,100,8,1\nlinks,100,200,4,1\n",
+        b"rail,from_m,to_m,rms_30_to_100_mm_um,rms_10_to_30_mm_um\nnorth,0,100,8,1\nnorth,100,200,4,1\n",
     );
     write(
         "twice.csv",
@@ -260,7 +260,7 @@ fn surveys_that_mislead_are_refused_or_told() {
     assert_eq!(second.status, Some(0), "{}", second.text);
     let worst = sandbox.json("network worst railway --most 1 --json");
     assert!((number(&worst[0]["rms_m"]) - 8e-6).abs() < 1e-15);
-    let words = "nothing is known of the growth of links: the survey of 2025-01-01 has left";
+    let words = "nothing is known of the growth of left, north, for these names are not in both";
     for command in ["growth railway", "plan railway --length \"1 km\""] {
         let told = sandbox.riffel(&format!("network {command}"));
         assert!(told.text.contains(words), "{command}: {}", told.text);

@@ -73,14 +73,35 @@ impl ClippedPower {
 
     /// First harmonic over a wave: the amplitude of cos θ.
     pub fn first(&self, excess: f64, amplitude: f64) -> f64 {
-        amplitude * self.rate(excess, amplitude)
+        amplitude * self.first_over_amplitude(excess, amplitude)
     }
 
-    /// What a wave is multiplied by: the first harmonic over U, for small waves the slope.
+    /// What a wave is multiplied by: the first harmonic over U, for small waves the slope. With a spread, the slope as long as the mean
+    /// demand stays on one side of the limit, U ≤ |X₀|.
+    pub fn rate(&self, excess: f64, amplitude: f64) -> f64 {
+        match self.is_small(excess, amplitude) {
+            true => self.slope(excess),
+            false => self.first_over_amplitude(excess, amplitude),
+        }
+    }
+
+    /// Mean at an amplitude: with a spread, that of small waves as far as [`rate`](Self::rate) is theirs.
+    pub fn depth(&self, excess: f64, amplitude: f64) -> f64 {
+        match self.is_small(excess, amplitude) {
+            true => self.value(excess),
+            false => self.mean(excess, amplitude),
+        }
+    }
+
+    fn is_small(&self, excess: f64, amplitude: f64) -> bool {
+        self.spread > 0.0 && amplitude <= excess.abs()
+    }
+
+    /// First harmonic over U.
     ///
     /// By parts it is (2/π) ∫ F′ sin² θ dθ, which loses nothing where U is small: 1 and 2X₀ for a wave above the limit as a whole and
     /// m = 1 and 2, mX₀^(m−1) ₂F₁((1−m)/2, (2−m)/2; 2; U²/X₀²) for others, 3X₀² + ¾U² for m = 3.
-    pub fn rate(&self, excess: f64, amplitude: f64) -> f64 {
+    fn first_over_amplitude(&self, excess: f64, amplitude: f64) -> f64 {
         if self.spread > 0.0 {
             let mut sum = 0.0;
             self.over_wave(excess, amplitude, |x, cosine| {
@@ -108,9 +129,9 @@ impl ClippedPower {
         }
     }
 
-    /// Whether all waves above the limit as a whole have one rate, that of small ones.
+    /// Whether all waves with U ≤ |X₀| have one rate, that of small ones.
     pub(crate) fn is_linear_above(&self) -> bool {
-        self.spread == 0.0 && (self.exponent == 1.0 || self.exponent == 2.0)
+        self.spread > 0.0 || self.exponent == 1.0 || self.exponent == 2.0
     }
 
     /// Steps over half a wave that resolve the spread: the n-th harmonic of what a normal spread has smoothed falls off as
@@ -247,10 +268,16 @@ mod tests {
         for ([excess, exponent, amplitude, spread], expected) in RATES {
             let law = ClippedPower::new(exponent, spread);
             let table = RateTable::new(law, excess);
-            for got in [
-                law.rate(excess, amplitude),
-                law.first(excess, amplitude) / amplitude,
-                table.map_or(expected, |table| table.rate(amplitude)),
+            let first = law.first(excess, amplitude) / amplitude;
+            // With a spread, that of small waves up to the limit.
+            let rate = match spread > 0.0 && amplitude <= excess {
+                true => law.slope(excess),
+                false => expected,
+            };
+            for (got, expected) in [
+                (first, expected),
+                (law.rate(excess, amplitude), rate),
+                (table.map_or(rate, |table| table.rate(amplitude)), rate),
             ] {
                 let off = got / expected - 1.0;
                 assert!(off.abs() < 2e-9, "{excess} {exponent} {amplitude}: {off:e}");

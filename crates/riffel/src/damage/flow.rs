@@ -24,7 +24,7 @@ impl Flow {
 
     /// Mean depth \[m\] per passage.
     pub fn mean_depth(&self, demand: &Demand, oscillation: Complex64) -> f64 {
-        self.depth * self.law.mean(demand.excess(), oscillation.norm())
+        self.depth * self.law.depth(demand.excess(), oscillation.norm())
     }
 
     /// The runaway number −D_h Re(u₁/Δ): above one the wave outgrows hardening; below, it ends at r₀ over the complex number

@@ -16,7 +16,7 @@ const TOLERANCE: f64 = 1e-10;
 ///
 /// Method: over s = U/(U + |X₀| + σ), from none to any amplitude, polynomials of degree 7 through Chebyshev's nodes of cells that are
 /// halved until the value in between holds to 1e-10; times (1 − s)^(m−1), which stays finite. A cell ends where the wave reaches the limit:
-/// without a spread the rate is not smooth there. Cost: some hundred waves to make, a glance at a few cells and seven multiply-adds to read,
+/// the rate is not smooth there. Cost: some hundred waves to make, a glance at a few cells and seven multiply-adds to read,
 /// 25 ns.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct RateTable {

@@ -200,7 +200,7 @@ impl HardeningBand<'_> {
             let size = swings.iter().map(Complex64::norm_sqr).sum::<f64>().sqrt();
             let per_passage = wheel.share * wheel.flow.depth;
             let rate = per_passage * wheel.flow.law.rate(excess, size);
-            slope[0] += per_passage * wheel.flow.law.mean(excess, size);
+            slope[0] += per_passage * wheel.flow.law.depth(excess, size);
             for (slope, swing) in slope[1 + self.lines..].iter_mut().zip(&swings) {
                 *slope += rate * swing;
             }
