@@ -260,7 +260,7 @@ fn surveys_that_mislead_are_refused_or_told() {
     assert_eq!(second.status, Some(0), "{}", second.text);
     let worst = sandbox.json("network worst railway --most 1 --json");
     assert!((number(&worst[0]["rms_m"]) - 8e-6).abs() < 1e-15);
-    let words = "nothing is known of the growth of left, north, for these names are not in both";
+    let words = "nothing is known of the growth of left of 2025-01-01; north of 2026-01-01";
     for command in ["growth railway", "plan railway --length \"1 km\""] {
         let told = sandbox.riffel(&format!("network {command}"));
         assert!(told.text.contains(words), "{command}: {}", told.text);
