@@ -19,7 +19,11 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
         return Err(say!(is_with_thousands_apart, value = value()));
     }
     // A zero begins no thousands.
-    if after.len() == 3 && digits(after) && digits(before) && before.trim_start_matches('0') != "" {
+    if after.len() == 3
+        && digits(after)
+        && digits(before)
+        && !before.trim_start_matches('0').is_empty()
+    {
         let plain = match after.trim_end_matches('0') {
             "" => before.to_owned(),
             kept if kept.len() == 3 => format!("{before}.{kept}0"),

@@ -118,6 +118,9 @@ struct Columns {
     defects: Option<usize>,
 }
 
+/// What takes a block, the name of its rail, and whether it goes back there.
+type TakeBlock<'a, E> = &'a mut dyn FnMut(&Block, &str, Option<GoesBack>) -> Result<(), E>;
+
 impl SurveyFile {
     /// Read a file once: a head with `rail`, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
     /// band of wavelength, and a row for each block; empty cells are not known. `defects_m` may say where welds, joints and squats are,
@@ -261,7 +264,7 @@ impl SurveyFile {
     /// Hand on block by block with the name of the rail and whether it goes back there; the SHA-256 of what was read.
     fn each_hashed<E: From<CaseError>>(
         &self,
-        take: &mut dyn FnMut(&Block, &str, Option<GoesBack>) -> Result<(), E>,
+        take: TakeBlock<'_, E>,
         progress: &dyn Fn(usize),
     ) -> Result<String, E> {
         let path = &self.path;

@@ -232,7 +232,7 @@ impl Program {
 
 /// `Err` where the disk is full: what a run that broke off has said of it may be lost.
 fn has_room(folder: &Path) -> Result<(), Fault> {
-    const PROBE: [u8; 1 << 16] = [0; 1 << 16];
+    static PROBE: [u8; 1 << 16] = [0; 1 << 16];
     let file = tempfile::tempfile_in(folder);
     file.and_then(|mut file| file.write_all(&PROBE))
         .map_err(disk)

@@ -88,7 +88,7 @@ impl FrequencyResponses {
         }
         let position = numbers.others[0].clone();
         let doubts = doubts(frequency, &response, position.as_deref());
-        let doubts = doubts.map_err(|message| numbers.refuse(path, 0, &message.to_string()))?;
+        let doubts = doubts.map_err(|message| numbers.refuse(path, 0, message.to_string()))?;
         let coherence = numbers.others[1].as_ref();
         if let Some(coherence) = coherence {
             let rule = "must be above 0 and below 1";

@@ -194,7 +194,7 @@ impl Numbers {
             Some(row) => Err(self.refuse(
                 path,
                 row,
-                &format!("`{name}` is {}, but {rule}", values[row]),
+                format!("`{name}` is {}, but {rule}", values[row]),
             )),
         }
     }

@@ -184,8 +184,11 @@ fn rail(path: &Path, _: &str) -> Result<String, CaseError> {
     RoughnessFile::read(path, &Layout::default(), &|_| ()).map(|file| shown(&file))
 }
 
+/// A folder and the end of names.
+type Files = (&'static str, &'static str);
+
 /// Each reader with its files, by folder and the end of their names.
-const READERS: [(&str, Reader, &[(&str, &str)]); 18] = [
+const READERS: [(&str, Reader, &[Files]); 18] = [
     (
         "case",
         case,

@@ -526,7 +526,8 @@ fn columns_are_found_by_their_names() {
     let back = |_: usize, across: f64, up: f64| format!("{up},{across}");
     let numbered = |index: usize, across: f64, up: f64| format!("{index},{across},{up}");
     let twice = |_: usize, across: f64, up: f64| format!("{across},{up},{across},{up}");
-    let cases: [(&str, &dyn Fn(usize, f64, f64) -> String); 9] = [
+    type Row<'a> = &'a dyn Fn(usize, f64, f64) -> String;
+    let cases: [(&str, Row<'_>); 9] = [
         ("y_mm,z_mm", &there),
         ("z_mm,y_mm", &back),
         ("Y [mm];Z [mm]", &|i, x, h| there(i, x, h).replace(',', ";")),

@@ -91,7 +91,7 @@ pub(crate) fn doubts(
     let mut doubts = Vec::new();
     match phase::phase_fault(&lines) {
         None => {
-            if let (Some(first), Some(last)) = (active().next(), active().last()) {
+            if let (Some(first), Some(last)) = (active().next(), active().next_back()) {
                 let (first, last) = (fixed(first, 0), fixed(last, 0));
                 doubts.push(say!(
                     receptance_gives_energy,
