@@ -53,7 +53,7 @@ pub(crate) struct CalibrateChains {
     pub(crate) output: Option<PathBuf>,
 
     /// Keep the finished parts of chains that were stopped, and go on from there; put chains of this plan in the place of those of
-    /// another, which are refused else.
+    /// another, which are refused otherwise.
     #[arg(long)]
     pub(crate) restart: bool,
 

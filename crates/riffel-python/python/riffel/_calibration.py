@@ -58,7 +58,7 @@ def calibrate(
         Traffic file that made dated levels grow, beside ``with_``; a plan names its own.
     restart : bool
         Keep finished parts of chains that were stopped, and go on from there; put chains of this plan in the place of those of
-        another, which are refused else.
+        another, which are refused otherwise.
 
     Returns
     -------
