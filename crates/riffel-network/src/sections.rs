@@ -30,7 +30,7 @@ pub struct Section {
     /// RMS of its cells in each band \[m\] that no more than a share of them exceed: by this a section is over its limit or
     /// within.
     pub exceeded: Vec<f64>,
-    /// The same without [single places](single_places): what lasts along the rail.
+    /// RMS without single places: what lasts along the rail.
     pub lasting: Vec<f64>,
     /// Whether single places are told from what lasts: by short cells, or because the survey names them.
     pub(crate) tells_places: bool,

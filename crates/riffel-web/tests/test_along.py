@@ -120,8 +120,14 @@ def test_a_drag_zooms_and_the_part_in_view_is_taken(page):
     page.settle()
     # To a pixel of some hundred for 120 m.
     assert [float(end) for end in page.text("#part").removesuffix(" m").split("–")] == pytest.approx([30, 90], abs=1)
-    page.page.mouse.dblclick(*place(0.5))
-    page.until(lambda: not page.page.locator("#part-in-view").is_visible())
+
+    def whole_again():
+        # Two clicks that a busy machine takes 0.3 s apart are not a double one: it is made again.
+        page.page.mouse.dblclick(*place(0.5))
+        page.pause()
+        return not page.page.locator("#part-in-view").is_visible()
+
+    page.until(whole_again)
 
 
 def test_sections_are_judged_the_worst_first_and_lead_to_their_part(open_page, tmp_path):

@@ -178,6 +178,7 @@ def show(page, view):
             page.until(lambda: figure.locator("figure").count() > 0 and not figure.locator(".waiting").is_visible())
 
 
+@pytest.mark.without_remedies
 def test_no_view_says_anything_in_english(open_page):
     """One page, of which each view is opened in turn, with a map of few points: words are the same."""
     page = open_page(locale="de-DE", viewport={"width": 1440, "height": 2400})

@@ -144,15 +144,26 @@ fn best_delay(frequencies: &[f64], values: &[Complex64]) -> (f64, f64) {
         .map(|(f, v)| v * turn(*f, -count * step))
         .collect();
     let turns: Vec<Complex64> = frequencies.iter().map(|f| turn(*f, step)).collect();
-    let mut best = (0.0, f64::NEG_INFINITY);
-    for index in 0..=2 * count as usize {
-        let mean = rotated.iter().map(|v| v.re).sum::<f64>() / rotated.len() as f64;
-        if mean > best.1 {
-            best = ((index as f64 - count) * step, mean);
+    let means: Vec<f64> = (0..=2 * count as usize)
+        .map(|_| {
+            let mean = rotated.iter().map(|v| v.re).sum::<f64>() / rotated.len() as f64;
+            for (v, turn) in rotated.iter_mut().zip(&turns) {
+                *v *= turn;
+            }
+            mean
+        })
+        .collect();
+    let best = means.iter().copied().enumerate();
+    let Some((index, greatest)) = best.max_by(|one, other| one.1.total_cmp(&other.1)) else {
+        return (0.0, f64::NEG_INFINITY);
+    };
+    // Between steps the parabola through three of them.
+    let beside = |offset: isize| means.get(index.wrapping_add_signed(offset));
+    let between = match (beside(-1), beside(1)) {
+        (Some(before), Some(after)) if before + after < 2.0 * greatest => {
+            0.5 * (before - after) / (before - 2.0 * greatest + after)
         }
-        for (v, turn) in rotated.iter_mut().zip(&turns) {
-            *v *= turn;
-        }
-    }
-    best
+        _ => 0.0,
+    };
+    ((index as f64 - count + between) * step, greatest)
 }
