@@ -81,10 +81,10 @@ pub fn write(folder: &Path, name: &str, bytes: &[u8]) -> io::Result<()> {
     persisted.map(drop).map_err(|error| error.error)
 }
 
-/// [`write`], but only where nothing is yet.
+/// [`write()`], but only where nothing is yet.
 ///
 /// # Errors
-/// [`io::ErrorKind::AlreadyExists`], also where two processes write it at once; those of [`write`].
+/// [`io::ErrorKind::AlreadyExists`], also where two processes write it at once; those of [`write()`].
 pub fn write_new(folder: &Path, name: &str, bytes: &[u8]) -> io::Result<()> {
     let path = place(folder, name)?;
     let persisted = half_written(&path, bytes)?.persist_noclobber(path);

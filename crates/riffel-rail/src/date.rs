@@ -31,7 +31,7 @@ enum DateNumbers {
     Open([i16; 3]),
 }
 
-/// The date that a text gives; see [`read_dates`].
+/// Read the date that a text gives.
 ///
 /// # Errors
 /// A sentence on the text.
