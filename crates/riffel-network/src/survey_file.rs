@@ -7,8 +7,9 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
+use riffel_keys::table::label;
 use riffel_keys::{CaseError, text_file};
-use riffel_rail::{ends_of_dates, is_of_time};
+use riffel_rail::{ends_of_dates, is_of_time, is_rail_column};
 use serde::Serialize;
 
 use crate::survey_text::SurveyText;
@@ -122,7 +123,7 @@ struct Columns {
 type TakeBlock<'a, E> = &'a mut dyn FnMut(&Block, &str, Option<GoesBack>) -> Result<(), E>;
 
 impl SurveyFile {
-    /// Read a file once: a head with `rail`, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
+    /// Read a file once: a head with `rail`, or another word for it, `from_m`, `to_m` (or `_km`) and a column `rms_30_to_100_mm_m` (or `_um`) for each
     /// band of wavelength, and a row for each block; empty cells are not known. `defects_m` may say where welds, joints and squats are,
     /// parted by semicolons. Memory: a row, and a count for each length of block.
     ///
@@ -356,7 +357,7 @@ impl Columns {
             return Err("there is no column of RMS in a band, as rms_30_to_100_mm_m".to_owned());
         }
         Ok(Self {
-            rail: find("rail"),
+            rail: find("rail").or_else(|| head.iter().position(is_rail_column)),
             from,
             to,
             bands,
@@ -436,8 +437,8 @@ fn dates_of(path: &Path, head: &csv::StringRecord) -> Result<Option<[Date; 2]>, 
     for record in reader(path)?.byte_records() {
         let record = record.map_err(|error| csv_error(path, &error))?;
         let line = record.position().map_or(0, csv::Position::line) as usize;
-        let cell = String::from_utf8_lossy(record.get(column).unwrap_or_default());
-        lines.entry(cell.trim().to_owned()).or_insert(line);
+        let cell = label(record.get(column).unwrap_or_default());
+        lines.entry(cell).or_insert(line);
     }
     let cells: Vec<String> = lines.keys().cloned().collect();
     ends_of_dates(name, &cells).map_err(|(place, message)| at(path, lines[&cells[place]], message))

@@ -126,6 +126,16 @@ pub(super) fn looks_like_date(text: &str) -> bool {
         || of_day_number(text).is_none() && DateNumbers::of(text).is_ok()
 }
 
+/// Whether a cell is the day of a spreadsheet, or a year with or without decimals.
+pub(super) fn looks_like_point(text: &str) -> bool {
+    let (year, decimals) = text
+        .trim()
+        .split_once(['.', ','])
+        .unwrap_or((text.trim(), ""));
+    let is_year = year.parse().is_ok_and(|year: i16| YEARS.contains(&year));
+    of_day_number(text).is_some() || is_year && are_digits(decimals)
+}
+
 fn are_digits(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_digit())
 }

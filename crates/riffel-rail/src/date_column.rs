@@ -8,7 +8,9 @@ use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{Message, say};
 
 use crate::LabelledSpectrum;
-use crate::date::{NoDate, looks_like_date, of_day_number, read_date, read_dates};
+use crate::date::{
+    NoDate, looks_like_date, looks_like_point, of_day_number, read_date, read_dates,
+};
 
 /// Words for a date at the head of a column.
 const DATE: &str = "date|dates|datum|datums|dato|fecha|dátum|päivämäärä|pvm|kuupäev|tarih|datetime|timestamp|zeitstempel|\
@@ -16,6 +18,10 @@ const DATE: &str = "date|dates|datum|datums|dato|fecha|dátum|päivämäärä|pv
 /// Words for a part of a date, which is no day.
 const PART: &str = "year|jahr|messjahr|année|annee|año|anno|jaar|år|rok|month|monat|mois|mes|mese|maand|week|woche|kw|\
                     kalenderwoche|semaine|semana|settimana|quarter|quartal|trimestre|day|tag|jour|día|dia|giorno|dag";
+/// Words for one of several measurements, which may be called by its date.
+const OCCASION: &str = "survey|surveys|campaign|kampagne|campagne|campaña|campagna|measured|measurement|gemessen|messung|mesuré|\
+                        mesure|medido|misurato|when|wann|quand|cuando|quando|recorded|recording|aufgenommen|aufnahme|inspection|\
+                        befahrung|inspektion|zeitpunkt";
 /// Words for what has a date besides the measurement.
 const OTHER: &str = "built|build|installed|installation|laid|commissioned|renewed|renewal|ground|grinding|manufactured|\
                      calibrated|calibration|processed|exported|printed|einbau|einbaudatum|verlegt|baujahr|schliff|geschliffen|\
@@ -28,8 +34,15 @@ pub fn is_of_time(head: &str) -> bool {
     !is(OTHER) && (is(DATE) || is(PART))
 }
 
+/// Whether a column tells measurements apart by their days or years.
+pub(super) fn names_occasions(head: &str, cells: &[String]) -> bool {
+    let mut words = words(head).into_iter();
+    words.any(|word| is_one_of(&word, OCCASION)) && cells.iter().all(|cell| looks_like_point(cell))
+}
+
 /// The place of the column of dates by heads and cells: the first with a word for a date at its head, else the first whose
-/// cells all look like dates, else the first with several words for a part of one. Such a column is read, or its table is
+/// cells all look like dates, else the first with several words for a part of one, or with years or day numbers under a word for one
+/// of several measurements. Such a column is read, or its table is
 /// refused.
 pub(super) fn date_column(heads: &[&str], cells: &dyn Fn(usize) -> Vec<String>) -> Option<usize> {
     let is = |column: usize, list: &str| {
@@ -53,7 +66,9 @@ pub(super) fn date_column(heads: &[&str], cells: &dyn Fn(usize) -> Vec<String>) 
             find(&|column, cells| {
                 let differ = cells.iter().any(|cell| *cell != cells[0]);
                 // A date in Italian, anything in English.
-                (is(column, PART) || is(column, "data")) && differ && cells.iter().any(has_digit)
+                let is_part = is(column, PART) || is(column, "data");
+                let is_day = names_occasions(heads[column], cells);
+                differ && (is_day || is_part && cells.iter().any(has_digit))
             })
         })
 }

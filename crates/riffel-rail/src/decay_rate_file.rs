@@ -41,11 +41,12 @@ fn parse(text: &str) -> Result<Vec<(FrequencyBand, f64)>, Refusal> {
     let mut rates: Vec<(FrequencyBand, f64)> = Vec::new();
     for row in table.rows() {
         let at = |message: String| Refusal::new(Some(row.line), message);
-        let value = |column: usize, what: &str| {
-            let value = row.value(column);
-            value.ok_or_else(|| at(format!("the {what} is no number")))
+        let value = |column: usize| {
+            let name = &table.names[column];
+            let value = row.number(column);
+            value.map_err(|rule| at(format!("column {}, `{name}`, {rule}", column + 1)))
         };
-        let hertz = value(frequency, "frequency")?;
+        let hertz = value(frequency)?;
         let band = FrequencyBand::containing(hertz)
             .filter(|band| (hertz / band.centre() - 1.0).abs() <= 0.05)
             .ok_or_else(|| {
@@ -53,8 +54,8 @@ fn parse(text: &str) -> Result<Vec<(FrequencyBand, f64)>, Refusal> {
                     "the frequency is {hertz} Hz, but must be the centre of a one-third octave"
                 ))
             })?;
-        let decibels = value(rate, "decay rate")?;
-        if !(decibels > 0.0 && decibels.is_finite()) {
+        let decibels = value(rate)?;
+        if decibels <= 0.0 {
             return Err(at(format!(
                 "the decay rate is {decibels} dB/m, but must be greater than zero"
             )));
@@ -97,6 +98,18 @@ mod tests {
             ("B5,100,3.0\nB5,100,4.5\nB5,160,5.4\n", "there already"),
             ("B5,100,3.0\nB5,125,-4.5\nB5,160,5.4\n", "greater than zero"),
             ("B5,110,3.0\nB5,125,4.5\nB5,160,5.4\n", "110 Hz"),
+            (
+                "B5,100,3.0\nB5,125,4.5 dB/m\n",
+                "column 3, `decay_rate_db_per_m`, is \"4.5 dB/m\", not a number",
+            ),
+            (
+                "B5,100,3.0\nB5,,4.5\n",
+                "column 2, `frequency_hz`, is empty",
+            ),
+            (
+                "B5,100,3.0\nB5,125,NaN\n",
+                "column 3, `decay_rate_db_per_m`, is NaN",
+            ),
         ] {
             let refusal = of(rows).unwrap_err();
             assert!(refusal.contains(part), "{refusal}");

@@ -13,9 +13,9 @@ const CHORD: &str = "chord|midchord|mco|versine|versines|sehne|sehnenmaß|wander
                      flèche|fleche|flèches|cuerda|flecha|corda|freccia|pijl";
 /// Along and across the rail.
 const ACROSS: &str = "longitudinal|längs|laengs|lateral|laterale|latéral|latérale|transverse|transversal|quer|längsrichtung|\
-                      querrichtung|horizontal|seitlich|trasversale";
+                      querrichtung|horizontal|seitlich|trasversale|lat|hor";
 /// Above the springs.
-const ABOVE: &str = "body|carbody|wagenkasten|kasten|frame|rahmen|drehgestellrahmen|floor|wagenboden|fußboden|fussboden|\
+const ABOVE: &str = "coach|underframe|bolster|body|carbody|wagenkasten|kasten|frame|rahmen|drehgestellrahmen|floor|wagenboden|fußboden|fussboden|\
                      boden|plancher|caisse|châssis|pavimento|cassa|telaio|suelo|bastidor|vloer|seat|sitz|cab|\
                      führerstand|gearbox|getriebe|motor";
 /// Scatter, counts and limits.
@@ -28,6 +28,9 @@ const SIZE: &str = "abs|absolute|absolutwert|betrag|absolu|absoluto|assoluto|rec
 /// Means and differences of several columns.
 const OF_SEVERAL: &str =
     "mean|average|avg|mittel|mittelwert|moyenne|media|diff|difference|differenz|sum|summe|delta";
+/// Derivatives.
+const DERIVATIVE: &str = "derivative|slope|gradient|jerk|ableitung|steigung|ruck|dérivée|pente|derivada|pendiente|derivata|\
+                          pendenza";
 /// Beginnings of words for what a filter leaves.
 const FILTERED: [&str; 26] = [
     "filt",
@@ -153,6 +156,8 @@ impl Name {
             Some(say!(it_is_a_statistic))
         } else if self.has(SIZE) {
             Some(say!(it_is_a_size))
+        } else if self.has(DERIVATIVE) {
+            Some(say!(it_is_computed))
         } else {
             None
         }

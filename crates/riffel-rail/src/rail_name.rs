@@ -43,7 +43,7 @@ const RAIL: &str = "rail|rails|schiene|rotaia|carril|riel|szyna|kolejnice|spoors
                     côté|cote|strana|no|nr|id|name";
 
 /// Whether the head of a column is a word for rails.
-pub(super) fn is_rail_column(head: &str) -> bool {
+pub fn is_rail_column(head: &str) -> bool {
     let words = words(head);
     let is_rail = |word: &String| is_one_of(word, RAIL);
     words.iter().all(is_rail) && words.iter().any(|word| word.len() > 2 && word != "name")

@@ -6,17 +6,12 @@ use std::path::{Path, PathBuf};
 use jiff::civil::Date;
 use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
-use riffel_keys::table::{is_one_of, words};
 use riffel_keys::{CaseError, Message, number, say};
 
 use crate::date::{read_date, read_dates};
 use crate::rail_name::{is_rail_column, name_alike};
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
-
-/// Words for an instrument at the head of a column.
-const DEVICE: &str = "device|instrument|trolley|gerät|geraet|messgerät|messgeraet|messsystem|appareil|équipement|equipo|aparato|\
-                      dispositivo|strumento|apparecchio|toestel|serial|seriennummer";
 
 /// The spectrum of stretches after EN 15610, levels alone; `place` is where they lie in words.
 pub(crate) fn spectrum(
@@ -137,31 +132,6 @@ impl Survey {
         }
         self.warnings.extend(self.change_of_device());
         Ok(self)
-    }
-
-    fn change_of_device(&self) -> Option<Message> {
-        let dates = self.by_date(self.date_column()?).ok()?;
-        dates.last()?.1.device_since(&dates.first()?.1)
-    }
-
-    /// What is said where a column names other instruments than in an earlier survey.
-    pub fn device_since(&self, earlier: &Self) -> Option<Message> {
-        let is_device = |column: &&str| words(column).iter().any(|word| is_one_of(word, DEVICE));
-        let column = self.columns().find(is_device)?;
-        let devices = |survey: &Self| -> Vec<String> {
-            let labels = survey.records.iter().filter_map(|one| one.label(column));
-            let devices: BTreeSet<&str> = labels.collect();
-            devices.into_iter().map(str::to_owned).collect()
-        };
-        let (first, last) = (devices(earlier), devices(self));
-        (first != last && !first.is_empty()).then(|| {
-            say!(
-                device_changes,
-                column = column,
-                first = first.join(", "),
-                last = last.join(", ")
-            )
-        })
     }
 
     /// The column of the dates, by its head or its cells.

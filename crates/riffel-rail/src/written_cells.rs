@@ -260,3 +260,90 @@ fn a_position_is_read_or_refused_however_it_is_written() {
         );
     }
 }
+
+/// Times of day of a run, also over midnight and behind a date: places as those of plain seconds.
+#[test]
+fn a_clock_is_read_where_a_time_is_wanted() {
+    let clock = |seconds: f64| {
+        let whole = seconds.floor() as u64;
+        let (hours, minutes) = (whole / 3600 % 24, whole / 60 % 60);
+        format!(
+            "{hours:02}:{minutes:02}:{:08.5}",
+            seconds - (whole / 60 * 60) as f64
+        )
+    };
+    let run = |head: &str, write: &dyn Fn(f64) -> String| {
+        let rows = (0..1200).map(|row| {
+            let speed = 72.0 + 0.01 * row as f64;
+            format!("{};{:.2};{speed}\n", write(1e-3 * row as f64), value(row))
+        });
+        let text = format!(
+            "{head};acceleration_right_m_per_s2;speed_km_per_h\n{}",
+            rows.collect::<String>()
+        );
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.csv");
+        std::fs::write(&path, text).unwrap();
+        let shown = |error: CaseError| error.to_string();
+        let file = AxleBoxFile::open(&path, &AxleBoxLayout::default()).map_err(shown)?;
+        let mut places = Vec::new();
+        let mut visit = |reading: AxleBoxReading<'_>| {
+            if let AxleBoxReading::Sample(_, place) = reading {
+                places.push(place);
+            }
+            Ok(())
+        };
+        let (said, _) = file.read(None, &mut visit, &|_| ()).map_err(shown)?;
+        Ok::<_, String>((places, said))
+    };
+    let (plain, said) = run("time_s", &|t| format!("{t:.5}")).unwrap();
+    assert!(plain.len() == 1200 && said.is_empty(), "{said:?}");
+    let day = |begin: f64| move |t: f64| clock(begin + t);
+    let read: [(&str, &dyn Fn(f64) -> String); 7] = [
+        ("time", &day(10_794.000_25)),
+        ("time_s", &day(10_794.0)),
+        ("Uhrzeit", &day(9999.0)),
+        ("clock", &day(86_399.5)),
+        ("timestamp", &|t| {
+            format!("2026-06-01 {}", clock(86_399.9 + t))
+        }),
+        ("timestamp", &|t| {
+            format!("2026-06-01T{}Z", clock(36_000.0 + t))
+        }),
+        ("time", &|t| {
+            format!("\"{}\"", clock(36_000.0 + t).replace('.', ","))
+        }),
+    ];
+    for (head, write) in read {
+        let (places, said) =
+            run(head, write).unwrap_or_else(|it| panic!("{head} {}: {it}", write(0.0)));
+        assert!(said.is_empty(), "{head} {}: {said:?}", write(0.0));
+        let off = places
+            .iter()
+            .zip(&plain)
+            .map(|(one, other)| (one - other).abs());
+        // Clocks are written to 10 µs, in which the train runs 0.2 mm; the rate is their mean.
+        let farthest = off.fold(0.0, f64::max);
+        assert!(
+            places.len() == 1200 && farthest < 1e-3,
+            "{head} {}: {farthest}",
+            write(0.0)
+        );
+    }
+    for (cell, line) in [
+        ("24:00:00", 2),
+        ("02:60:00", 2),
+        ("02:59", 2),
+        ("2:59:54 pm", 2),
+        ("later", 502),
+    ] {
+        let write = |t: f64| match t > 0.4999 || line == 2 {
+            true => cell.to_owned(),
+            false => clock(36_000.0 + t),
+        };
+        let refusal = run("time", &write).unwrap_err();
+        for part in [cell, "column 1", &format!("line {line}")] {
+            assert!(refusal.contains(part), "{refusal}");
+        }
+    }
+}

@@ -21,6 +21,7 @@ pub use heading::{Heading, label};
 pub use length::{foreign_unit, is_one_of, length_in, length_word, words};
 pub use line::{cells, is_comment, lines};
 pub use missing::{Marked, is_mark, marks};
+pub use number::clock;
 pub use number_columns::{NumberColumns, NumberRows, RowError};
 pub use row::{Row, number_in, rows};
 pub use shape::{Kind, Table};

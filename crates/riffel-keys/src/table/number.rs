@@ -243,6 +243,39 @@ fn chainage(text: &str, decimal: u8) -> Option<f64> {
     length.map(|length| unit * length)
 }
 
+/// Seconds since midnight of a time of day, 02:59:54.00025, with or without a date before it; NaN for a word that says it is
+/// missing.
+pub fn clock(cell: &[u8]) -> Option<f64> {
+    let cell = unquoted(cell.trim_ascii());
+    if is_missing(cell) {
+        return Some(f64::NAN);
+    }
+    let text = written(cell);
+    let text = text.strip_suffix(['Z', 'z']).unwrap_or(&text);
+    let time = match text.rsplit_once([' ', 'T', 't', '_']) {
+        Some((date, time)) => {
+            let is_of_date = |c: char| c.is_ascii_digit() || "-./".contains(c);
+            (!date.is_empty() && date.chars().all(is_of_date)).then_some(time)?
+        }
+        None => text,
+    };
+    let [hours, minutes, seconds] = time.split(':').collect::<Vec<&str>>()[..] else {
+        return None;
+    };
+    let (whole, decimals) = seconds.split_once(['.', ',']).unwrap_or((seconds, ""));
+    let part = |text: &str, width: std::ops::RangeInclusive<usize>, below: u32| {
+        let is_part = width.contains(&text.len()) && are_digits(text);
+        text.parse::<u32>()
+            .ok()
+            .filter(|&number| is_part && number < below)
+    };
+    let minutes = 60 * part(hours, 1..=2, 24)? + part(minutes, 2..=2, 60)?;
+    // A leap second is the 61st.
+    let whole = part(whole, 2..=2, 61)?;
+    let seconds: f64 = format!("{whole}.{decimals}0").parse().ok()?;
+    are_digits(decimals).then(|| f64::from(60 * minutes) + seconds)
+}
+
 fn are_digits(text: &str) -> bool {
     text.bytes().all(|byte| byte.is_ascii_digit())
 }

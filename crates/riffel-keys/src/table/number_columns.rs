@@ -9,7 +9,7 @@ use super::delimiter::{DecimalMark, Delimiter};
 use super::heading::label;
 use super::line::{is_comment, is_remark, lines, quoted_length, trim_blanks};
 use super::missing::{Marked, leave_out_marks};
-use super::number::{Oddity, number, oddity, plain};
+use super::number::{Oddity, clock, number, oddity, plain};
 use crate::text_file::{printable, text_of};
 use crate::{Message, say};
 
@@ -81,6 +81,8 @@ impl NumberRows {
 enum Wanted {
     /// The number of a column.
     Number(usize),
+    /// The seconds of a column of times of day.
+    Clock(usize),
     Label,
     Nothing,
 }
@@ -125,6 +127,17 @@ impl NumberColumns {
             columns: columns.len(),
             text_behind,
         }
+    }
+
+    /// Read the cells in a place as times of day, see [`clock`].
+    #[must_use]
+    pub fn with_clock(mut self, place: usize) -> Self {
+        if let Some(wanted) = self.wanted.get_mut(place)
+            && let Wanted::Number(column) = *wanted
+        {
+            *wanted = Wanted::Clock(column);
+        }
+        self
     }
 
     /// Parse all lines from the byte `start` on, which begins line `line`. `progress` is told of bytes done.
@@ -254,6 +267,11 @@ impl NumberColumns {
                     };
                     row[*column] = value;
                     rest = &rest[length..];
+                }
+                Some(Wanted::Clock(column)) => {
+                    let (text, behind) = rest.split_at(self.cell_length(rest));
+                    row[*column] = clock(text).ok_or_else(|| self.no_number(cell, text))?;
+                    rest = behind;
                 }
                 wanted => {
                     let (text, behind) = rest.split_at(self.cell_length(rest));

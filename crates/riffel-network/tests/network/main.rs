@@ -6,6 +6,7 @@ mod kinds;
 mod planning;
 mod rails;
 mod records;
+mod spellings;
 
 use std::fmt::Write;
 use std::fs;

@@ -68,6 +68,27 @@ impl Clock {
     }
 }
 
+/// Times of day over midnight.
+#[derive(Debug, Default)]
+pub(super) struct Midnights {
+    last: f64,
+    days: f64,
+}
+
+impl Midnights {
+    /// A time of day \[s\], as the time since the first midnight: where it falls by more than half a day, another day has begun.
+    pub(super) fn after(&mut self, time: f64) -> f64 {
+        const DAY: f64 = 86_400.0;
+        if time < self.last - 0.5 * DAY {
+            self.days += 1.0;
+        }
+        if time.is_finite() {
+            self.last = time;
+        }
+        time + self.days * DAY
+    }
+}
+
 /// Times as they come, against the line on which they should lie.
 #[derive(Debug)]
 pub(super) struct Ticking {

@@ -114,6 +114,8 @@ pub(super) struct Signals<T> {
     pub(super) speed: Option<(T, f64)>,
     pub(super) odometer: Option<(T, f64)>,
     pub(super) time: Option<(T, f64)>,
+    /// What is of the kind of one before it, and no channel.
+    pub(super) seconds: Vec<T>,
 }
 
 impl<T> Default for Signals<T> {
@@ -123,6 +125,7 @@ impl<T> Default for Signals<T> {
             speed: None,
             odometer: None,
             time: None,
+            seconds: Vec::new(),
         }
     }
 }
@@ -136,10 +139,13 @@ impl<T> Signals<T> {
             Content::Odometer(unit) => (&mut self.odometer, unit),
             Content::Time(unit) => (&mut self.time, unit),
         };
-        place.get_or_insert((signal, unit));
+        match place {
+            Some(_) => self.seconds.push(signal),
+            None => *place = Some((signal, unit)),
+        }
     }
 
-    /// Leave out the channels that tell nothing of the rail by `name`; a sentence on each.
+    /// Leave out the channels that tell nothing of the rail by `name`, and the second of each other kind; a sentence on each.
     ///
     /// # Errors
     /// These sentences, where no channel is left.
@@ -160,7 +166,16 @@ impl<T> Signals<T> {
             let channel = format!("`{name}`");
             Some(say!(channel_left_out, channel = channel, reason = why?).to_string())
         });
-        let said: Vec<String> = said.collect();
+        let mut said: Vec<String> = said.collect();
+        said.extend(self.seconds.drain(..).map(|signal| {
+            let channel = format!("`{}`", name(&signal));
+            say!(
+                channel_left_out,
+                channel = channel,
+                reason = say!(it_is_second)
+            )
+            .to_string()
+        }));
         match self.channels.is_empty() && !said.is_empty() {
             true => Err(said.join("; ")),
             false => Ok(said),

@@ -4,11 +4,11 @@ use std::fs::File;
 use std::io::{BufRead, BufReader, Read};
 use std::path::Path;
 
-use riffel_keys::table::{NumberColumns, Table, is_comment, is_mark, rows};
+use riffel_keys::table::{NumberColumns, Table, clock, is_comment, is_mark, rows};
 use riffel_keys::text_file::Encoding;
 use riffel_keys::{CaseError, Message, say};
 
-use super::clock::{Clock, Regression};
+use super::clock::{Clock, Midnights, Regression};
 use super::columns::{Content, channel_name, content};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Places, Row, Signals, unreadable};
 use crate::profile_columns::left_out_sentence;
@@ -32,6 +32,8 @@ pub(super) struct AxleBoxTable {
     channels: usize,
     has_place: bool,
     has_witness: bool,
+    /// Whether times are those of day.
+    has_clock: bool,
     /// Largest values of the columns in the first rows.
     largest: Vec<f64>,
 }
@@ -44,19 +46,29 @@ impl AxleBoxTable {
         layout: &AxleBoxLayout,
     ) -> Result<(Self, AxleBoxHead), CaseError> {
         let found = Self::columns(head, layout).map_err(|refusal| refusal.of(path));
-        let (table, signals, places, mut remarks) = found?;
+        let (table, signals, places, has_clock, mut remarks) = found?;
         let style = (table.delimiter, table.decimal);
         let clock = match signals.time {
             Some((column, unit)) => {
-                let first: Vec<f64> = (table.sample.iter())
-                    .map(|row| unit * row[column])
-                    .filter(|time| time.is_finite())
-                    .collect();
-                let columns = NumberColumns::new(style, &[column], &[], 0, true);
+                let first = match has_clock {
+                    true => clocks(&table, head, column),
+                    false => (table.sample.iter())
+                        .map(|row| unit * row[column])
+                        .collect(),
+                };
+                let first: Vec<f64> = first.into_iter().filter(|time| time.is_finite()).collect();
+                let mut columns = NumberColumns::new(style, &[column], &[], 0, true);
+                let mut midnights = None;
+                if has_clock {
+                    columns = columns.with_clock(column);
+                    midnights = Some(Midnights::default());
+                }
                 let regression = Clock::of(&first).map(Regression::new);
                 let found = regression.map(|mut regression| {
                     let mut take = |_: usize, times: &mut [f64]| {
-                        regression.add(unit * times[0]);
+                        let time = unit * times[0];
+                        let time = midnights.as_mut().map_or(time, |them| them.after(time));
+                        regression.add(time);
                         Ok(())
                     };
                     each_row(path, table.header_lines, &columns, 1, &mut take, &|_| ())?;
@@ -86,17 +98,28 @@ impl AxleBoxTable {
         let all = channels.iter().copied();
         let all = all.chain(places.signal).chain(places.witness).chain(time);
         let (columns, units): (Vec<usize>, Vec<f64>) = all.unzip();
+        let is_clock = |column: usize| has_clock && time.is_some_and(|(time, _)| time == column);
         let largest = columns.iter().map(|&column| {
+            if is_clock(column) {
+                return f64::INFINITY;
+            }
             // Text behind the last numbers has no sample, and is refused.
             let values = table.sample.iter().filter_map(|row| row.get(column));
             let values = values.map(|value| value.abs());
             values.filter(|value| !is_mark(*value)).fold(0.0, f64::max)
         });
+        let largest = largest.collect();
+        let clock = time.map(|(time, _)| time).filter(|_| has_clock);
+        let columns = NumberColumns::new(style, &columns, &[], 0, true);
         let read = Self {
-            columns: NumberColumns::new(style, &columns, &[], 0, true),
+            columns: match clock {
+                Some(place) => columns.with_clock(place),
+                None => columns,
+            },
             header_lines: table.header_lines,
-            largest: largest.collect(),
+            largest,
             units,
+            has_clock: clock.is_some(),
             channels: channels.len(),
             has_place: places.signal.is_some(),
             has_witness: places.witness.is_some(),
@@ -121,7 +144,7 @@ impl AxleBoxTable {
             .as_deref()
             .ok_or_else(|| refuse(nothing))?;
         let mut signals = Signals::default();
-        let (mut empty, mut others) = (None, Vec::new());
+        let (mut empty, mut clocks, mut others) = (None, Vec::new(), Vec::new());
         let mut leave_out = |column: usize, why: Message| {
             others.push(left_out_sentence(column, &written[column], why).to_string());
         };
@@ -129,6 +152,12 @@ impl AxleBoxTable {
             let kind = table.kind(column);
             let has_values = has_values(&table, head, column);
             let at_head = |message| Refusal::new(Some(table.header_lines), message);
+            let first = first_value(&table, head, column);
+            if !kind.is_numeric() && first.is_some_and(|(_, cell)| clock(cell.as_bytes()).is_some())
+            {
+                clocks.push(column);
+                continue;
+            }
             match content(&table.heading, column) {
                 Ok(Some(Content::Time(_))) if !kind.is_numeric() => {
                     if layout.rate.is_none() {
@@ -145,7 +174,14 @@ impl AxleBoxTable {
                 Ok(None) if table.is_index(column) => leave_out(column, say!(it_numbers_the_rows)),
                 _ if has_values && kind.is_of_numbers() => leave_out(column, say!(it_is_no_signal)),
                 _ if has_values => leave_out(column, say!(it_is_text)),
-                _ => {}
+                _ => leave_out(column, say!(it_is_empty)),
+            }
+        }
+        let has_clock = signals.time.is_none() && !clocks.is_empty();
+        for column in clocks {
+            match signals.time {
+                None => signals.push(column, Content::Time(1.0)),
+                Some(_) => leave_out(column, say!(it_is_second)),
             }
         }
         if signals.channels.is_empty() {
@@ -153,15 +189,15 @@ impl AxleBoxTable {
             let said = [nothing.to_owned()].into_iter().chain(others);
             return Err(refuse(&said.collect::<Vec<String>>().join("; ")));
         }
-        let is_clock = |column: &usize| {
+        let is_of_clock = |column: &usize| {
             let cell = first_value(&table, head, *column).map(|(_, cell)| cell);
-            cell.is_some_and(|cell| cell.matches(':').count() == 2)
+            !table.kind(*column).is_numeric() && cell.is_some_and(|cell| cell.contains(':'))
         };
         if signals.time.is_none()
             && layout.rate.is_none()
-            && let Some(clock) = (0..written.len()).find(is_clock)
+            && let Some(column) = (0..written.len()).find(is_of_clock)
         {
-            return Err(no_times(&table, head, clock));
+            return Err(no_times(&table, head, column));
         }
         let remarks = signals.leave_out_others(|&column| written[column].clone());
         let at_head = |message| Refusal::new(Some(table.header_lines), message);
@@ -196,7 +232,7 @@ impl AxleBoxTable {
                  give the speed by --speed where it was constant",
             ));
         };
-        Ok((table, signals, places, remarks))
+        Ok((table, signals, places, has_clock, remarks))
     }
 
     /// Hand on row by row; `progress` is told of bytes done. Memory: a line.
@@ -207,6 +243,7 @@ impl AxleBoxTable {
         progress: &dyn Fn(usize),
     ) -> Result<(), CaseError> {
         let mut largest = self.largest.clone();
+        let mut midnights = Midnights::default();
         let mut row = |number: usize, values: &mut [f64]| {
             let mut marked = None;
             for ((value, unit), largest) in values.iter_mut().zip(&self.units).zip(&mut largest) {
@@ -216,6 +253,9 @@ impl AxleBoxTable {
                 }
                 *largest = largest.max(value.abs());
                 *value *= unit;
+            }
+            if let (true, Some(time)) = (self.has_clock, values.last_mut()) {
+                *time = midnights.after(*time);
             }
             let (accelerations, others) = values.split_at(self.channels);
             let mut others = others.iter().copied();
@@ -234,8 +274,8 @@ impl AxleBoxTable {
     }
 }
 
-/// A table, where in it what is, and what is to be said of that.
-type Found = (Table, Signals<usize>, Places<usize>, Vec<String>);
+/// A table, where in it what is, whether its times are those of day, and what is to be said of that.
+type Found = (Table, Signals<usize>, Places<usize>, bool, Vec<String>);
 
 /// What takes the line and the numbers of a row.
 type TakeRow<'a> = dyn FnMut(usize, &mut [f64]) -> Result<(), CaseError> + 'a;
@@ -297,13 +337,22 @@ fn first_value(table: &Table, head: &[u8], column: usize) -> Option<(usize, Stri
         .next()
 }
 
+/// The times of day of a column in the first rows \[s\].
+fn clocks(table: &Table, head: &[u8], column: usize) -> Vec<f64> {
+    let style = (table.delimiter, Some(table.decimal));
+    let rows = rows(head, table.header_lines, style.0, style.1);
+    let mut midnights = Midnights::default();
+    let times = rows.filter_map(|row| clock(row.cells.get(column)?));
+    times.map(|time| midnights.after(time)).collect()
+}
+
 /// That a column of times holds none.
 fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
     let name = table.heading.name(column).unwrap_or_default();
     let (line, cell) =
         first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
     let message = format!(
-        "column {}, `{name}`, holds no numbers, but \"{cell}\"; times are needed in seconds: write them so, or give the \
+        "column {}, `{name}`, holds no numbers, but \"{cell}\"; times are needed in seconds, or of day as in 02:59:54.25: write them so, or give the \
          sampling rate by --rate",
         column + 1
     );

@@ -18,7 +18,8 @@ pub(super) fn history(
     choice: SpectraChoice<'_>,
 ) -> Result<RailHistory, CaseError> {
     let chosen = |name: &Path, spectra: &[LabelledSpectrum]| {
-        Survey::new(name, spectra.to_vec(), Vec::new())?.choose(choice.choose)
+        let survey = Survey::new(name, spectra.to_vec(), Vec::new())?.choose(choice.choose)?;
+        Ok::<_, CaseError>(survey.on_one_device())
     };
     let mut records: Vec<(String, Survey)> = Vec::new();
     for record in earlier {

@@ -8,7 +8,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use riffel_keys::table::{self, Table};
 use riffel_keys::{Message, number, say};
 
-use crate::date_column::{dates_of_heads, is_of_time};
+use crate::date_column::{dates_of_heads, is_of_time, names_occasions};
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
 use crate::no_rail::why_no_rail;
@@ -483,7 +483,9 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
     let widest = sample().map(|row| row.cells.len()).max().unwrap_or(0);
     let is_label = |&column: &usize| {
         let kind = table.kind(column);
-        let is_time = is_of_time(heading.name(column).unwrap_or_default());
+        let head = heading.name(column).unwrap_or_default();
+        let cells: Vec<String> = sample().map(|row| row.text(column)).collect();
+        let is_time = is_of_time(head) || names_occasions(head, &cells);
         let is_named = is_time || heading.is(column, LABELS);
         let is_whole = || {
             let mut values = table.sample.iter().map(|row| row[column]);
@@ -498,12 +500,13 @@ fn label_columns(table: &Table, bytes: &[u8]) -> Vec<usize> {
         if !may_be {
             return false;
         }
-        let cells: Vec<String> = sample().map(|row| row.text(column)).collect();
         let different: BTreeSet<&String> = cells.iter().collect();
         different.len() <= (cells.len() / ROWS.1).max(2)
-            && cells
-                .iter()
-                .all(|cell| !cell.is_empty() && (is_time || !cell.contains(':')))
+            && match is_time {
+                // An empty date is refused.
+                true => cells.iter().any(|cell| !cell.is_empty()),
+                false => (cells.iter()).all(|cell| !cell.is_empty() && !cell.contains(':')),
+            }
     };
     (0..widest).filter(is_label).collect()
 }

@@ -18,7 +18,7 @@ pub(super) struct Dated {
 impl Dated {
     /// Chosen of all spectra of `--spectrum`, and of those of `--earlier`, which are read here.
     pub(super) fn new(spectra: &Spectra, now: Survey) -> miette::Result<Self> {
-        let mut now_chosen = now.clone().choose(&spectra.choose)?;
+        let mut now_chosen = now.clone().choose(&spectra.choose)?.on_one_device();
         let dates = in_order(spectra)?;
         let earlier = match (spectra.earlier.first(), &spectra.earlier_choose[..]) {
             (Some(path), choices) => Some(survey(path, &spectra.layout)?.choose(choices)?),

@@ -208,31 +208,63 @@ fn rails_are_rails_and_dates_are_dates() {
     }
 }
 
-/// A device that changes along the dates is told; of one device nothing is said.
+/// A device that changes along the dates is told, and what devices differ by is no growth; of one device nothing is said.
 #[test]
-fn a_change_of_device_is_told() {
+fn growth_is_that_of_one_device() {
     let sandbox = Sandbox::new();
-    let table = levels(["2024-06-01", "2025-06-01", "2026-06-01"]);
-    let with = |devices: [&str; 3]| {
-        let rows = table.lines().enumerate().map(|(row, line)| match row {
-            0 => format!("device;{line}\n"),
-            row => format!("{};{line}\n", devices[(row - 1) / LEVELS.len()]),
-        });
-        fs::write(sandbox.path("rail.csv"), rows.collect::<String>()).unwrap();
-        for command in [COMMANDS[4], COMMANDS[2], COMMANDS[0]] {
-            let command = command.replace("FILE", "rail.csv");
-            let told = sandbox
-                .riffel(&command.replace(" --json", " -o out"))
-                .sentence();
-            assert_eq!(
-                told.contains("column `device` changes along the dates, from T1 to T2"),
-                devices[2] == "T2",
-                "{told}"
-            );
+    let dates = ["2024-06-01", "2025-06-01", "2025-06-01", "2026-06-01"];
+    let with = |devices: [(&str, f64); 4]| {
+        let mut text = "device;date;wavelength_mm;level_db\n".to_owned();
+        for ((device, offset), (date, year)) in
+            devices.iter().zip(dates.iter().zip([0.0, 1.0, 1.0, 2.0]))
+        {
+            for (wavelength, level) in LEVELS {
+                writeln!(
+                    text,
+                    "{device};{date};{wavelength};{}",
+                    level + 4.0 * year + offset
+                )
+                .unwrap();
+            }
         }
+        fs::write(sandbox.path("rail.csv"), text).unwrap();
+        let command = |at: usize| COMMANDS[at].replace("FILE", "rail.csv");
+        let told = |at: usize| {
+            sandbox
+                .riffel(&command(at).replace(" --json", " -o out"))
+                .sentence()
+        };
+        let told = [told(0), told(2), told(4)];
+        (sandbox.json(&command(4))["wear"]["bands"].clone(), told)
     };
-    with(["T1", "T1", "T1"]);
-    with(["T1", "T1", "T2"]);
+    let (bands, told) = with([("T1", 0.0); 4]);
+    assert!(!told.concat().contains("column `device`"), "{told:?}");
+    let (t1, t2) = (("T1", 0.0), ("T2", 3.0));
+    let (of_both, told) = with([t1, t1, t2, t2]);
+    assert!(
+        told[0].contains("changes along the dates, from T1 to T2"),
+        "{}",
+        told[0]
+    );
+    for told in &told[1..] {
+        assert!(told.contains("levels of T1 count +3.0 dB"), "{told}");
+    }
+    for (one, both) in bands
+        .as_array()
+        .unwrap()
+        .iter()
+        .zip(of_both.as_array().unwrap())
+    {
+        let change = |band: &Value| number(&band["measured_change_db"]);
+        // 4 dB a year over two years.
+        assert!((change(one) - 8.0).abs() < 1e-9 && (change(both) - 8.0).abs() < 1e-9);
+    }
+    let (none, told) = with([t1, t1, t1, t2]);
+    assert!(
+        none.is_null() && told[2].contains("T1 is left out of growth"),
+        "{none} {}",
+        told[2]
+    );
 }
 
 /// A measured rail beside one that will be ground is one too many.

@@ -1,0 +1,254 @@
+//! Instruments that measured a rail: what they differ by is no growth.
+
+use std::collections::{BTreeMap, BTreeSet};
+
+use riffel::roughness::{Spectrum, ThirdOctave};
+use riffel_keys::table::{is_one_of, words};
+use riffel_keys::{Message, say};
+
+use crate::{LabelledSpectrum, Survey};
+
+/// Words for an instrument at the head of a column.
+const DEVICE: &str = "device|instrument|trolley|gerät|geraet|messgerät|messgeraet|messsystem|appareil|équipement|equipo|aparato|\
+                      dispositivo|strumento|apparecchio|toestel|serial|seriennummer";
+
+impl Survey {
+    /// The column of the instruments.
+    fn device_column(&self) -> Option<&str> {
+        let is_device = |column: &&str| words(column).iter().any(|word| is_one_of(word, DEVICE));
+        self.columns().find(is_device)
+    }
+
+    pub(super) fn change_of_device(&self) -> Option<Message> {
+        let dates = self.by_date(self.date_column()?).ok()?;
+        dates.last()?.1.device_since(&dates.first()?.1)
+    }
+
+    /// What is said where a column names other instruments than in an earlier survey.
+    pub fn device_since(&self, earlier: &Self) -> Option<Message> {
+        let column = self.device_column()?;
+        let devices = |survey: &Self| -> Vec<String> {
+            let labels = survey.records.iter().filter_map(|one| one.label(column));
+            let devices: BTreeSet<&str> = labels.filter(|device| !device.is_empty()).collect();
+            devices.into_iter().map(str::to_owned).collect()
+        };
+        let (first, last) = (devices(earlier), devices(self));
+        (first != last && !first.is_empty() && !last.is_empty()).then(|| {
+            say!(
+                device_changes,
+                column = column,
+                first = first.join(", "),
+                last = last.join(", ")
+            )
+        })
+    }
+
+    /// The survey as one instrument would have measured it, so that growth is that of pairs of one instrument.
+    ///
+    /// Where instruments change along the dates, every other one counts more or less by what it differs in each band from the one
+    /// of the last date, or from another that was laid on that, where both measured a rail on one day; a band that they do not share
+    /// by the mean of the others. An instrument without such a day is left out. Warnings say both.
+    #[must_use]
+    pub fn on_one_device(mut self) -> Self {
+        let own = |column: Option<&str>| column.map(str::to_owned);
+        let (device, date) = (own(self.device_column()), own(self.date_column()));
+        let (Some(device), Some(date), rail) = (device, date, own(self.rail_column())) else {
+            return self;
+        };
+        let label = |record: &LabelledSpectrum, column: &str| {
+            record.label(column).unwrap_or_default().to_owned()
+        };
+        let of = |record: &LabelledSpectrum| label(record, &device);
+        let mut by_date: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
+        for record in &self.records {
+            by_date
+                .entry(label(record, &date))
+                .or_default()
+                .insert(of(record));
+        }
+        let mut sets = by_date.values();
+        let Some(reference) = sets
+            .next_back()
+            .and_then(|devices| devices.first().cloned())
+        else {
+            return self;
+        };
+        if sets.all(|devices| Some(devices) == by_date.values().next_back()) {
+            return self;
+        }
+        let told = self.change_of_device();
+        self.warnings
+            .retain(|warning| Some(warning) != told.as_ref());
+        let mut known = BTreeSet::from([reference.clone()]);
+        let mut others: BTreeSet<String> = by_date.into_values().flatten().collect();
+        others.remove(&reference);
+        let place = |record: &LabelledSpectrum| {
+            (
+                label(record, &date),
+                rail.as_ref().map(|rail| label(record, rail)),
+            )
+        };
+        while let Some((other, offsets)) = others.iter().find_map(|other| {
+            let here = self.records.iter().filter(|record| of(record) == *other);
+            let pairs = here.flat_map(|record| {
+                let there = self.records.iter();
+                let there =
+                    there.filter(|one| known.contains(&of(one)) && place(one) == place(record));
+                there.map(move |one| (&record.spectrum, &one.spectrum))
+            });
+            Some((other.clone(), offsets(pairs)?))
+        }) {
+            let mean = offsets.values().sum::<f64>() / offsets.len() as f64;
+            for record in self.records.iter_mut().filter(|record| of(record) == other) {
+                let levels = record.spectrum.levels().iter();
+                let levels = levels.map(|one| {
+                    (
+                        one.band,
+                        one.level + offsets.get(&one.band).unwrap_or(&mean),
+                    )
+                });
+                // Bands are those of before.
+                record.spectrum = Spectrum::new(levels).unwrap_or_else(|_| record.spectrum.clone());
+            }
+            others.remove(&other);
+            self.warnings.push(say!(
+                device_is_laid_on_another,
+                column = &device,
+                device = &other,
+                reference = &reference,
+                offset = format!("{mean:+.1}")
+            ));
+            known.insert(other);
+        }
+        for other in others {
+            self.records.retain(|record| of(record) != other);
+            self.warnings.push(say!(
+                device_is_left_out,
+                column = &device,
+                device = other,
+                reference = &reference
+            ));
+        }
+        self
+    }
+}
+
+/// What must be added to the first spectrum of pairs to have the second, in the mean by band \[dB\]; none without a band in both.
+fn offsets<'a>(
+    pairs: impl Iterator<Item = (&'a Spectrum, &'a Spectrum)>,
+) -> Option<BTreeMap<ThirdOctave, f64>> {
+    let mut sums: BTreeMap<ThirdOctave, (f64, f64)> = BTreeMap::new();
+    for (own, other) in pairs {
+        for one in own.levels() {
+            if let Some(level) = other.level(one.band) {
+                let sum = sums.entry(one.band).or_default();
+                *sum = (sum.0 + level - one.level, sum.1 + 1.0);
+            }
+        }
+    }
+    let means = sums
+        .into_iter()
+        .map(|(band, (sum, count))| (band, sum / count));
+    let means: BTreeMap<ThirdOctave, f64> = means.collect();
+    (!means.is_empty()).then_some(means)
+}
+
+#[cfg(test)]
+mod tests {
+    use std::path::Path;
+
+    use super::*;
+
+    /// Levels of 50 mm and 25 mm that grow by 4 and 1 dB a year, as instruments show them that differ by 3 and 2 dB, and one that
+    /// measured on no day with another.
+    #[test]
+    fn what_instruments_differ_by_is_no_growth() {
+        let survey = |rows: &[(&str, i32, [f64; 2])]| {
+            let record = |&(device, year, offset): &(&str, i32, [f64; 2])| {
+                let grown = f64::from(year - 2024);
+                let level = |at: usize| [4.0, 1.0][at] * grown + offset[at];
+                let labels = [
+                    ("Messgerät", device.to_owned()),
+                    ("date", format!("{year}-06-01")),
+                ];
+                let bands = [0.05, 0.025].map(|it| ThirdOctave::containing(it).unwrap());
+                LabelledSpectrum {
+                    labels: labels.map(|(head, cell)| (head.to_owned(), cell)).to_vec(),
+                    spectrum: Spectrum::new(vec![(bands[0], level(0)), (bands[1], level(1))])
+                        .unwrap(),
+                }
+            };
+            let records = rows.iter().map(record).collect();
+            Survey::new(Path::new("rail"), records, Vec::new())
+                .unwrap()
+                .choose(&[])
+                .unwrap()
+        };
+        let (none, more, alone) = ([0.0, 0.0], [3.0, 2.0], [9.0, 9.0]);
+        let both = [
+            ("T1", 2024, none),
+            ("T1", 2025, none),
+            ("T2", 2025, more),
+            ("T2", 2026, more),
+        ];
+        let one = survey(&both).on_one_device();
+        for (place, record) in one.records.iter().enumerate() {
+            let year = [0.0, 1.0, 1.0, 2.0][place];
+            let levels: Vec<f64> = record
+                .spectrum
+                .levels()
+                .iter()
+                .map(|one| one.level)
+                .collect();
+            let expected = [4.0 * year + 3.0, year + 2.0];
+            let off = |other: &f64| levels.iter().all(|level| (level - other).abs() > 1e-12);
+            assert!(levels.len() == 2 && !expected.iter().any(off), "{levels:?}");
+        }
+        let said = one
+            .warnings
+            .iter()
+            .map(Message::to_string)
+            .collect::<Vec<_>>()
+            .join("; ");
+        assert!(
+            said.contains("T1 count +2.5 dB") && !said.contains("not told apart"),
+            "{said}"
+        );
+        // By a third that was laid on the second.
+        let chain = [
+            ("T3", 2023, alone),
+            ("T3", 2024, alone),
+            both[0],
+            both[1],
+            both[2],
+            both[3],
+        ];
+        let levels = |survey: &Survey| survey.records[0].spectrum.levels().to_vec();
+        let chained = levels(&survey(&chain).on_one_device());
+        let plain = levels(&survey(&[("T2", 2023, more)]));
+        assert!(
+            chained
+                .iter()
+                .zip(&plain)
+                .all(|(one, other)| (one.level - other.level).abs() < 1e-12)
+        );
+        let apart = survey(&[both[0], both[1], ("T2", 2026, more)]).on_one_device();
+        assert_eq!(apart.records.len(), 1);
+        assert!(
+            apart
+                .warnings
+                .last()
+                .unwrap()
+                .to_string()
+                .contains("T1 is left out of growth")
+        );
+        // The same instruments at each date pair by themselves.
+        let pairs = [
+            ("T1", 2024, none),
+            ("T2", 2024, more),
+            ("T1", 2026, none),
+            ("T2", 2026, more),
+        ];
+        assert_eq!(survey(&pairs).on_one_device(), survey(&pairs));
+    }
+}
