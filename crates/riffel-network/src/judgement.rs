@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::single_places::{LONGEST_PLACE, tells_places};
 use crate::store::in_words;
+use crate::strip_chart::not_there;
 use crate::{NetworkError, Section, Store};
 
 /// How far sections are over a limit.
@@ -150,14 +151,8 @@ impl Judgement {
         if let Some(line) = line
             && !lines.contains(line)
         {
-            return Err(NetworkError::Value {
-                what: "the line",
-                value: format!("\"{line}\""),
-                rule: format!(
-                    "one of those in the store: {}",
-                    Vec::from_iter(lines).join(", ")
-                ),
-            });
+            let known = lines.iter().map(String::as_str);
+            return Err(not_there("the line", line, known));
         }
         self.expected.push((line.map(str::to_owned), growth));
         Ok(self)

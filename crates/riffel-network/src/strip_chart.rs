@@ -254,7 +254,8 @@ fn charted(
     })
 }
 
-fn not_there<'a>(
+/// That a store has nothing of a name.
+pub(crate) fn not_there<'a>(
     what: &'static str,
     asked: &str,
     known: impl Iterator<Item = &'a str>,
@@ -265,8 +266,8 @@ fn not_there<'a>(
         what,
         value: format!("\"{asked}\""),
         rule: match known[..] {
-            [] => "one of the store, which has no survey".to_owned(),
-            _ => format!("one of the store: {}", known.join(", ")),
+            [] => "one of those in the store, which has no survey".to_owned(),
+            _ => format!("one of those in the store: {}", known.join(", ")),
         },
     }
 }

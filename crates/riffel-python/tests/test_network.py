@@ -66,7 +66,7 @@ def test_a_chart_is_place_by_date(network: riffel.Network) -> None:
 def test_what_cannot_be_is_refused(network: riffel.Network, tmp_path: Path) -> None:
     with pytest.raises(FileNotFoundError, match="holds no network"):
         riffel.Network(tmp_path / "elsewhere").status()
-    with pytest.raises(ValueError, match="one of the store: Main line"):
+    with pytest.raises(ValueError, match="one of those in the store: Main line"):
         network.chart("Branch")
     with pytest.raises(ValueError, match="has another survey of 2026-01-01"):
         network.ingest(survey(tmp_path / "other.csv", 5.0), "Main line", "2026-01-01")

@@ -1,6 +1,6 @@
 //! Which column of a table holds what.
 
-use riffel_keys::table::{is_one_of, words};
+use riffel_keys::table::{is_one_of, it_has, words};
 
 use super::MeasurementError;
 use crate::file::Measurement;
@@ -108,7 +108,7 @@ impl Columns {
             None => told(header, Role::Frequency, "frequency")?.ok_or_else(|| {
                 let message = format!(
                     "is left out, and the header names no frequency; {}",
-                    list(header)
+                    it_has(header)
                 );
                 MeasurementError::new("frequency", message)
             })?,
@@ -189,14 +189,10 @@ impl Parts {
             format!(
                 "does not name the columns of the values, by `real` and `imaginary` or by `modulus` and `phase`, and the \
                  header does not tell them; {}",
-                list(header)
+                it_has(header)
             ),
         ))
     }
-}
-
-fn list(header: &[String]) -> String {
-    format!("it has {}", header.join(", "))
 }
 
 /// The column that the case names.
@@ -207,7 +203,7 @@ fn named(header: &[String], key: &'static str, name: &str) -> Result<usize, Meas
         .ok_or_else(|| {
             let message = format!(
                 "is \"{name}\", but the file has no such column; {}",
-                list(header)
+                it_has(header)
             );
             MeasurementError::new(key, message)
         })

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 use std::path::Path;
 
 use riffel::wheelset::{ElasticMode, ModalWheelset, RigidWheelset};
+use riffel_keys::table::it_has;
 use riffel_keys::{Exponents, Unit};
 
 use super::columns::{unit_in_name, without_unit};
@@ -131,11 +132,7 @@ impl ModeColumns {
     fn find(header: &[String]) -> Result<Self, MeasurementError> {
         let need = |names: &[&str]| {
             told(header, names)?.ok_or_else(|| {
-                MeasurementError::file(format!(
-                    "has no column `{}`; it has {}",
-                    names[0],
-                    header.join(", ")
-                ))
+                MeasurementError::file(format!("has no column `{}`; {}", names[0], it_has(header)))
             })
         };
         let mut shape = [0; 6];

@@ -5,6 +5,7 @@ use std::path::Path;
 
 use riffel::wheelset::{MeasuredEntry, MeasuredWheelset, Port, Violation};
 use riffel::{Complex64, Direction, Rail};
+use riffel_keys::table::it_has;
 use riffel_keys::{Message, fixed, say};
 
 use super::columns::{Parts, Role, without_unit};
@@ -266,7 +267,7 @@ impl EntryColumns {
             }
         }
         let Some(frequency) = frequency else {
-            let message = format!("names no frequency; it has {}", header.join(", "));
+            let message = format!("names no frequency; {}", it_has(header));
             return Err(MeasurementError::file(message));
         };
         let entries = found.into_iter().map(|(ports, columns)| {
@@ -286,8 +287,8 @@ impl EntryColumns {
         let entries: Vec<Entry> = entries.collect::<Result<_, _>>()?;
         let Some(first) = entries.first() else {
             return Err(MeasurementError::file(format!(
-                "names no receptance, as zz_re and zz_im; it has {}",
-                header.join(", ")
+                "names no receptance, as zz_re and zz_im; {}",
+                it_has(header)
             )));
         };
         let of_both = |entry: &Entry| matches!(entry.ports, Ports::Both(..));

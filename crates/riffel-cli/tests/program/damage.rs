@@ -130,6 +130,36 @@ fn hardening_ends_or_runs_away() {
         findings(&ends)
     );
     assert!(findings(&away).contains("runs away"), "{}", findings(&away));
+    // What is told of a band is what the forecast makes of it, and when.
+    let bands = ends["bands"].as_array().unwrap();
+    let mut nearest = (0.0, 0.0, 0.0);
+    for wave in ends["hardening"].as_array().unwrap() {
+        let [length, ratio, runaway] =
+            ["wavelength_m", "hardened_wave_ratio", "runaway_number"].map(|key| number(&wave[key]));
+        let band = bands
+            .iter()
+            .find(|band| number(&band["wavelength_m"]) == length)
+            .unwrap();
+        let change = number(&band["level_then_db"]) - number(&band["level_now_db"]);
+        // The march in time goes on to a hundredth of the smallest change.
+        assert!(
+            (change - 20.0 * ratio.log10()).abs() < 2e-3,
+            "{length}: {change} {ratio}"
+        );
+        if runaway > nearest.0 {
+            nearest = (runaway, length, ratio);
+        }
+    }
+    let told = format!(
+        "multiplies the waves of the band at {:.0} mm by {:.3} and comes to rest after ",
+        1e3 * nearest.1,
+        nearest.2
+    );
+    let said = findings(&ends);
+    assert!(
+        said.contains(&told) && said.contains(" months: their runaway number"),
+        "{told}: {said}"
+    );
     let numbers = |document: &Value| -> Vec<f64> {
         let waves = document["hardening"].as_array().unwrap().iter();
         waves.map(|wave| number(&wave["runaway_number"])).collect()

@@ -204,8 +204,14 @@ fn a_chart_has_every_survey() {
     let table = std::fs::read_to_string(sandbox.path("railway-chart/chart.csv")).unwrap();
     assert_eq!(table.lines().count(), 41);
     for (asked, sentence) in [
-        ("--line Mainline", "must be one of the store: Main line"),
-        ("--rail middle", "must be one of the store: left, right"),
+        (
+            "--line Mainline",
+            "must be one of those in the store: Main line",
+        ),
+        (
+            "--rail middle",
+            "must be one of those in the store: left, right",
+        ),
     ] {
         let refused = sandbox.riffel(&format!("network chart railway {asked} -o none"));
         assert_eq!(refused.status, Some(2), "{}", refused.text);

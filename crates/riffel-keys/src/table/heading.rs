@@ -187,6 +187,19 @@ fn is_row_of_units(cells: &[String]) -> bool {
     cells.iter().all(is_unit) && cells.iter().any(|cell| length_in(cell).is_some())
 }
 
+/// What columns a table has, as the end of a sentence: "it has f, re, im".
+pub fn it_has(names: &[String]) -> String {
+    let named: Vec<&str> = names
+        .iter()
+        .map(String::as_str)
+        .filter(|name| !name.is_empty())
+        .collect();
+    match &named[..] {
+        [] => "it has no names of columns".to_owned(),
+        named => format!("it has {}", named.join(", ")),
+    }
+}
+
 /// Text of a cell without quotes.
 pub fn label(cell: &[u8]) -> String {
     let text = text_of(cell);
@@ -200,6 +213,22 @@ mod tests {
     fn heading(text: &str, delimiter: Delimiter, count: usize) -> Heading {
         let lines: Vec<&[u8]> = text.lines().map(str::as_bytes).collect();
         Heading::read(&lines, delimiter, count, count)
+    }
+
+    #[test]
+    fn no_sentence_ends_in_an_empty_list() {
+        let has = |names: &[&str]| {
+            it_has(
+                &names
+                    .iter()
+                    .map(|name| (*name).to_owned())
+                    .collect::<Vec<_>>(),
+            )
+        };
+        assert_eq!(has(&["f", "", "re"]), "it has f, re");
+        for none in [&[][..], &[""], &["", ""]] {
+            assert_eq!(has(none), "it has no names of columns");
+        }
     }
 
     #[test]

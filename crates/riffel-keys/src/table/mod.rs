@@ -17,7 +17,7 @@ mod shape;
 
 pub use delimiter::{DecimalMark, Delimiter};
 pub use head::{HeadedTable, NoHead};
-pub use heading::{Heading, label};
+pub use heading::{Heading, it_has, label};
 pub use length::{foreign_unit, is_one_of, length_in, length_word, words};
 pub use line::{cells, is_comment, lines};
 pub use missing::{Marked, is_mark, marks};

@@ -149,3 +149,32 @@ fn search<const N: usize>(
         false => best,
     })
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// On a circle without friction von Mises' stress is largest at 0.48 a, 0.62 p₀ (Johnson 1985, section 3.4, ν = 0.3); in full slip at μ = 0.6 it
+    /// is the surface's, and what the search below finds at its floor is told so.
+    #[test]
+    fn a_maximum_at_the_floor_is_the_surface_s() {
+        let ellipse = EllipseStress::of_ratio(1.0, 0.3);
+        let of = |friction: f64, depth: Depth| {
+            let traction = Traction::full_slip(friction, [1.0, 0.0]);
+            StressMaximum::find(&ellipse, &traction, StressMeasure::VonMises, depth)
+        };
+        let below = of(0.0, Depth::Below);
+        // Johnson gives two digits.
+        assert!(
+            (below.value - 0.62).abs() < 5e-3 && (below.place[2] - 0.48).abs() < 5e-3,
+            "{below:?}"
+        );
+        assert!(!below.is_at_floor(&ellipse) && !of(0.0, Depth::Surface).is_at_floor(&ellipse));
+        let (surface, floor) = (of(0.6, Depth::Surface), of(0.6, Depth::Below));
+        assert!(
+            floor.is_at_floor(&ellipse) && floor.value < surface.value,
+            "{floor:?} {surface:?}"
+        );
+        assert!(!surface.is_at_floor(&ellipse));
+    }
+}
