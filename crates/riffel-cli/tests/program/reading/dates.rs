@@ -235,7 +235,7 @@ fn growth_is_that_of_one_device() {
                 .sentence()
         };
         let told = [told(0), told(2), told(4)];
-        (sandbox.json(&command(4))["wear"]["bands"].clone(), told)
+        (sandbox.json(&command(4))["wear_fit"]["bands"].clone(), told)
     };
     let (bands, told) = with([("T1", 0.0); 4]);
     assert!(!told.concat().contains("column `device`"), "{told:?}");
