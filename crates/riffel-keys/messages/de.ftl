@@ -389,7 +389,10 @@ over-common-bands = { $count ->
         [one] über das eine Band, das beide haben: { $said }
        *[other] über die { $count } Bänder, die beide haben: { $said }
     }
-noise-before-and-after = vorher { $before } dB(A), jetzt { $after } dB(A): { $change } dB
+noise-before-and-after = vorher { $before }, jetzt { $after }: { $change } dB
+noise-before = vorher
+level-at-least = ≥ { $level } (bis { $hertz } Hz)
+noise-is-lower-bound = ein Zug ist mit { $level } zu hören: das ist eine untere Schranke, denn darüber ist kein Pegel bekannt
 noise-on-mean-of-rails = auf dem energetischen Mittel der Schienen { $rails }, da Räder auf beiden laufen; eine davon allein gewählt ({ KEY("--rail") }) gibt den Lärm eines Zugs auf Schienen wie dieser
 noise-beyond-linear-range = außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀, Rad und Schiene trennen sich also, was die Kraft begrenzt; die Pegel sind die eines Kontakts, der hält
 rail-cut-short = die Schiene trägt mehr als ein Zehntel ihrer Schwingung weiter als 66 Schwellenfächer, wo ihre Länge endet: ihr Pegel ist zu niedrig bei { $frequencies } Hz
@@ -418,8 +421,8 @@ rail-dampers = Schienendämpfer, die die Abklingrate verdoppeln
 wheel-dampers = Raddämpfer, Moden mit { $percent } % Dämpfung
 softer-pads = Zwischenlagen halber Steifigkeit
 stiffer-pads = Zwischenlagen doppelter Steifigkeit
-noise-becomes = unter dem Verkehr werden aus { $from } dB(A) in { $months } Monaten { $to } dB(A)
-noise-becomes-to-linear-end = unter dem Verkehr werden aus { $from } dB(A) in { $months } Monaten { $to } dB(A), wo die Rauheit den linearen Bereich verlässt
+noise-becomes = unter dem Verkehr werden aus { $from } in { $months } Monaten { $to }
+noise-becomes-to-linear-end = unter dem Verkehr werden aus { $from } in { $months } Monaten { $to }, wo die Rauheit den linearen Bereich verlässt
 noise-falls-below = { $sentence }; jetzt liegt er über { $limit } dB(A) und fällt darunter
 noise-limit-now = { $sentence }; { $limit } dB(A) sind jetzt erreicht
 noise-limit-in-months = { $sentence }; { $limit } dB(A) sind in { $months } Monaten erreicht

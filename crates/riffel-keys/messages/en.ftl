@@ -396,7 +396,10 @@ over-common-bands = { $count ->
         [one] over the one band that both have, { $said }
        *[other] over the { $count } bands that both have, { $said }
     }
-noise-before-and-after = { $before } dB(A) before, { $after } dB(A) now: { $change } dB
+noise-before-and-after = { $before } before, { $after } now: { $change } dB
+noise-before = before
+level-at-least = ≥ { $level } (up to { $hertz } Hz)
+noise-is-lower-bound = a train is heard at { $level }: this is a lower bound, for no level above is known
 noise-on-mean-of-rails = on the energy mean of the rails { $rails }, as wheels run on both; choose one by { KEY("--rail") } for the noise of a train on rails like it
 noise-beyond-linear-range = beyond the linear range: |P₁| is { $ratio } P₀, so that wheel and rail part, which bounds the force; the levels are those of a contact that holds
 rail-cut-short = the rail carries more than a tenth of its vibration beyond 66 bays, where its length is cut: its level is too low at { $frequencies } Hz
@@ -425,8 +428,8 @@ rail-dampers = rail dampers that double the decay rate
 wheel-dampers = wheel dampers, modes of { $percent } % damping
 softer-pads = pads of half the stiffness
 stiffer-pads = pads of twice the stiffness
-noise-becomes = under the traffic { $from } dB(A) become { $to } dB(A) in { $months } months
-noise-becomes-to-linear-end = under the traffic { $from } dB(A) become { $to } dB(A) in { $months } months, where roughness leaves the linear range
+noise-becomes = under the traffic { $from } become { $to } in { $months } months
+noise-becomes-to-linear-end = under the traffic { $from } become { $to } in { $months } months, where roughness leaves the linear range
 noise-falls-below = { $sentence }; it is above { $limit } dB(A) now and falls below
 noise-limit-now = { $sentence }; { $limit } dB(A) are reached now
 noise-limit-in-months = { $sentence }; { $limit } dB(A) are reached in { $months } months

@@ -158,7 +158,7 @@ export class Noise {
       return;
     }
     Object.assign(this.verdict, {
-      textContent: t('noise_verdict', { level: decibels(answer.level.total_dba), speed: speed(answer.speed_m_per_s), wheelsets: number(answer.wheels), length: number(answer.train_length_m), distance: number(answer.distance_m), height: number(answer.height_m) }),
+      textContent: t('noise_verdict', { level: this.#level(answer.level.total_dba), speed: speed(answer.speed_m_per_s), wheelsets: number(answer.wheels), length: number(answer.train_length_m), distance: number(answer.distance_m), height: number(answer.height_m) }),
       lang: currentLanguage(),
     });
     fillTable(this.parts, ['', ...PARTS.map(([part]) => t(`noise_${part}`))], [row('dB(A)', PARTS.map(([part]) => decibels(answer.level[`${part}_dba`])))]);
@@ -173,10 +173,16 @@ export class Noise {
     this.#draw();
   }
 
+  /** A level in dB(A), a lower bound where the bands end below 2 kHz. */
+  #level(value) {
+    const hertz = this.answer.lower_bound_up_to_hz;
+    return t('noise_level', { level: decibels(value), hertz: hertz && number(hertz) });
+  }
+
   /** The months ahead as sentences. */
   #ahead() {
     const { month, total_dba: levels, limit_dba: limit, months_to_limit: months, beyond_linear_range: cut } = this.answer.course;
-    const sentences = [t('noise_becomes', { level: decibels(levels.at(-1)), months: number(month.at(-1)) })];
+    const sentences = [t('noise_becomes', { level: this.#level(levels.at(-1)), months: number(month.at(-1)) })];
     if (cut) sentences.push(t('noise_cut'));
     if (limit !== null) sentences.push(t(months === null ? 'noise_never' : months === 0 ? 'noise_now' : 'noise_then', { limit: written(limit), months: number(months) }));
     return sentences.join(' ');

@@ -8,8 +8,8 @@ use riffel_case::{Case, Variant};
 use riffel_keys::{Message, fixed, number, say};
 use serde::Serialize;
 
-use super::Train;
 use super::sources::Radiation;
+use super::{Train, at_least};
 use crate::AnswerError;
 
 /// Steps of the time looked ahead.
@@ -77,11 +77,11 @@ impl Course {
         Ok((course, on.remarks))
     }
 
-    /// The course in a sentence without its full stop.
-    pub fn in_words(&self) -> Message {
+    /// The course in a sentence without its full stop, its levels lower bounds where the bands end at a frequency \[Hz\].
+    pub fn in_words(&self, up_to: Option<f64>) -> Message {
         // A course begins with the level of now.
         let last = self.total_dba.len() - 1;
-        let [from, to] = [0, last].map(|place| fixed(self.total_dba[place], 1));
+        let [from, to] = [0, last].map(|place| at_least(self.total_dba[place], up_to));
         let months = fixed(self.month[last], 1);
         let course = match self.beyond_linear_range {
             false => say!(noise_becomes, from = from, to = to, months = months),

@@ -1,11 +1,11 @@
 //! Levels beside the track as a picture.
 
 use riffel::noise::Part;
-use riffel_keys::{Language, Message, fixed, number, say, shown_speed};
+use riffel_keys::{Language, Message, number, say, shown_speed};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Scale, Series};
 
 use super::tables::name_of;
-use super::{Course, NoiseAnswer};
+use super::{Course, NoiseAnswer, at_least, lower_bound_up_to};
 
 pub(super) fn figure(answer: &NoiseAnswer, parameters: &str, language: Language) -> LineFigure {
     let mut panels = vec![parts(answer, language), measures(answer, language)];
@@ -32,12 +32,19 @@ fn parts(answer: &NoiseAnswer, language: Language) -> LinePanel {
     let mut series: Vec<Series> = parts
         .filter_map(|(part, color)| {
             let (levels, a_weighted) = answer.level.of(part);
-            let level = say!(level_a_weighted, level = fixed(a_weighted?, 1));
+            let level = at_least(a_weighted?, answer.lower_bound_up_to_hz);
             let label = say!(part_and_level, part = name_of(part), level = level).text(language);
             let style = LineStyle::Solid;
             Some(curve(&answer.frequency_hz, levels, label, style, color))
         })
         .collect();
+    if let Some(since) = &answer.since {
+        let level = at_least(since.before_dba, lower_bound_up_to(&since.frequency_hz));
+        let label = say!(part_and_level, part = say!(noise_before), level = level);
+        let (label, style) = (label.text(language), LineStyle::Dotted);
+        let levels = &since.before_db;
+        series.push(curve(&since.frequency_hz, levels, label, style, Rgb::BLACK));
+    }
     if let Some(levels) = &answer.by_transfer_functions {
         let total = levels.total_dba.unwrap_or(f64::NAN);
         series.push(curve(
@@ -46,7 +53,7 @@ fn parts(answer: &NoiseAnswer, language: Language) -> LinePanel {
             say!(
                 part_and_level,
                 part = say!(by_transfer_functions),
-                level = say!(level_a_weighted, level = fixed(total, 1))
+                level = at_least(total, lower_bound_up_to(&levels.frequency_hz))
             )
             .text(language),
             LineStyle::Dashed,

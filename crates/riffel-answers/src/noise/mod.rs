@@ -5,6 +5,7 @@ mod figure;
 mod measure;
 mod over_posterior;
 mod remarks;
+mod since;
 mod sources;
 mod tables;
 
@@ -15,7 +16,7 @@ use riffel::noise::{Energies, FrequencyBand, Part, PassBy, Surroundings, WheelMo
 use riffel::roughness::{LevelLimit, Spectrum};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, TrackRadiator};
-use riffel_keys::{Language, Message, PhysicalRange, fixed, number, say};
+use riffel_keys::{Language, Message, PhysicalRange, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
     LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness, levels_unlike_a_rail,
@@ -24,6 +25,9 @@ use serde::Serialize;
 
 pub use course::Course;
 pub use measure::Measure;
+pub use since::Since;
+pub(crate) use since::at_least;
+use since::lower_bound_up_to;
 pub(crate) use tables::name_of;
 
 use crate::forecast::ForecastHorizon;
@@ -232,11 +236,8 @@ impl NoiseQuestion {
             Some(before) => Some(train.levels(&radiation, before)?),
             None => None,
         };
-        remarks.extend(
-            before
-                .as_ref()
-                .and_then(|before| change_since(before, &levels)),
-        );
+        let since = before.as_ref();
+        let since = since.and_then(|before| Since::between(before, &levels));
         let before = before.as_ref().map(Levels::from);
         let level = Levels::from(&levels);
         let total = level.total_dba.unwrap_or(f64::NEG_INFINITY);
@@ -251,6 +252,7 @@ impl NoiseQuestion {
             height_m: self.height,
             wheel_roughness: train.wheels.as_ref().map(name),
             wheel_modes: self.wheel_modes.clone(),
+            lower_bound_up_to_hz: lower_bound_up_to(&nominal(&levels)),
             frequency_hz: nominal(&levels),
             sound_power_level: Levels::from(&sources::powers_of_parts(&powers)),
             by_transfer_functions,
@@ -258,6 +260,7 @@ impl NoiseQuestion {
             measures: measure::measures(case, &train, &radiation, &levels)?,
             level,
             before,
+            since,
             course,
             left_out_hz: left_out.iter().map(|band| band.nominal()).collect(),
             over_posterior: None,
@@ -346,25 +349,6 @@ impl<'a> Train<'a> {
     }
 }
 
-/// What has changed since, over the bands that are known of both.
-fn change_since(before: &Energies, now: &Energies) -> Option<Message> {
-    let common = [before.within(now), now.within(before)];
-    let [then, after] = common.each_ref().map(|it| it.a_weighted(Part::Total));
-    let (then, after) = then.zip(after)?;
-    let said = say!(
-        noise_before_and_after,
-        before = fixed(then, 1),
-        after = fixed(after, 1),
-        change = number(format_args!("{:+.1}", after - then))
-    );
-    let bands = nominal(&common[0]);
-    let is_all = bands == nominal(before) && bands == nominal(now);
-    Some(match is_all {
-        true => said,
-        false => say!(over_common_bands, count = bands.len(), said = said),
-    })
-}
-
 /// Levels beside the track, and what would lower them. Levels of pressure in dB re 20 µPa, of power in dB re 1 pW.
 #[derive(Debug, Serialize)]
 pub struct NoiseAnswer {
@@ -386,10 +370,14 @@ pub struct NoiseAnswer {
     pub wheel_modes: Option<String>,
     /// Nominal centres of the bands.
     pub frequency_hz: Vec<f64>,
+    /// Highest band, where sums over bands end below 2 kHz and are lower bounds; null where they reach it.
+    pub lower_bound_up_to_hz: Option<f64>,
     /// Over the passage of the train.
     pub level: Levels,
     /// The same with the roughness of before; null where none was given.
     pub before: Option<Levels>,
+    /// What has changed since before, over the bands that both have; null where there is nothing to compare.
+    pub since: Option<Since>,
     /// Of one wheel with the rail and the sleepers under it.
     pub sound_power_level: Levels,
     /// Null without transfer functions.
@@ -516,8 +504,18 @@ impl Answer for NoiseAnswer {
     }
 
     fn sentences(&self) -> Vec<Message> {
-        let course = self.course.iter().map(Course::in_words);
-        course.chain(self.over_posterior_in_words()).collect()
+        let bound = self.lower_bound_up_to_hz;
+        let course = self.course.iter().map(|course| course.in_words(bound));
+        let bounded = bound.zip(self.level.total_dba);
+        let bounded =
+            bounded.map(|(_, level)| say!(noise_is_lower_bound, level = at_least(level, bound)));
+        let since = self.since.iter().map(Since::in_words);
+        bounded
+            .into_iter()
+            .chain(since)
+            .chain(course)
+            .chain(self.over_posterior_in_words())
+            .collect()
     }
 
     fn figure(&self) -> LineFigure {

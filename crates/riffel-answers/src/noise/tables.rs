@@ -70,6 +70,13 @@ fn bands(answer: &NoiseAnswer) -> Table {
             columns.push(Column::decibels(name, head, levels));
         }
     }
+    if let Some(since) = &answer.since {
+        let place = |band: &f64| since.frequency_hz.iter().position(|other| other == band);
+        let of_band = |band| place(band).and_then(|place| since.before_db[place]);
+        let levels = answer.frequency_hz.iter().map(of_band).collect();
+        let head = say!(in_decibels, what = say!(noise_before));
+        columns.push(Column::decibels("before_db".to_owned(), Some(head), levels));
+    }
     Table {
         name: "bands",
         columns,
@@ -87,6 +94,9 @@ fn parts(answer: &NoiseAnswer) -> Table {
         .into_iter()
         .filter(|(_, heard, power)| heard.is_some() || power.is_some())
         .collect();
+    if let Some(since) = &answer.since {
+        rows.push((say!(noise_before), Some(since.before_dba), None));
+    }
     if let Some(transfer) = &answer.by_transfer_functions {
         rows.push((say!(by_transfer_functions), transfer.total_dba, None));
     }
@@ -103,7 +113,14 @@ fn parts(answer: &NoiseAnswer) -> Table {
             ),
             column(
                 "level_dba",
-                say!(decibels_a_weighted),
+                match answer.lower_bound_up_to_hz {
+                    Some(hertz) => say!(
+                        level_at_least,
+                        level = say!(decibels_a_weighted),
+                        hertz = number(hertz)
+                    ),
+                    None => say!(decibels_a_weighted),
+                },
                 rows.iter().map(|(_, heard, _)| *heard).collect(),
             ),
             column(

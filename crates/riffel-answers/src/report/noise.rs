@@ -7,7 +7,7 @@ use riffel_plot::PlotError;
 
 use super::outlook::{Outlook, drawing};
 use super::page::{Section, bold, escape, sentence, table};
-use crate::noise::{NoiseAnswer, name_of};
+use crate::noise::{NoiseAnswer, at_least, name_of};
 
 /// Least saving that is told in brief \[dB(A)\]: less is hard to hear.
 const WORTH_SAYING: f64 = 1.0;
@@ -19,7 +19,7 @@ pub(super) fn heard(
     language: Language,
 ) -> Result<Outlook, PlotError> {
     let decibels = |level: Option<f64>| match level {
-        Some(level) => say!(level_a_weighted, level = fixed(level, 1)),
+        Some(level) => at_least(level, answer.lower_bound_up_to_hz),
         None => say!(no_level),
     };
     let total = decibels(answer.level.total_dba);
@@ -50,7 +50,8 @@ pub(super) fn heard(
         .collect();
     html += &table("", &heads, &rows);
     let course = answer.course.as_ref();
-    let course = course.map(|course| sentence(&course.in_words(), language));
+    let course =
+        course.map(|course| sentence(&course.in_words(answer.lower_bound_up_to_hz), language));
     if let Some(course) = &course {
         html += &format!("<p>{course}</p>\n");
     }

@@ -376,6 +376,16 @@ pub(crate) struct Report {
     )]
     pub(crate) limit_dba: Option<f64>,
 
+    /// Roughness of the wheels for rolling noise: a file of spectra, or cnossos-cast-iron-blocks, cnossos-composite-blocks or
+    /// cnossos-disc-brakes [default: none, smooth wheels].
+    #[arg(long, value_name = "FILE")]
+    pub(crate) wheel_roughness: Option<String>,
+
+    /// Modes of the web and tyre of the wheels for rolling noise by name, straight-web-920, or as a TOML file [default: none,
+    /// rigid wheels].
+    #[arg(long, value_name = "MODES")]
+    pub(crate) wheel_modes: Option<String>,
+
     /// Title [default: that of the site, or "Rail roughness and corrugation"].
     #[arg(long, value_name = "WORDS")]
     pub(crate) title: Option<String>,

@@ -251,3 +251,33 @@ fn wheels_that_ring_are_louder() {
     let sentence = refused.sentence();
     assert!(sentence.contains("straight-web-920"), "{sentence}");
 }
+
+/// Before and after stand in the table, the sentence and the document, also where nothing is remarked, and a sum of bands that end
+/// at 1 kHz is told as a lower bound.
+#[test]
+fn a_change_and_a_lower_bound_are_told() {
+    let sandbox = sandbox();
+    let table = |name: &str, level: f64, tenths: std::ops::RangeInclusive<i32>| {
+        let rows: Vec<String> = tenths
+            .map(|tenth| format!("{:.3},{level}", 1e3 * 10f64.powf(-0.1 * f64::from(tenth))))
+            .collect();
+        let text = format!("wavelength_mm,level_db\n{}\n", rows.join("\n"));
+        std::fs::write(sandbox.path(name), text).unwrap();
+    };
+    // At 136 km/h, 38 m/s, 10^-1.4 m = 39.8 mm is the band at 1 kHz.
+    for (shortest, bound) in [(14, Some(1000.0)), (25, None)] {
+        table("before.csv", 5.0, 5..=shortest);
+        table("now.csv", -5.0, 5..=shortest);
+        let asked = format!("{CASE} --roughness now.csv --before before.csv");
+        let document = sandbox.json(&format!("{asked} --json"));
+        assert_eq!(document["lower_bound_up_to_hz"].as_f64(), bound);
+        // A rail 10 dB smoother is 10 dB quieter: rounding.
+        let since = &document["since"];
+        assert!((number(&since["change_db"]) + 10.0).abs() < 1e-6);
+        assert!((number(&since["now_dba"]) - number(&document["level"]["total_dba"])).abs() < 1e-9);
+        let text = sandbox.riffel(&format!("{asked} --quiet")).text;
+        assert!(text.contains(" now: -10.0 dB"), "{text}");
+        assert!(text.contains("before dB"), "{text}");
+        assert_eq!(text.contains("(up to 1000 Hz)"), bound.is_some(), "{text}");
+    }
+}

@@ -11,7 +11,7 @@ use riffel_answers::compare::CompareAnswer;
 use riffel_answers::diagnose::Diagnosis;
 use riffel_answers::forecast::{ForecastAnswer, WearReport};
 use riffel_answers::map::{MapAnswer, growth_over};
-use riffel_answers::noise::{NoiseAnswer, NoiseQuestion};
+use riffel_answers::noise::{NoiseAnswer, NoiseQuestion, RoughWheels};
 use riffel_answers::report::{
     GENERATOR, MeasuredRail, MeasuredRoughness, ProfileStrips, ReportRequest, Site, block_of_strip,
     report,
@@ -394,6 +394,8 @@ fn heard(
         months: arguments.months.unwrap_or(MONTHS_OF_NOISE),
         limit_dba: arguments.limit_dba,
         rails: now.survey.rails(),
+        wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
+        wheel_modes: arguments.wheel_modes.clone(),
         ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
