@@ -4,7 +4,7 @@ use riffel_calibrate::file::SamplerFile;
 use riffel_calibrate::{
     Chains, Identifiability, Marginal, Outlying, Plan, Predicted, Summary, TOLD,
 };
-use riffel_keys::{Message, say};
+use riffel_keys::{Message, fixed, say};
 use serde::Serialize;
 
 use crate::calibrate::{Densities, LogEvidence, close_pairs};
@@ -157,7 +157,16 @@ fn conclusion(parameters: &[Value]) -> Message {
     let untold = values().filter(|value| !value.is_told);
     let untold: Vec<&str> = untold.map(|value| &*value.name).collect();
     match &untold[..] {
-        [] => say!(calibration_tells_all, count = count, best = &best.name),
+        [] => {
+            let contractions = values().map(|value| value.contraction);
+            say!(
+                calibration_tells_all,
+                count = count,
+                least = fixed(1e2 * contractions.fold(f64::INFINITY, f64::min), 0),
+                most = fixed(1e2 * best.contraction, 0),
+                best = &best.name
+            )
+        }
         untold => say!(
             calibration_tells_some,
             told = told.count(),

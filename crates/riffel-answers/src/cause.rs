@@ -129,6 +129,19 @@ fn sentence(wavelength: f64, speed: f64, found: Option<(MechanismKind, f64)>) ->
         fixed(frequency, 0),
     ];
     match found {
+        // At less than half a percent, or where both are written alike, it is the resonance.
+        Some((kind, resonance))
+            if (frequency / resonance - 1.0).abs() < 5e-3
+                || frequency.round() == resonance.round() =>
+        {
+            say!(
+                cause_at,
+                wavelength = millimetres,
+                speed = speed,
+                frequency = hertz,
+                mechanism = mechanism_name(kind)
+            )
+        }
         Some((kind, resonance)) => say!(
             cause_near,
             wavelength = millimetres,

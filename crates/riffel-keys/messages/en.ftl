@@ -301,6 +301,7 @@ growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $
 ## What the fastest wavelength follows
 
 cause-near = { $wavelength } mm grows most at { $speed }, where { $frequency } Hz lies { $distance } % from { $resonance } Hz ({ $mechanism })
+cause-at = { $wavelength } mm grows most at { $speed }, at { $frequency } Hz, a resonance ({ $mechanism })
 cause-alone = { $wavelength } mm grows most at { $speed }, at { $frequency } Hz; no resonance of track or wheelset lies within { $within } % of that
 cause-loop = no resonance: the loop of force, creepage and wear
 frequency-is-kept = from { $slow } to { $fast } the fastest wavelength goes from { $first } to { $last } mm and its frequency from { $low } to { $high } Hz: a frequency is fixed, not a length
@@ -474,7 +475,7 @@ rates-hold-to = the uncertainty of the wear coefficient puts rates and times wit
 band-narrower-than-contact = { KEY("wear.band_width") } is { $band } mm, but the contact is { $contact } mm wide: wear comes off the contact's own width
 wheels-across-rail = the wheels of "{ $vehicle }" run { $innermost } to { $outermost } mm from the axis of the rail, the field side positive; { $percent } % of their passages cover the line at { $line } mm
 no-equilibrium-at-speeds = "{ $vehicle }" finds no equilibrium in its curve at { $speeds }: there its wheels stand as at the nearest speeds that have one
-band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and the level bends over
+band-bends-over = the rate at { $wavelength } mm lasts for { $passages } axle passages: then it would need more than the mean wear of the rail, { $wear } mm per 100 MGT, and from then on the level grows more slowly
 spread-takes-down = "{ $vehicle }": { $what } takes the fastest growth down { $factor } times
 spread-of-speed = the spread of speed
 spread-of-wheel-radius = the spread of wheel radii
@@ -593,7 +594,7 @@ too-few-effective-draws = { $value } has { $draws } effective draws, but must ha
 trajectories-ran-away = { $trajectories } trajectories ran away: the draws leave out a narrow part of the posterior; take a longer warm-up, or priors that keep away from it
 tails-are-not-reached = the energy of the chains moves by { $moves } of its spread, but must by { $least }: the tails are not reached
 calibration-tells-nothing = the data tell none of the { $count } values: each is as uncertain as before
-calibration-tells-all = the data tell all { $count } values, most of all { $best }
+calibration-tells-all = the data narrow all { $count } values by { $least } to { $most } %, most of all { $best }
 calibration-tells-some = the data tell { $told } of { $count } values, most of all { $best }; they do not tell { $untold }
 outlying-above = { $datum } ({ $data }) lies { $deviations } standard deviations above what all other data say of it; it stays among them: look how it was measured, or what the model lacks there
 outlying-below = { $datum } ({ $data }) lies { $deviations } standard deviations below what all other data say of it; it stays among them: look how it was measured, or what the model lacks there

@@ -42,7 +42,7 @@ def test_a_measured_rail_is_judged_in_german(open_page, tmp_path):
     page.until(lambda: page.page.locator("#noise-parts td").count() > 0)
     told = panels(page, "measure")
     assert "über der Grenze, 1 von 22 Bändern" in told and "führt mit einem Anteil von 0," in told
-    assert "Höhen fehlen" in told and "Schiene rechts liegt vorn: jetzt über der Grenze" in told
+    assert "Höhen fehlen" in told and "Schiene rechts führt: jetzt über der Grenze" in told
     assert english(told) == []
     assert '"das Rad des Falls"' in told and "the wheel of the case" not in told
     reasons = page.page.locator("#view-measure .card dd").all_inner_texts()
