@@ -3,7 +3,7 @@
 import { element } from './elements.js';
 import { currentLanguage, t } from './words.js';
 
-/** How long a notice stays [ms]. */
+/** How long a notice stays with nothing to do in it [ms]. */
 const NOTICE = 20_000;
 
 export class Banner {
@@ -62,13 +62,14 @@ export class Banner {
   }
 
   /** Tell what was done, with the way back. */
-  notice(text, undo) {
+  notice(text, undo, more = []) {
     clearTimeout(this.leaving);
     const hide = () => (this.notices.hidden = true);
     const back = element('button', { type: 'button', className: 'plain small', textContent: t('undo'), onclick: () => (hide(), undo()) });
     const close = element('button', { type: 'button', className: 'plain small', textContent: '×', ariaLabel: t('close'), onclick: hide });
-    this.notices.replaceChildren(element('span', { textContent: text }), ...(undo ? [back] : []), close);
+    this.notices.replaceChildren(element('span', { textContent: text }), ...more, ...(undo ? [back] : []), close);
     this.notices.hidden = false;
-    this.leaving = setTimeout(hide, NOTICE);
+    // What can be undone or selected stays until it is closed.
+    if (!undo && !more.length) this.leaving = setTimeout(hide, NOTICE);
   }
 }

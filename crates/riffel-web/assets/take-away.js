@@ -1,5 +1,6 @@
 // Take away: the case as a link or a file, the project, and back from a file.
 
+import { element } from './elements.js';
 import { PROJECT, inWords, read, written } from './project.js';
 import { askOnce, json, work } from './server.js';
 import { currentLanguage, t, t2 } from './words.js';
@@ -17,9 +18,13 @@ export function startTakeAway({ state, traffic, banner, complain, replace, measu
   const open = () => ({ case: state.keys, variants: state.variants, traffic: traffic.given });
   const actions = {
     link: async (button) => {
-      await navigator.clipboard.writeText(location.href);
+      // A page that is not served over HTTPS has no clipboard: the link stands to be selected.
+      const isCopied = await navigator.clipboard?.writeText(location.href).then(() => true, () => false);
+      const link = element('input', { readOnly: true, value: location.href, id: 'link', ariaLabel: t('the_link') });
+      link.addEventListener('focus', () => link.select());
       const left = t('link_leaves', { record: measure.record?.file.name, plan: Boolean(calibrate.plan), costs: Object.keys(remedies.costs).length > 0 });
-      banner.notice([t('link_holds', inWords(open())), left && t('link_without', left)].filter(Boolean).join(' '));
+      banner.notice([t('link_holds', inWords(open())), left && t('link_without', left)].filter(Boolean).join(' '), undefined, [link]);
+      if (!isCopied) return link.focus();
       button.textContent = t('copied');
       setTimeout(() => (button.textContent = t('copy_link')), 1500);
     },

@@ -2,8 +2,9 @@
 //! start.
 
 use riffel_keys::say;
+use riffel_keys::text_file::Encoding;
 use std::fs::{self, File};
-use std::io;
+use std::io::{self, Read as _};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, PoisonError};
 use std::time::{Duration, Instant};
@@ -26,6 +27,8 @@ const MOST_FILES: usize = 8;
 const MOST_COMING: usize = 8;
 /// Size of all files together, in the largest.
 const MOST_ON_DISK: u64 = 4;
+/// Bytes by which a file is told to be text.
+const HEAD: u64 = 64 << 10;
 /// Bytes after which it is looked at anew.
 const LOOKED_AT: u64 = 16 << 20;
 /// Time for the next piece of a file.
@@ -111,9 +114,13 @@ impl Uploads {
     ) -> Result<Arc<Upload>, Fault> {
         let folder = self.folder()?;
         let name = file_name("record", kind);
-        let bytes = self
-            .store(&folder.path().join(&name), announced, body)
-            .await?;
+        let path = folder.path().join(&name);
+        let bytes = self.store(&path, announced, body).await?;
+        // A picture or a document takes no place of a record.
+        let mut head = Vec::new();
+        let file = File::open(&path).map_err(disk)?;
+        file.take(HEAD).read_to_end(&mut head).map_err(disk)?;
+        Encoding::of(&head).map_err(|binary| Fault::bad(binary.to_string()))?;
         let upload = Arc::new(Upload {
             folder,
             name,

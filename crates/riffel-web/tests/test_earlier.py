@@ -233,6 +233,22 @@ def test_undo_brings_back_a_record_with_its_earlier_ones(page):
 
 
 @pytest.mark.without_curves
+@pytest.mark.parametrize("start", [b"\x89PNG\r\n\x1a\n\0\0\0\rIHDR", b"RIFF\x24\0\0\0WAVEfmt ", b"PK\x03\x04\x14\0word/document.xml"])
+def test_a_file_that_is_no_text_takes_no_place(page, start):
+    rows = page.page.locator("#earlier-records > li")
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", files=files(now=record(14, metres=3)))
+    page.until(page.page.locator("#earlier").is_visible)
+    page.page.set_input_files("#earlier-file", files=files(older=record(8, metres=3)))
+    page.until(lambda: rows.count() == 1)
+    page.page.set_input_files("#record", files=[{"name": "wrong.csv", "mimeType": "text/csv", "buffer": start + bytes(500)}])
+    page.until(lambda: "wrong.csv" in page.text("#trouble") and "the file is" in page.text("#trouble"))
+    page.until(lambda: page.text("#record-state").startswith("now.csv"))
+    assert rows.count() == 1
+    page.complaints.clear()
+
+
+@pytest.mark.without_curves
 def test_a_link_says_what_it_holds_and_that_it_holds_no_record(open_page):
     page = open_page(locale="de-DE", permissions=["clipboard-read", "clipboard-write"])
     copy = lambda: (page.page.click("[popovertarget=take-away]"), page.page.click("[data-take=link]"), page.page.keyboard.press("Escape"))
@@ -241,6 +257,7 @@ def test_a_link_says_what_it_holds_and_that_it_holds_no_record(open_page):
     page.until(lambda: copied() == page.page.url)
     page.until(page.page.locator("#notice").is_visible)
     told = page.text("#notice")
+    assert page.page.locator("#notice #link").input_value() == page.page.url
     assert "Der Link enthält" in told and "keinen eigenen Verkehr" in told and "Messung" not in told
     page.page.click("#tab-measure")
     page.page.set_input_files("#record", files=files(messung=record(14, metres=3)))
