@@ -264,8 +264,8 @@ fn a_change_and_a_lower_bound_are_told() {
         let text = format!("wavelength_mm,level_db\n{}\n", rows.join("\n"));
         std::fs::write(sandbox.path(name), text).unwrap();
     };
-    // At 136 km/h, 38 m/s, 10^-1.4 m = 39.8 mm is the band at 1 kHz.
-    for (shortest, bound) in [(14, Some(1000.0)), (25, None)] {
+    // At 136 km/h, 37.8 m/s, waves down to 28 mm, the end of the band of 31.6 mm, fill the bands up to 1 kHz.
+    for (shortest, bound) in [(15, Some(1000.0)), (25, None)] {
         table("before.csv", 5.0, 5..=shortest);
         table("now.csv", -5.0, 5..=shortest);
         let asked = format!("{CASE} --roughness now.csv --before before.csv");
