@@ -171,6 +171,10 @@ spectra-have-no-positions = { $key } ist { $position }, doch die Datei ist eine 
 no-column-of-rails = { KEY("--rail") } ist { $rail }, doch die Tabelle hat keine Spalte `rail`
 spacing-is-not-positive = { KEY("--spacing") } ist { $spacing }, muss aber größer als null sein
 spacing-is-not-that-of-positions = { KEY("--spacing") } ist { $spacing }, doch die Positionen liegen { $metres } m auseinander
+measures-not-measured = { $name }: { $measures } { $count ->
+    [one] wird
+   *[other] werden
+ } nicht angegeben: dort haben die Punkte eine Lücke oder enden
 rail-worn-on-field-side = { $name }: auf der Außenseite, an der es ausgerichtet ist, bleiben { $millimetres } mm: sie ist dort verschlissen, oder geneigt ({ KEY("--inclination") }), oder eine andere Schiene
 
 ## Files of profiles
@@ -266,6 +270,7 @@ coordinates-turned = sind gespiegelt und stehen auf dem Kopf
 read-as-wheel = gelesen als Rad: die Koordinaten { $changes }
 read-as-rail = gelesen als Schiene: die Koordinaten { $changes }; x unter null gilt als Fahrkantenseite, sonst als Lage "mirrored" angeben
 read-as-leaning-rail = gelesen als Schiene: die Koordinaten { $changes }; ihr Kopf neigt sich um { $off } mm zu x unter null, was bei einer geneigten Schiene die Fahrkantenseite ist
+read-as-undecided-rail = gelesen als Schiene: die Koordinaten { $changes }; ihr Kopf neigt sich um { $off } mm, weiter als der einer geneigten Schiene (20 mm), sodass die Fahrkantenseite offen bleibt: x unter null gilt, sonst als Lage "mirrored" angeben
 rail-leans-outward = ihr Kopf neigt sich um { $off } mm zu x über null, wie der einer geneigten Schiene zur Fahrkantenseite; ist das die Fahrkantenseite, die Lage "mirrored" angeben
 offset-added = XOffset und YOffset der Datei sind addiert, { $x } mm und { $y } mm
 offset-is-in = XOffset der Datei, { $x } mm, bleibt weg: der Spurkranzrücken zeigt, dass die Koordinaten ihn schon haben

@@ -178,6 +178,10 @@ spectra-have-no-positions = { $key } is { $position }, but the file is a table o
 no-column-of-rails = { KEY("--rail") } is { $rail }, but the table has no column `rail`
 spacing-is-not-positive = { KEY("--spacing") } is { $spacing }, but must be greater than zero
 spacing-is-not-that-of-positions = { KEY("--spacing") } is { $spacing }, but the positions are { $metres } m apart
+measures-not-measured = { $name }: { $measures } { $count ->
+    [one] is
+   *[other] are
+ } not told: the points have a gap or end there
 rail-worn-on-field-side = { $name }: { $millimetres } mm are left on the field side by which it is laid: it is worn there, or inclined ({ KEY("--inclination") }), or another rail
 
 ## Files of profiles
@@ -273,6 +277,7 @@ coordinates-turned = are mirrored and upside down
 read-as-wheel = read as a wheel: its coordinates { $changes }
 read-as-rail = read as a rail: its coordinates { $changes }; x below zero is taken as the gauge side, or give the orientation "mirrored"
 read-as-leaning-rail = read as a rail: its coordinates { $changes }; its head leans by { $off } mm to x below zero, which is the gauge side of an inclined rail
+read-as-undecided-rail = read as a rail: its coordinates { $changes }; its head leans by { $off } mm, farther than that of an inclined rail (20 mm), so that its gauge side is undecided: x below zero is taken, or give the orientation "mirrored"
 rail-leans-outward = its head leans by { $off } mm to x above zero, as that of an inclined rail does to its gauge side; if that is the gauge side, give the orientation "mirrored"
 offset-added = XOffset and YOffset of the file are added, { $x } mm and { $y } mm
 offset-is-in = XOffset of the file, { $x } mm, is left out: the flange back shows that the coordinates have it already

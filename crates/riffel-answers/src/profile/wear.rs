@@ -8,7 +8,7 @@ use riffel::profile::{
 };
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
-use riffel_keys::{CaseError, Message, fixed, say};
+use riffel_keys::{CaseError, Message, Value, fixed, say};
 use riffel_plot::{Arrangement, LineFigure, LinePanel, LineStyle, Scale, Series};
 use serde::Serialize;
 
@@ -74,6 +74,36 @@ pub enum Measures {
     Rail(RailWear),
 }
 
+impl Measures {
+    /// Which of them are not told, for nothing is measured where they are taken.
+    fn not_measured(&self, name: &str) -> Option<Message> {
+        let all = match self {
+            Self::Wheel { measured, .. } => [
+                ("Sh", measured.flange_height),
+                ("Sd", measured.flange_thickness),
+                ("qR", measured.flange_gradient),
+            ],
+            Self::Rail(rail) => [
+                ("W1", rail.vertical),
+                ("W2", rail.lateral),
+                ("W3", rail.diagonal),
+            ],
+        };
+        let silent = all.iter().filter(|(_, value)| value.is_none());
+        let silent: Vec<Value> = silent.map(|(measure, _)| (*measure).into()).collect();
+        let count = silent.len();
+        (count > 0).then(|| {
+            let measures = Value::List(silent);
+            say!(
+                measures_not_measured,
+                name = name,
+                measures = measures,
+                count = count
+            )
+        })
+    }
+}
+
 /// What `riffel profile FILE… --against NAME --json` prints.
 #[derive(Serialize)]
 pub struct WearDocument {
@@ -104,13 +134,13 @@ struct WornDocument {
 #[serde(untagged)]
 enum MeasuresDocument {
     Wheel {
-        flange_height_m: f64,
-        flange_thickness_m: f64,
-        flange_gradient_m: f64,
-        nominal_flange_height_m: f64,
-        nominal_flange_thickness_m: f64,
-        nominal_flange_gradient_m: f64,
-        tread_wear_m: f64,
+        flange_height_m: Option<f64>,
+        flange_thickness_m: Option<f64>,
+        flange_gradient_m: Option<f64>,
+        nominal_flange_height_m: Option<f64>,
+        nominal_flange_thickness_m: Option<f64>,
+        nominal_flange_gradient_m: Option<f64>,
+        tread_wear_m: Option<f64>,
     },
     Rail {
         w1_m: Option<f64>,
@@ -210,6 +240,7 @@ impl WearAnswer {
                 false => Measures::Rail(RailWear::new(&wear, &nominal, settings.gauge_height)),
             };
             remarks.extend(of_misfit(&name, &wear));
+            remarks.extend(measures.not_measured(&name));
             worn.push(Worn {
                 name,
                 wear,
@@ -273,7 +304,7 @@ impl WearAnswer {
                         nominal_flange_height_m: nominal.flange_height,
                         nominal_flange_thickness_m: nominal.flange_thickness,
                         nominal_flange_gradient_m: nominal.flange_gradient,
-                        tread_wear_m: measured.flange_height - nominal.flange_height,
+                        tread_wear_m: measured.tread_wear(nominal),
                     },
                     Measures::Rail(rail) => MeasuresDocument::Rail {
                         w1_m: rail.vertical,

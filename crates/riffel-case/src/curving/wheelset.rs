@@ -100,8 +100,13 @@ impl CurvingCase {
             Err(self.text.keys.invalid("profiles.gauge", &rule, help))
         };
         let flange_back = profiles.flange_back_position.si();
-        if let [Ok(left), Ok(right)] = wheels.map(|it| WheelDimensions::new(it, flange_back)) {
-            let flanges = left.flange_thickness + right.flange_thickness;
+        let thickness = |wheel| {
+            WheelDimensions::new(wheel, flange_back)
+                .ok()?
+                .flange_thickness
+        };
+        if let [Some(left), Some(right)] = wheels.map(thickness) {
+            let flanges = left + right;
             let over = profiles.flange_back_distance.si() + flanges;
             if over > gauge.si() {
                 return refuse(say!(

@@ -146,10 +146,10 @@ fn in_words(answer: &WearAnswer) -> String {
         let mut cells = vec![worn.name.clone()];
         match &worn.measures {
             Measures::Wheel { measured, nominal } => cells.extend([
-                millimetres(measured.flange_height - nominal.flange_height),
-                millimetres(measured.flange_height),
-                millimetres(measured.flange_thickness),
-                millimetres(measured.flange_gradient),
+                or_dash(measured.tread_wear(nominal)),
+                or_dash(measured.flange_height),
+                or_dash(measured.flange_thickness),
+                or_dash(measured.flange_gradient),
             ]),
             Measures::Rail(rail) => {
                 cells.extend([rail.vertical, rail.lateral, rail.diagonal].map(or_dash));

@@ -57,6 +57,33 @@ fn wear_is_that_of_the_polygons() {
     assert!((1e-3 * deepest - number(&worn["greatest_depth_m"])).abs() < 1e-12);
 }
 
+/// A rail without points from 10 to 26 mm below its crown has no W2, and says so; W1 and W3 are those of the whole.
+#[test]
+fn measures_over_a_gap_are_not_told() {
+    let sandbox = sandbox();
+    let text = std::fs::read_to_string(sandbox.path("cases/worn-rail.csv")).unwrap();
+    let is_kept = |line: &&str| {
+        let point = line.split_once(',').map(|(x, y)| (x.parse(), y.parse()));
+        !matches!(point, Some((Ok(x), Ok(y))) if x < 0.0 && (-24.5..-8.0).contains(&y))
+    };
+    let kept: Vec<&str> = text.lines().filter(is_kept).collect();
+    std::fs::write(sandbox.path("gap.csv"), kept.join("\n")).unwrap();
+    let of = |file: &str| sandbox.json(&format!("profile {file} --against 60E1 --json"));
+    let (whole, gap) = (of("cases/worn-rail.csv"), of("gap.csv"));
+    let measure = |document: &Value, key: &str| document["profiles"][0][key].as_f64();
+    assert_eq!(measure(&gap, "w2_m"), None);
+    for key in ["w1_m", "w3_m"] {
+        let [whole, gap] = [&whole, &gap].map(|document| measure(document, key).unwrap());
+        // The curve bends beside the gap.
+        assert!((whole - gap).abs() < 2e-5, "{key}: {whole} {gap}");
+    }
+    let told = gap["remarks"].to_string();
+    assert!(
+        told.contains("W2 is not told: the points have a gap"),
+        "{told}"
+    );
+}
+
 /// Measured points end before the nominal flange does: the shifts that nobody listed go as far as both wheels touch, in one piece;
 /// one that was listed is refused.
 #[test]

@@ -15,6 +15,7 @@ mod nominal;
 mod profile;
 mod radius_difference;
 mod rolling_table;
+mod side;
 mod smoothing;
 mod spline;
 mod wear;

@@ -2,19 +2,22 @@
 
 use super::ProfileError;
 use super::crossing::check_outline;
+use super::side::{OVERHANG, Side};
 use super::spline::slopes;
 
-/// How far points of an overhanging flank may lie beside the end of the curve \[m\]: unevenness of measured ones.
-const OVERHANG: f64 = 1e-3;
 /// Fewest points of a profile.
 const LEAST: usize = 8;
 
-/// A profile: a curve of cubic pieces with a continuous tangent, its lateral coordinate increasing.
+/// A profile: a curve of cubic pieces with a continuous tangent, its lateral coordinate increasing, and the sides that go down from its
+/// ends so steeply that points of them hang over.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Profile {
     /// Lateral coordinates of the ends of the pieces \[m\], one more than there are pieces.
     ends: Vec<f64>,
     pieces: Vec<Piece>,
+    pub(super) sides: [Side; 2],
+    /// Longest distance of points that have measured what lies between them \[m\].
+    pub(super) longest_step: f64,
 }
 
 /// A piece over a parameter u from 0 to 1.
@@ -48,6 +51,14 @@ pub(super) fn chords(points: &[[f64; 2]]) -> Vec<f64> {
         length
     });
     std::iter::once(0.0).chain(steps).collect()
+}
+
+/// Longest distance of points \[m\], at these lengths of the chords, that have measured what lies between them: 5 mm, and five times what the others have.
+fn longest_step(parameter: &[f64]) -> f64 {
+    const LONGEST: (f64, f64) = (5e-3, 5.0);
+    let mut steps: Vec<f64> = parameter.windows(2).map(|pair| pair[1] - pair[0]).collect();
+    steps.sort_by(f64::total_cmp);
+    LONGEST.0.max(LONGEST.1 * steps[steps.len() / 2])
 }
 
 /// A place on a profile.
@@ -110,13 +121,17 @@ impl Profile {
             by_parameter: [along[index], up[index]],
         });
         let knots: Vec<Knot> = knots.collect();
+        let longest_step = longest_step(&parameter);
         let pieces: Vec<Piece> = (0..count - 1)
             .map(|index| {
-                Piece::between(
-                    &knots[index],
-                    &knots[index + 1],
-                    parameter[index + 1] - parameter[index],
-                )
+                let (begin, end) = (&knots[index], &knots[index + 1]);
+                let length = parameter[index + 1] - parameter[index];
+                let piece = Piece::between(begin, end, length);
+                // The scatter at its ends makes loops of the curve over a gap.
+                match length > longest_step && end.x > begin.x && !piece.goes_outward() {
+                    true => Piece::straight(begin, end),
+                    false => piece,
+                }
             })
             .collect();
         let rises: Vec<bool> = pieces.iter().map(Piece::goes_outward).collect();
@@ -131,8 +146,20 @@ impl Profile {
                 begin = index + 1;
             }
         }
-        // An overhang lies inside what stands over it; points in a wrong order lie beyond.
-        let is_beyond = |place: &f64| *place < x[from] - OVERHANG || *place > x[to] + OVERHANG;
+        let sides = [
+            Side::down(&mut points[..=from].iter().rev().copied()),
+            Side::down(&mut points[to..].iter().copied()),
+        ];
+        let across = |side: &Side| {
+            side.points()
+                .iter()
+                .map(|point| point[0])
+                .collect::<Vec<_>>()
+        };
+        let low = across(&sides[0]).into_iter().fold(x[from], f64::min);
+        let high = across(&sides[1]).into_iter().fold(x[to], f64::max);
+        // An overhang lies inside what stands over it, a side that leans outward below; points in a wrong order lie beyond.
+        let is_beyond = |place: &f64| *place < low - OVERHANG || *place > high + OVERHANG;
         if to == 0 || x.iter().any(is_beyond) {
             let turns = rises.iter().position(|outward| !outward).unwrap_or(0);
             return Err(ProfileError::Point {
@@ -144,6 +171,8 @@ impl Profile {
         let profile = Self {
             ends: x[from..=to].to_vec(),
             pieces: pieces[from..to].to_vec(),
+            sides,
+            longest_step,
         };
         // What hangs over lies below; another pass over the same surface does not.
         let above = |index: &usize| {
@@ -170,6 +199,8 @@ impl Profile {
         ends.extend(spans.last().map(|(_, end, _)| end.x));
         Self {
             ends,
+            sides: <[Side; 2]>::default(),
+            longest_step: f64::INFINITY,
             pieces: spans
                 .iter()
                 .map(|(begin, end, length)| Piece::between(begin, end, *length))
@@ -216,8 +247,19 @@ impl Profile {
             .unwrap_or(pieces.len());
         let mut ends: Vec<f64> = pieces[from..to].iter().map(|piece| piece.x[0]).collect();
         ends.push(pieces[to - 1].x.iter().sum());
+        let side = |end: usize| {
+            let points = self.sides[end].points().iter();
+            points.map(|[x, height]| [cosine * x - sine * height, sine * x + cosine * height])
+        };
+        let inner = (0..=from).rev().map(|index| pieces[index].begin());
+        let outer = (to - 1..pieces.len()).map(|index| pieces[index].end());
         Self {
             ends,
+            sides: [
+                Side::down(&mut inner.chain(side(0))),
+                Side::down(&mut outer.chain(side(1))),
+            ],
+            longest_step: self.longest_step,
             pieces: pieces[from..to].to_vec(),
         }
     }
@@ -227,6 +269,9 @@ impl Profile {
         let mut moved = self.clone();
         for end in &mut moved.ends {
             *end += by[0];
+        }
+        for side in &mut moved.sides {
+            *side = side.map(|[x, height]| [x + by[0], height + by[1]]);
         }
         for piece in &mut moved.pieces {
             piece.x[0] += by[0];
@@ -277,8 +322,12 @@ impl Profile {
         self.at(0.5 * (low + high)).unwrap_or(coarse[place])
     }
 
-    /// The lateral coordinate \[m\] left of the crown at which the curve has a height \[m\]; none where it ends above.
+    /// The lateral coordinate \[m\] left of the crown at which the curve or the side below its end has a height \[m\]; none where they end
+    /// above.
     pub fn inner_face(&self, height: f64) -> Option<f64> {
+        if let Some(face) = self.sides[0].at(height) {
+            return Some(face.x);
+        }
         let (mut low, mut high) = (self.range()[0], self.crown().x);
         if self.at(low)?.height > height || self.at(high)?.height < height {
             return None;
@@ -292,9 +341,49 @@ impl Profile {
         }
         Some(0.5 * (low + high))
     }
+
+    /// Whether a place lies under the curve and between its sides; none where nothing was measured. Height counts downward on a wheel,
+    /// whose metal lies above its curve.
+    pub(super) fn covers(&self, [x, height]: [f64; 2], is_wheel: bool) -> Option<bool> {
+        let up = if is_wheel { -1.0 } else { 1.0 };
+        let faces = [0, 1].map(|end| self.sides[end].at(height).map(|face| face.x));
+        if faces[0].is_some_and(|face| x < face) || faces[1].is_some_and(|face| x > face) {
+            return Some(false);
+        }
+        let [low, high] = self.range();
+        let end = usize::from(x > low);
+        match self.at(x) {
+            Some(point) => Some(up * height <= up * point.height),
+            None if up * height > up * self.at([low, high][end])?.height => Some(false),
+            None => faces[end].map(|_| true),
+        }
+    }
+
+    /// Whether the points of a place on the curve or on a side have measured it: no gap between them reaches over it.
+    pub(super) fn is_measured(&self, [x, height]: [f64; 2]) -> bool {
+        /// How near a place on a side lies to it \[m\].
+        const ON_SIDE: f64 = 1e-6;
+        let faces = self.sides.iter().filter_map(|side| side.at(height));
+        let on_side = faces.filter(|face| (face.x - x).abs() < ON_SIDE).last();
+        let step = on_side.map(|face| face.step).or_else(|| {
+            let index = self.ends.partition_point(|end| *end <= x);
+            let piece = self.pieces.get(index.checked_sub(1)?)?;
+            let ([x, height], [to, up]) = (piece.begin(), piece.end());
+            Some((to - x).hypot(up - height))
+        });
+        step.is_none_or(|step| step <= self.longest_step)
+    }
 }
 
 impl Piece {
+    fn begin(&self) -> [f64; 2] {
+        [self.x[0], self.height[0]]
+    }
+
+    fn end(&self) -> [f64; 2] {
+        [self.x.iter().sum(), self.height.iter().sum()]
+    }
+
     /// Hermite's cubics between two knots.
     fn between(begin: &Knot, end: &Knot, length: f64) -> Self {
         let cubic = |from: f64, to: f64, slope_from: f64, slope_to: f64| {
@@ -310,6 +399,13 @@ impl Piece {
         Self {
             x: cubic(begin.x, end.x, p, r),
             height: cubic(begin.height, end.height, q, s),
+        }
+    }
+
+    fn straight(begin: &Knot, end: &Knot) -> Self {
+        Self {
+            x: [begin.x, end.x - begin.x, 0.0, 0.0],
+            height: [begin.height, end.height - begin.height, 0.0, 0.0],
         }
     }
 

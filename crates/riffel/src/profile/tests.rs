@@ -267,11 +267,38 @@ fn the_nominal_cone_is_smooth() {
 fn dimensions_of_a_wheel() {
     let wheel = nominal("S1002");
     let found = WheelDimensions::new(&wheel, -0.07).unwrap();
-    assert!((found.flange_height - 0.028).abs() < 1e-6, "{found:?}");
-    assert!((found.flange_thickness - 0.0325).abs() < 1e-6, "{found:?}");
-    assert!((found.flange_gradient - 0.010794).abs() < 1e-6, "{found:?}");
+    assert!(
+        (found.flange_height.unwrap() - 0.028).abs() < 1e-6,
+        "{found:?}"
+    );
+    assert!(
+        (found.flange_thickness.unwrap() - 0.0325).abs() < 1e-6,
+        "{found:?}"
+    );
+    assert!(
+        (found.flange_gradient.unwrap() - 0.010794).abs() < 1e-6,
+        "{found:?}"
+    );
     let rail = nominal("60E1");
     assert!(WheelDimensions::new(&rail, -0.07).is_err());
+    // Without the points of 8 mm around the tip, the flank 10 mm beyond the datum circle, and the circle itself.
+    for (middle, told) in [
+        ([-0.055, -0.028], [false, true, false]),
+        ([-0.0375, -0.010], [true, false, false]),
+        ([0.0, 0.0], [false, false, false]),
+    ] {
+        let points = wheel.along(2.5e-4).into_iter();
+        let points = points.map(|point| [point.x, point.height]);
+        let kept = points.filter(|[x, height]| (x - middle[0]).hypot(height - middle[1]) > 4e-3);
+        let wheel = Profile::through(&kept.collect::<Vec<_>>()).unwrap();
+        let found = WheelDimensions::new(&wheel, -0.07).unwrap();
+        let found = [
+            found.flange_height,
+            found.flange_thickness,
+            found.flange_gradient,
+        ];
+        assert_eq!(found.map(|value| value.is_some()), told, "{middle:?}");
+    }
 }
 
 /// A tread turned down by 2 mm, a rail ground by 1 mm and one worn by 3 mm at its gauge face.
@@ -303,7 +330,11 @@ fn what_is_cut_off_is_found() {
     );
     assert_relative_eq!(wear.area, 40e-6, max_relative = 1e-4);
     let dimensions = WheelDimensions::new(&wear.measured, -0.07).unwrap();
-    assert_relative_eq!(dimensions.flange_height, 0.030, max_relative = 1e-4);
+    assert_relative_eq!(
+        dimensions.flange_height.unwrap(),
+        0.030,
+        max_relative = 1e-4
+    );
     // A head ground flat by a millimetre at its crown, displaced by (3, −4) mm: what is left has its field side.
     let rail = nominal("60E1");
     let ground = cut(&rail, &|point| {

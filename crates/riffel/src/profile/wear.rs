@@ -28,7 +28,7 @@ pub enum ProfileAlignment {
 pub struct WornPoint {
     /// The point.
     pub nominal: ProfilePoint,
-    /// Depth across the nominal profile \[m\], positive where metal is missing; none where nothing is measured.
+    /// Depth across the nominal profile \[m\], positive where metal is missing; none where nothing is measured, as in a gap of the points.
     pub depth: Option<f64>,
 }
 
@@ -155,37 +155,26 @@ fn inward(point: &ProfilePoint, is_wheel: bool) -> [f64; 2] {
 /// Depth at a point of the nominal profile.
 pub(super) fn depth(measured: &Profile, point: &ProfilePoint, is_wheel: bool) -> Option<f64> {
     let [across, up] = inward(point, is_wheel);
-    // How far a place on the normal lies outside the metal, upward on rails; none where nothing is measured.
-    let outside = |depth: f64| {
-        let (x, height) = (point.x + depth * across, point.height + depth * up);
-        let beyond = |surface: f64| match is_wheel {
-            true => surface - height,
-            false => height - surface,
-        };
-        let [low, high] = measured.range();
-        let there = measured.at(x).map(|place| beyond(place.height));
-        there.or_else(|| {
-            let end = measured.at(if x < low { low } else { high })?;
-            Some(beyond(end.height)).filter(|beyond| *beyond > 0.0)
-        })
-    };
-    let worn = outside(0.0)? >= 0.0;
+    let place = |depth: f64| [point.x + depth * across, point.height + depth * up];
+    let is_worn = |depth: f64| Some(!measured.covers(place(depth), is_wheel)?);
+    let worn = is_worn(0.0)?;
     let sign = if worn { 1.0 } else { -1.0 };
     let (mut near, mut far) = (0.0, sign * LOOK);
-    while (outside(far)? >= 0.0) == worn {
+    while is_worn(far)? == worn {
         if far.abs() > DEEPEST {
             return None;
         }
         (near, far) = (far, far + sign * LOOK);
     }
-    for _ in 0..50 {
+    for _ in 0..30 {
         let middle = 0.5 * (near + far);
-        match (outside(middle)? >= 0.0) == worn {
+        match is_worn(middle)? == worn {
             true => near = middle,
             false => far = middle,
         }
     }
-    Some(0.5 * (near + far))
+    let depth = 0.5 * (near + far);
+    measured.is_measured(place(depth)).then_some(depth)
 }
 
 /// The shift that lays a rail on the field side of its nominal profile, and the root mean square of what is left.
@@ -199,7 +188,9 @@ fn on_field_side(measured: &Profile, nominal: &Profile) -> Result<([f64; 2], f64
         .filter(|point| point.x > crown && point.slope < -FIELD_SIDE)
         .collect();
     // Laid by the crown and the outer end first.
-    let [_, outer] = measured.range();
+    let [_, end] = measured.range();
+    let below = measured.sides[1].points().iter();
+    let outer = below.fold(end, |outer, [x, _]| outer.max(*x));
     let [_, nominal_outer] = nominal.range();
     let crowns = nominal.crown().height - measured.crown().height;
     let mut shift = [nominal_outer - outer, crowns];

@@ -11,17 +11,17 @@ const BEFORE_TIP: f64 = 0.002;
 /// Dimensions of a wheel in its own coordinates, as EN 15313 defines them.
 ///
 /// The tread is that on the datum circle at x = 0; flanges are measured 10 mm beyond it. A worn tread raises the height of the flange, a
-/// worn flange lowers its thickness, and a small qR is a steep flange. Source: EN 15313; the distances of 2, 70 and 10 mm as
+/// worn flange lowers its thickness, and a small qR is a steep flange. What lies in a gap of the points is none. Source: EN 15313; the distances of 2, 70 and 10 mm as
 /// Greenwood Engineering publishes them for its devices.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[non_exhaustive]
 pub struct WheelDimensions {
     /// Height of the flange Sh \[m\], from the datum circle to the tip.
-    pub flange_height: f64,
+    pub flange_height: Option<f64>,
     /// Thickness of the flange Sd \[m\], from the flange back to its flank 10 mm beyond the datum circle.
-    pub flange_thickness: f64,
+    pub flange_thickness: Option<f64>,
     /// qR \[m\], across the track from there to the flank 2 mm before the tip.
-    pub flange_gradient: f64,
+    pub flange_gradient: Option<f64>,
 }
 
 impl WheelDimensions {
@@ -51,16 +51,30 @@ impl WheelDimensions {
             }
             Ok(0.5 * (low + high))
         };
-        let measure = flank(datum.height - FLANGE_MEASURE)?;
+        let [measure, steep] = [datum.height - FLANGE_MEASURE, tip.height + BEFORE_TIP];
+        let (flank_at_measure, steep_flank) = (flank(measure)?, flank(steep)?);
+        let measured = |places: &[[f64; 2]], value: f64| {
+            let all = places.iter().all(|place| wheel.is_measured(*place));
+            all.then_some(value)
+        };
+        let (tip, datum) = ([tip.x, tip.height], [0.0, datum.height]);
+        let (measure, steep) = ([flank_at_measure, measure], [steep_flank, steep]);
         Ok(Self {
-            flange_height: datum.height - tip.height,
-            flange_thickness: measure - flange_back_position,
-            flange_gradient: measure - flank(tip.height + BEFORE_TIP)?,
+            flange_height: measured(&[tip, datum], datum[1] - tip[1]),
+            flange_thickness: measured(&[datum, measure], measure[0] - flange_back_position),
+            flange_gradient: measured(&[tip, datum, measure, steep], measure[0] - steep[0]),
         })
     }
 }
 
-/// Wear of a rail at three places of its nominal profile; none where nothing is measured.
+impl WheelDimensions {
+    /// Wear of the tread against a nominal wheel \[m\], by which the flange is higher.
+    pub fn tread_wear(&self, nominal: &Self) -> Option<f64> {
+        Some(self.flange_height? - nominal.flange_height?)
+    }
+}
+
+/// Wear of a rail at three places of its nominal profile; none where nothing is measured, as in a gap of the points.
 ///
 /// Devices have a depth of their own for W2 (MiniProf 12 mm by default, as Greenwood Engineering publishes): the depth is told with it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -93,10 +107,10 @@ impl RailWear {
             vertical: wear
                 .measured
                 .at(crown.x)
+                .filter(|point| wear.measured.is_measured([point.x, point.height]))
                 .map(|point| crown.height - point.height),
-            lateral: wear
-                .measured
-                .inner_face(face)
+            lateral: (wear.measured.inner_face(face))
+                .filter(|across| wear.measured.is_measured([*across, face]))
                 .zip(nominal.inner_face(face))
                 .map(|(measured, nominal)| measured - nominal),
             diagonal: corner.and_then(|corner| depth(&wear.measured, &corner, false)),

@@ -155,31 +155,72 @@ fn of_rail(written: &WrittenProfile) -> [f64; 2] {
     let ends = 0.5 * (points[0][1] + points[points.len() - 1][1]);
     let up = if level(points) < ends { -1.0 } else { 1.0 };
     let upright: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, up * y]).collect();
-    let leans_outward = !written.gauge_side_known && lean(&upright).is_some_and(|lean| lean > 0.0);
-    [if leans_outward { -1.0 } else { 1.0 }, up]
+    let leans_outward = matches!(Lean::of(&upright), Some(Lean::Inclined(off)) if off > 0.0);
+    [
+        if leans_outward && !written.gauge_side_known {
+            -1.0
+        } else {
+            1.0
+        },
+        up,
+    ]
 }
 
-/// How far the middle of a head lies beside its highest point \[m\], where that is farther than side wear makes it.
-///
-/// A rail that is inclined by α has its highest point on the arc of its crown, of radius R, R tan α off the middle: 7.5 mm for
-/// 1:40 and 300 mm, and the middle of its head lies at its gauge side. Side wear of 10 mm moves the middle by 5 mm the other way.
-fn lean(points: &[[f64; 2]]) -> Option<f64> {
-    /// How far below the crown the middle is looked for, and where a head must reach to at least \[m\].
-    const DEPTHS: (f64, f64) = (5e-3, 14e-3);
-    /// Of heads of new rails that stand upright, and of some that are worn \[m\].
-    const UPRIGHT: f64 = 5e-3;
-    let crown = points
-        .iter()
-        .max_by(|one, other| one[1].total_cmp(&other[1]))?;
-    let depth_of_side = |side: f64| {
-        let beside = points.iter().filter(|[x, _]| side * (x - crown[0]) > 0.0);
-        beside.fold(0.0, |deepest: f64, [_, y]| deepest.max(crown[1] - y))
-    };
-    let depth = depth_of_side(-1.0).min(depth_of_side(1.0)).min(DEPTHS.1);
-    if depth < DEPTHS.0 {
-        return None;
+/// How far the middle of a head lies beside its highest point \[m\], below zero towards smaller x, where that is farther than side wear
+/// makes it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Lean {
+    /// As the head of an inclined rail does to its gauge side.
+    Inclined(f64),
+    /// Farther than an inclination makes it, so that it tells no side.
+    Unclear(f64),
+}
+
+impl Lean {
+    /// A rail that is inclined by α has its highest point on the arc of its crown, of radius R, R tan α off the middle of its head: 7.5 mm
+    /// for 1:40 and 300 mm, 15 mm at most, and the middle lies at the gauge side. Side wear moves the middle by half its depth the
+    /// other way, and narrows the head; a few milliradians by which a device stood aslant move the highest point of a flat crown as
+    /// far, but the chord 1 mm below it less than an inclination does.
+    ///
+    /// Points in either order have one answer. Accuracy: test `a_head_shows_its_gauge_side`.
+    fn of(points: &[[f64; 2]]) -> Option<Self> {
+        /// Below the highest point: of the chords that are the top and the crown, where the middle is looked for, and where a head must
+        /// reach to at least \[m\].
+        const DEPTHS: [f64; 4] = [1e-4, 1e-3, 14e-3, 5e-3];
+        /// Of heads that stand upright: off the middle \[m\], and as an angle, half of an inclination of 1:40.
+        const UPRIGHT: (f64, f64) = (5e-3, 1.0 / 80.0);
+        /// Farthest that an inclination moves the highest point \[m\].
+        const FARTHEST: f64 = 20e-3;
+        /// Width of the heads of rails \[m\]; narrower ones are worn.
+        const HEAD: f64 = 70e-3;
+        let highest = points.iter().map(|point| point[1]).fold(f64::MIN, f64::max);
+        let [top, _] = chord(points, highest - DEPTHS[0])?;
+        let [crown, wide] = chord(points, highest - DEPTHS[1])?;
+        let depth_of_side = |side: f64| {
+            let beside = points.iter().filter(|[x, _]| side * (x - top) > 0.0);
+            beside.fold(0.0, |deepest: f64, [_, y]| deepest.max(highest - y))
+        };
+        let depth = depth_of_side(-1.0).min(depth_of_side(1.0)).min(DEPTHS[2]);
+        if depth < DEPTHS[3] {
+            return None;
+        }
+        let [middle, width] = chord(points, highest - depth)?;
+        let off = middle - top;
+        let by_wear = 0.5 * (HEAD - width).max(0.0);
+        let radius = wide * wide / (8.0 * DEPTHS[1]);
+        let angle = ((middle - crown).abs() - by_wear) / radius;
+        if off.abs() < UPRIGHT.0 + by_wear || angle < UPRIGHT.1 || off * (middle - crown) < 0.0 {
+            return None;
+        }
+        Some(match off.abs() > FARTHEST {
+            true => Self::Unclear(off),
+            false => Self::Inclined(off),
+        })
     }
-    let height = crown[1] - depth;
+}
+
+/// Middle and width of a head at a height \[m\]; none where fewer than two sides come there.
+fn chord(points: &[[f64; 2]], height: f64) -> Option<[f64; 2]> {
     let sides = points.windows(2).filter_map(|pair| {
         let [one, other] = [pair[0], pair[1]];
         let crosses = (one[1] - height) * (other[1] - height) <= 0.0 && one[1] != other[1];
@@ -188,8 +229,7 @@ fn lean(points: &[[f64; 2]]) -> Option<f64> {
     let [low, high] = sides.fold([f64::MAX, f64::MIN], |[low, high], x| {
         [low.min(x), high.max(x)]
     });
-    let lean = 0.5 * (low + high) - crown[0];
-    (high > low && lean.abs() > UPRIGHT).then_some(lean)
+    (high > low).then_some([0.5 * (low + high), high - low])
 }
 
 /// Median of the heights over the width.
@@ -224,17 +264,27 @@ fn changes([across, up]: [f64; 2]) -> Message {
 
 /// Say how a rail was found to stand, or that its head leans to what is given as its field side.
 fn tell_of_rail(written: &mut WrittenProfile, is_found: bool, signs: [f64; 2]) {
-    let lean = lean(&written.points);
-    let off = lean.map(|lean| fixed(1e3 * lean.abs(), 1));
+    let millimetres = |off: f64| fixed(1e3 * off.abs(), 1);
     let changes = changes(signs);
-    written.remarks.extend(match (is_found, off) {
-        (true, Some(off)) if lean < Some(0.0) => {
-            Some(say!(read_as_leaning_rail, changes = changes, off = off))
-        }
-        (true, _) => Some(say!(read_as_rail, changes = changes)),
-        (false, Some(off)) if lean > Some(0.0) => Some(say!(rail_leans_outward, off = off)),
-        (false, _) => None,
-    });
+    written
+        .remarks
+        .extend(match (is_found, Lean::of(&written.points)) {
+            (true, Some(Lean::Inclined(off))) if off < 0.0 => Some(say!(
+                read_as_leaning_rail,
+                changes = changes,
+                off = millimetres(off)
+            )),
+            (true, Some(Lean::Unclear(off))) if !written.gauge_side_known => Some(say!(
+                read_as_undecided_rail,
+                changes = changes,
+                off = millimetres(off)
+            )),
+            (true, _) => Some(say!(read_as_rail, changes = changes)),
+            (false, Some(Lean::Inclined(off))) if off > 0.0 => {
+                Some(say!(rail_leans_outward, off = millimetres(off)))
+            }
+            (false, _) => None,
+        });
 }
 
 /// Move an origin that lies elsewhere to the datum circle or to the crown.
