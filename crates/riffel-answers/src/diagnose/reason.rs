@@ -56,30 +56,7 @@ pub(super) fn in_words(
             highest: (at, highest),
             measured,
             rate,
-        } => {
-            let own = number(format_args!("{:.1e}", rate.abs()));
-            let [at, measured] = [at, measured].map(millimetres);
-            let (speeds, shown) = (speeds.words(), number(format_args!("{highest:.1e}")));
-            match rate > 0.0 {
-                true => say!(
-                    case_grows_at_measured,
-                    speeds = speeds,
-                    wavelength = at,
-                    rate = shown,
-                    measured = measured,
-                    own = own,
-                    percent = fixed(100.0 * rate / highest, 0)
-                ),
-                false => say!(
-                    case_decays_at_measured,
-                    speeds = speeds,
-                    wavelength = at,
-                    rate = shown,
-                    measured = measured,
-                    own = own
-                ),
-            }
-        }
+        } => growth_in_words(at, highest, measured, rate, speeds),
         Reason::NothingGrows { measured } => say!(
             case_lets_nothing_grow,
             speeds = speeds.words(),
@@ -116,6 +93,38 @@ pub(super) fn in_words(
                 _ => say!(corrugation_grows_under_traffic, course = course),
             }
         }
+    }
+}
+
+/// What a case lets grow at the measured wavelength \[m\], beside where it grows fastest.
+fn growth_in_words(
+    at: f64,
+    highest: f64,
+    measured: f64,
+    rate: f64,
+    speeds: &TrafficSpeeds,
+) -> Message {
+    let own = number(format_args!("{:.1e}", rate.abs()));
+    let [at, measured] = [at, measured].map(millimetres);
+    let (speeds, shown) = (speeds.words(), number(format_args!("{highest:.1e}")));
+    match rate > 0.0 {
+        true => say!(
+            case_grows_at_measured,
+            speeds = speeds,
+            wavelength = at,
+            rate = shown,
+            measured = measured,
+            own = own,
+            percent = fixed(100.0 * rate / highest, 0)
+        ),
+        false => say!(
+            case_decays_at_measured,
+            speeds = speeds,
+            wavelength = at,
+            rate = shown,
+            measured = measured,
+            own = own
+        ),
     }
 }
 
@@ -181,55 +190,25 @@ fn line_in_words(course: &Course, slope: Slope, levels: Value) -> Message {
         TimeUnit::Record => say!(record),
     };
     let rises = course.probability_of_rise().unwrap_or(0.5);
+    macro_rules! told {
+        ($id:ident) => {
+            say!(
+                $id,
+                levels = levels,
+                slope = slope,
+                scatter = scatter,
+                unit = unit
+            )
+        };
+    }
     // Two records rise or fall once, whether by chance or not.
-    if course.on_line().len() == 2 && (UNLIKELY..=1.0 - UNLIKELY).contains(&rises) {
-        say!(
-            course_of_two_is_open,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
-    } else if course.on_line().len() == 2 && rises > 0.5 {
-        say!(
-            course_of_two_rises,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
-    } else if course.on_line().len() == 2 {
-        say!(
-            course_of_two_falls,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
-    } else if course.falls_every_time() {
-        say!(
-            course_falls,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
-    } else if course.rises_every_time() {
-        say!(
-            course_rises,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
-    } else {
-        say!(
-            course_is_open,
-            levels = levels,
-            slope = slope,
-            scatter = scatter,
-            unit = unit
-        )
+    match course.on_line().len() == 2 {
+        true if (UNLIKELY..=1.0 - UNLIKELY).contains(&rises) => told!(course_of_two_is_open),
+        true if rises > 0.5 => told!(course_of_two_rises),
+        true => told!(course_of_two_falls),
+        false if course.falls_every_time() => told!(course_falls),
+        false if course.rises_every_time() => told!(course_rises),
+        false => told!(course_is_open),
     }
 }
 

@@ -4,6 +4,33 @@ use riffel_answers::shakedown::ShakedownQuestion;
 use riffel_case::Case;
 use serde_json::Value;
 
+/// The case of these numbers of `growth.json`, with more keys of `contact`.
+fn case_of(of: impl Fn(&str) -> f64, contact: &str, shear: f64, limit: &str) -> Case {
+    let text = format!(
+        "[wheel]\nrolling_radius = {}\nmass = {}\n[rail]\nmass_per_length = {}\nsecond_moment = {}\n\
+         beam = \"euler-bernoulli\"\n[track]\nmodel = \"two-layer\"\nsupport_spacing = {}\n\
+         pad = {{ stiffness = {}, damping = {} }}\nsleeper = {{ mass = {} }}\n\
+         ballast = {{ stiffness = {}, damping = {} }}\n[contact]\ntransverse_radius = {}\nnormal_load = {}\n\
+         friction = {}\ntractive_ratio = {}\n{contact}\n\
+         [damage]\nshear_yield = {shear}\nlimit = \"{limit}\"\n",
+        of("R"),
+        of("mw"),
+        of("mr"),
+        of("I"),
+        of("d"),
+        of("kp"),
+        of("cp"),
+        of("ms"),
+        of("kb"),
+        of("cb"),
+        of("Rr"),
+        of("P0"),
+        of("mu"),
+        of("tau"),
+    );
+    Case::parse("case.toml", &text, &[]).unwrap()
+}
+
 /// P and Q linear, p₀ by the third root: 2e-4 of the printed numbers, demands by the line and by the surface.
 #[test]
 fn operating_points() {
@@ -19,29 +46,7 @@ fn operating_points() {
         let of = |key: &str| growth["cases"][row[0]][key].as_f64().unwrap();
         let shear = growth["shear_yield_pa"][row[0]].as_f64().unwrap();
         for (limit, column) in [("line", 12), ("surface", 11)] {
-            let text = format!(
-                "[wheel]\nrolling_radius = {}\nmass = {}\n[rail]\nmass_per_length = {}\nsecond_moment = {}\n\
-                 beam = \"euler-bernoulli\"\n[track]\nmodel = \"two-layer\"\nsupport_spacing = {}\n\
-                 pad = {{ stiffness = {}, damping = {} }}\nsleeper = {{ mass = {} }}\n\
-                 ballast = {{ stiffness = {}, damping = {} }}\n[contact]\ntransverse_radius = {}\nnormal_load = {}\n\
-                 friction = {}\ntractive_ratio = {}\nwave_geometry = false\n\
-                 [damage]\nshear_yield = {shear}\nlimit = \"{limit}\"\n",
-                of("R"),
-                of("mw"),
-                of("mr"),
-                of("I"),
-                of("d"),
-                of("kp"),
-                of("cp"),
-                of("ms"),
-                of("kb"),
-                of("cb"),
-                of("Rr"),
-                of("P0"),
-                of("mu"),
-                of("tau"),
-            );
-            let case = Case::parse("case.toml", &text, &[]).unwrap();
+            let case = case_of(of, "wave_geometry = false", shear, limit);
             let question = ShakedownQuestion {
                 utilised_friction: vec![0.3],
                 wave: Some([number(1), number(2)]),
@@ -110,31 +115,9 @@ fn operating_points_on_waves() {
         let case = &growth["cases"][row["case"].as_str().unwrap()];
         let of = |key: &str| case[key].as_f64().unwrap();
         for limit in ["surface", "subsurface"] {
-            let text = format!(
-                "[wheel]\nrolling_radius = {}\nmass = {}\n[rail]\nmass_per_length = {}\nsecond_moment = {}\n\
-                 beam = \"euler-bernoulli\"\n[track]\nmodel = \"two-layer\"\nsupport_spacing = {}\n\
-                 pad = {{ stiffness = {}, damping = {} }}\nsleeper = {{ mass = {} }}\n\
-                 ballast = {{ stiffness = {}, damping = {} }}\n[contact]\ntransverse_radius = {}\nnormal_load = {}\n\
-                 friction = {}\ntractive_ratio = {}\nhertz = \"{}\"\nwave_geometry = true\n\
-                 [damage]\nshear_yield = {}\nlimit = \"{limit}\"\n",
-                of("R"),
-                of("mw"),
-                of("mr"),
-                of("I"),
-                of("d"),
-                of("kp"),
-                of("cp"),
-                of("ms"),
-                of("kb"),
-                of("cb"),
-                of("Rr"),
-                of("P0"),
-                of("mu"),
-                of("tau"),
-                row["hertz"].as_str().unwrap(),
-                number("shear_yield_pa"),
-            );
-            let case = Case::parse("case.toml", &text, &[]).unwrap();
+            let hertz = row["hertz"].as_str().unwrap();
+            let contact = format!("hertz = \"{hertz}\"\nwave_geometry = true");
+            let case = case_of(of, &contact, number("shear_yield_pa"), limit);
             let ask = |amplitude| ShakedownQuestion {
                 utilised_friction: vec![0.3],
                 wave: Some([number("wavelength_m"), number("speed_m_per_s")]),

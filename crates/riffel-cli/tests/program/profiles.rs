@@ -63,7 +63,9 @@ fn measures_over_a_gap_are_not_told() {
     let sandbox = sandbox();
     let text = std::fs::read_to_string(sandbox.path("cases/worn-rail.csv")).unwrap();
     let is_kept = |line: &&str| {
-        let point = line.split_once(',').map(|(x, y)| (x.parse(), y.parse()));
+        let point = line
+            .split_once(',')
+            .map(|(x, y)| (x.parse::<f64>(), y.parse::<f64>()));
         !matches!(point, Some((Ok(x), Ok(y))) if x < 0.0 && (-24.5..-8.0).contains(&y))
     };
     let kept: Vec<&str> = text.lines().filter(is_kept).collect();
