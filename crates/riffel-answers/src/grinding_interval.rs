@@ -21,8 +21,15 @@ pub struct GrindingInterval {
 }
 
 impl GrindingInterval {
-    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run.
+    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run, or where the
+    /// fastest grows faster than any railway known.
     pub(crate) fn new(case: &Case, growth: &LineGrowth) -> Option<Self> {
+        if growth
+            .fastest
+            .is_some_and(|fastest| fastest.faster_than_known)
+        {
+            return None;
+        }
         let per_month = growth.passages_per_day? * DAYS_PER_MONTH;
         // As of the fastest: bands that the contact does not average out, or all where it averages out all.
         let is_told =

@@ -4,7 +4,8 @@ use std::f64::consts::LN_2;
 
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
-    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, reported_growth, traffic_at_speeds,
+    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, is_faster_than_known,
+    reported_growth, traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
 use riffel_keys::{CaseError, Message, say, significant};
@@ -48,6 +49,8 @@ pub struct FastestGrowth {
     pub doubling_passages: f64,
     /// The same with the bands of the wear coefficient; none where growth does not go by it.
     pub doubling_passages_banded: Option<Banded>,
+    /// It grows faster than any railway known: wavelengths and order hold, the rate does not, so no months follow.
+    pub faster_than_known: bool,
     /// Months of that, if it is known how many axles run.
     pub doubling_months: Option<f64>,
     /// The same with its bands.
@@ -137,6 +140,14 @@ impl LineGrowth {
             false => say!(wavelengths_between, shortest = shortest, longest = longest),
         };
         let wavelength = millimetres(fastest.wavelength_m);
+        if fastest.faster_than_known {
+            return say!(
+                grows_fastest_without_rate,
+                traffic = traffic,
+                range = range,
+                wavelength = wavelength
+            );
+        }
         let time = fastest.time();
         match fastest.doubling_passages_banded {
             Some(_) => say!(
@@ -165,7 +176,10 @@ impl FastestGrowth {
         }
         let spread = wear_spread(case);
         let passages = LN_2 / rate;
-        let months = per_day.map(|per_day| passages / per_day / DAYS_PER_MONTH);
+        let faster_than_known = per_day.is_some_and(|per_day| is_faster_than_known(rate, per_day));
+        let months = per_day
+            .filter(|_| !faster_than_known)
+            .map(|per_day| passages / per_day / DAYS_PER_MONTH);
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
             wavelength_m: wavelength,
@@ -174,6 +188,7 @@ impl FastestGrowth {
             growth_rate_per_passage: rate,
             doubling_passages: passages,
             doubling_passages_banded: banded(passages),
+            faster_than_known,
             doubling_months: months,
             doubling_months_banded: months.and_then(banded),
         })
@@ -206,6 +221,9 @@ impl FastestGrowth {
 
     /// The same in the unit of another, so that both can be compared at a glance.
     pub(crate) fn time_beside(&self, other: &Self) -> Message {
+        if self.faster_than_known {
+            return say!(faster_than_known);
+        }
         let Some(months) = self.doubling_months else {
             let million = |passages: f64| significant(1e-6 * passages, 2);
             return match self.doubling_passages_banded {

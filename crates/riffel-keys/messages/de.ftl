@@ -294,7 +294,7 @@ badge-assumed = angenommen
 
 ## Traffic
 
-growth-faster-than-any-seen = die Amplitude bei { $wavelength } mm verdoppelt sich in { $days } Tagen, schneller als jedes Wachstum, das hier von einer Bahn bekannt ist: { $known } Tage in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") } prüfen
+growth-faster-than-any-seen = das Wachstum bei { $wavelength } mm ist schneller als bei jeder bekannten Bahn: Wellenlängen und Reihenfolge gelten, die Rate nicht; die schnellste hier bekannte Amplitude verdoppelte sich in { $known } Tagen, in einem Metrobogen von 120 m Radius (Torstensson & Nielsen 2009); tractive_ratio, traction_share (der Anteil der Achsen darunter) und { KEY("wear.coefficient") } prüfen
 
 ## Wem die schnellste Wellenlänge folgt
 
@@ -326,6 +326,7 @@ ground-after-column = geschliffen nach
 nothing-grows-then = nichts wächst
 helps-most = am meisten hilft: { $title }; das Wachstum fällt um { $percent } % und verdoppelt in { $time }
 helps-most-of-all = am meisten hilft: { $title }; dann wächst nichts
+helps-most-in-order = am meisten hilft: { $title }; das Wachstum fällt um { $percent } %
 helps-nothing = keine dieser Maßnahmen bremst das Wachstum
 left-out-for = ausgelassen: { $title }; { $reason }
 vehicles-differ = { $key } unterscheidet sich zwischen den Fahrzeugen oder streut über ihre Räder: in der Verkehrsdatei ändern
@@ -369,6 +370,8 @@ longer-waves = längere
 one-wavelength = { $wavelength } mm
 wavelengths-between = { $shortest }–{ $longest } mm
 grows-fastest-under = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time }
+faster-than-known = schneller als jede bekannte Bahn
+grows-fastest-without-rate = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt, schneller als bei jeder bekannten Bahn: Wellenlängen und Reihenfolge gelten, die Rate nicht
 grows-fastest-under-within = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time } (80 %: der Verschleißbeiwert ist unsicher)
 growth-is-cut-off = „{ $title }“ wächst am schnellsten bei { $wavelength } mm, am Rand von { KEY("map.wavelength") } und ohne ein Maximum: { $beyond } Wellen, die in den Aussagen über den Grenzwert fehlen, können ihn früher erreichen; { KEY("map.wavelength") } erweitern
 fastest-at-edge = { $wavelength } mm liegt am Rand und ist kein Maximum: { $beyond } Wellen können schneller wachsen

@@ -301,7 +301,7 @@ badge-assumed = assumed
 
 ## Traffic
 
-growth-faster-than-any-seen = the amplitude at { $wavelength } mm doubles in { $days } days, faster than any growth known here from a railway: { $known } days in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
+growth-faster-than-any-seen = growth at { $wavelength } mm is faster than any railway known: wavelengths and order hold, the rate does not; the fastest amplitude known here doubled in { $known } days, in a metro curve of 120 m radius (Torstensson & Nielsen 2009); check tractive_ratio, traction_share (the share of axles under it) and { KEY("wear.coefficient") }
 
 ## What the fastest wavelength follows
 
@@ -333,6 +333,7 @@ ground-after-column = ground after
 nothing-grows-then = nothing grows
 helps-most = what helps most is { $title }: growth falls by { $percent } % and doubles in { $time }
 helps-most-of-all = what helps most is { $title }: nothing grows then
+helps-most-in-order = what helps most is { $title }: growth falls by { $percent } %
 helps-nothing = none of these remedies slows growth
 left-out-for = left out: { $title }; { $reason }
 vehicles-differ = { $key } differs between the vehicles, or is spread over their wheels: change it in the traffic file
@@ -376,6 +377,8 @@ longer-waves = longer
 one-wavelength = { $wavelength } mm
 wavelengths-between = { $shortest }–{ $longest } mm
 grows-fastest-under = { $range } grows fastest under { $traffic }; { $wavelength } mm leads and doubles in { $time }
+faster-than-known = faster than any railway known
+grows-fastest-without-rate = { $range } grows fastest under { $traffic }; { $wavelength } mm leads, faster than any railway known: wavelengths and order hold, the rate does not
 grows-fastest-under-within = { $range } grows fastest under { $traffic }; { $wavelength } mm leads and doubles in { $time } (80 %: the wear coefficient is uncertain)
 growth-is-cut-off = "{ $title }" grows fastest at { $wavelength } mm, the edge of { KEY("map.wavelength") }, and no maximum: { $beyond } waves, which have no part in what is told of the limit, may reach it before; widen { KEY("map.wavelength") }
 fastest-at-edge = { $wavelength } mm is at the edge and no maximum: { $beyond } waves may grow faster

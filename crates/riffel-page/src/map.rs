@@ -5,7 +5,7 @@ use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
-use riffel_case::traffic::UsualTraffic;
+use riffel_case::traffic::{FASTEST_DOUBLING, UsualTraffic};
 use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -47,6 +47,8 @@ struct Usual {
     line: &'static str,
     speeds_m_per_s: [f64; 2],
     passages_per_day: f64,
+    /// Days below which a doubling is faster than any railway known, and no time is told.
+    fastest_doubling_days: f64,
     /// A vehicle can bring all its wheels: the case has a curve.
     in_curve: bool,
 }
@@ -58,6 +60,7 @@ impl From<&Case> for Usual {
             line: usual.line.name(),
             speeds_m_per_s: usual.speeds,
             passages_per_day: usual.passages_per_day,
+            fastest_doubling_days: FASTEST_DOUBLING,
             in_curve: case.file.curve.is_some() || case.file.contact.from.is_some(),
         }
     }

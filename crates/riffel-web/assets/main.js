@@ -148,7 +148,7 @@ function highestOfTraffic() {
 }
 
 /** Passages with the time and the gross tonnes that they take. */
-const countInWords = (count) => traffic.words(count, si(state.head.complete, 'contact.normal_load')).whole;
+const countInWords = (count, grows) => traffic.words(count, si(state.head.complete, 'contact.normal_load'), grows).whole;
 
 let moved = false;
 function movePoint(point, pinned) {

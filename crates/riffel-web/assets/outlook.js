@@ -92,8 +92,9 @@ export class Outlook {
     const helps = this.remedies.answer?.helps_most;
     const words = answer.fault ? [inWords(answer.fault.message)] : [...answer.notes, ...(helps ? [helps] : [])].map((one) => inWords(one));
     this.verdict.textContent = words.map(sentence).join(' ');
-    this.large.textContent = time ? `In ${inWords(time)}` : t(answer.fault ? 'not_known' : 'nothing_grows_here');
-    this.until.textContent = fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
+    const isTooFast = fastest?.faster_than_known;
+    this.large.textContent = time ? (isTooFast ? sentence(inWords(time)) : `In ${inWords(time)}`) : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.until.textContent = isTooFast ? t('order_holds') : fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
     this.cause.replaceChildren(evidence ? this.#card(cause, evidence) : element('p', { className: 'why', textContent: t(answer.fault ? 'not_known' : 'no_cause') }));
     translate(this.panel);

@@ -74,7 +74,7 @@ export function words(state, inWords) {
   const force = Math.round(degrees(state.normal_force_n));
   const lag = Math.abs(Math.round(degrees(state.dissipation_lag_w)));
   const rate = state.growth_rate_per_passage;
-  const count = inWords(Math.LN2 / Math.abs(rate));
+  const count = inWords(Math.LN2 / Math.abs(rate), rate > 0);
   return t('sentence', {
     lambda: number(1e3 * state.wavelength_m, 3), speed: speed(state.speed_m_per_s), hertz: number(state.frequency_hz, 3),
     force: Math.abs(force) < 2 ? t('inphase') : force > 0 ? t('leads', force) : t('lags', -force),

@@ -37,7 +37,7 @@ export function readTraffic(given) {
 export class Traffic {
   /** `onChange` is told of a traffic that is accepted, `onTrouble` that a field is not, or is again. */
   constructor(place, { onChange, onTrouble }) {
-    Object.assign(this, { place, onChange, onTrouble, given: null, usual: USUAL });
+    Object.assign(this, { place, onChange, onTrouble, given: null, usual: USUAL, fastest: 0 });
     const summary = element('summary', {}, worded('span', 'traffic'), (this.short = element('small', { className: 'aside' })));
     this.fields = FIELDS.map(([name, id, word, units, low, high]) => Object.assign(new NumberField({
       id, word, units: UNITS[units], low, high, onTrouble, accept: (value) => this.#accept(name, value),
@@ -55,7 +55,8 @@ export class Traffic {
   }
 
   /** The usual traffic of the line, as the program tells it; whether that changes the traffic. */
-  setUsual({ speeds_m_per_s: speeds, passages_per_day, in_curve: inCurve }) {
+  setUsual({ speeds_m_per_s: speeds, passages_per_day, in_curve: inCurve, fastest_doubling_days: fastest }) {
+    this.fastest = fastest;
     this.inCurve.hidden = !inCurve;
     const [from_km_per_h, to_km_per_h] = speeds.map((speed) => Number((3.6 * speed).toPrecision(6)));
     const usual = { ...USUAL, from_km_per_h, to_km_per_h, passages_per_day };
@@ -125,11 +126,12 @@ export class Traffic {
     return { days, months: days / DAYS_OF_MONTH, megatonnes: tonnes / 1e6 };
   }
 
-  /** The same in words: time, mass and all in one, "5.6 million passages (31 months or 57 MGT with the default traffic)". */
-  words(count, wheelLoad) {
+  /** The same in words: time, mass and all in one, "5.6 million passages (31 months or 57 MGT with the default traffic)"; no time where a doubling is faster than any railway known. */
+  words(count, wheelLoad, grows = true) {
     const { days, months, megatonnes } = this.span(count, wheelLoad);
-    const time = months < 1 ? t('time_days', number(days, 2)) : months < 36 ? t('time_months', number(months, 2)) : t('time_years', number(months / 12, 2));
+    const isTooFast = grows && days < this.fastest;
+    const time = isTooFast ? t('faster_than_known') : months < 1 ? t('time_days', number(days, 2)) : months < 36 ? t('time_months', number(months, 2)) : t('time_years', number(months / 12, 2));
     const mass = t('gross_tonnes', number(megatonnes, 2));
-    return { time, mass, whole: `${passages(count)} ${t('passages_word')} (${t('growth_time', { time, mass, isDefault: !this.given })})` };
+    return { time, mass, whole: `${passages(count)} ${t('passages_word')} (${isTooFast ? time : t('growth_time', { time, mass, isDefault: !this.given })})` };
   }
 }

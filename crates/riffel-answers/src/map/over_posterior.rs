@@ -36,7 +36,10 @@ pub fn growth_in_words(growth: &OverPosterior) -> Vec<Message> {
     {
         let millimetres = |metres: f64| significant(1e3 * metres, 2);
         let [shortest, longest] = wavelength.band_90.map(millimetres);
-        let time = match number("doubling_months") {
+        // Draws that grow faster than any railway known have no months: then axles are told.
+        let all = rate.map(|rate| rate.draws);
+        let months = number("doubling_months").filter(|months| Some(months.draws) == all);
+        let time = match months {
             Some(months) => time_between(months.band_90),
             None => {
                 let [early, late] = passages.band_90.map(|it| significant(1e-6 * it, 2));

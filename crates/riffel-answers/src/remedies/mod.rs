@@ -201,11 +201,15 @@ impl RemediesAnswer {
             return Some(say!(helps_nothing));
         };
         let title = best.title.clone();
+        let percent = fixed(-100.0 * best.change_of_fastest_growth, 0);
         Some(match best.fastest {
+            Some(fastest) if fastest.faster_than_known => {
+                say!(helps_most_in_order, title = title, percent = percent)
+            }
             Some(fastest) => say!(
                 helps_most,
                 title = title,
-                percent = fixed(-100.0 * best.change_of_fastest_growth, 0),
+                percent = percent,
                 time = fastest.time()
             ),
             None => say!(helps_most_of_all, title = title),

@@ -2,7 +2,7 @@
 
 use std::f64::consts::LN_2;
 
-use riffel_answers::LineGrowth;
+use riffel_answers::{LineGrowth, RemediesAnswer};
 use riffel_case::traffic::{DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic};
 use riffel_case::{
     FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
@@ -105,12 +105,30 @@ fn growth_that_nobody_has_seen_is_remarked() {
         let coefficient = format!("wear.coefficient={coefficient} kg/J");
         in_words(&LineGrowth::new(&coarse(NOMINAL_CASE, &[&coefficient]), None).unwrap())
     };
-    assert!(!seen("2.5e-9").contains("faster than any growth known"));
+    assert!(!seen("2.5e-9").contains("faster than any railway known"));
     let words = seen("2.5e-7");
+    let sentence = words.lines().next().unwrap();
     assert!(
-        words.contains("faster than any growth known") && words.contains("days (80 %"),
+        sentence.ends_with(
+            "leads, faster than any railway known: wavelengths and order hold, the rate does not"
+        ),
         "{words}"
     );
+    // The only time is that of the railway known.
+    assert_eq!(words.matches(" days").count(), 1, "{words}");
+    assert!(words.contains("doubled in 96 days"), "{words}");
+    let fast = coarse(NOMINAL_CASE, &["wear.coefficient=2.5e-7 kg/J"]);
+    let growth = LineGrowth::new(&fast, None).unwrap();
+    let fastest = growth.fastest.unwrap();
+    assert!(fastest.faster_than_known && fastest.doubling_months.is_none());
+    assert_eq!(fastest.time().to_string(), "faster than any railway known");
+    let remedies = RemediesAnswer::new(&fast, None, &|_| ()).unwrap();
+    let best = remedies.helps_most().unwrap().to_string();
+    assert!(
+        best.contains(": growth falls by") && !best.contains("doubles"),
+        "{best}"
+    );
+    assert!(remedies.grinding_interval.is_none());
     let calm = coarse(NOMINAL_CASE, &["map.wavelength.max=30 mm"]);
     let growth = LineGrowth::new(&calm, None).unwrap();
     assert!(growth.fastest.is_none());

@@ -19,7 +19,9 @@ use riffel::roughness::ThirdOctave;
 pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
-pub use reported_growth::{is_of_reported_growth, reported_growth};
+pub use reported_growth::{
+    FASTEST_DOUBLING, is_faster_than_known, is_of_reported_growth, reported_growth,
+};
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
 pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
