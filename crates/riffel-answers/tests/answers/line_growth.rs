@@ -2,7 +2,8 @@
 
 use std::f64::consts::LN_2;
 
-use riffel_answers::{LineGrowth, RemediesAnswer};
+use riffel_answers::LineGrowth;
+use riffel_answers::remedies::RemediesAnswer;
 use riffel_case::traffic::{DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic};
 use riffel_case::{
     FREIGHT_CASE, MAIN_LINE_CASE, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE, TRAM_CASE,
