@@ -334,6 +334,7 @@ remedy-lacks-key = der Fall hat keinen Wert von { $key }
 remedy-has-no-effect = { $key } ändert in diesem Fall nichts
 remedy-is-refused = damit lässt sich dieser Fall nicht berechnen
 friction-is-low = die Reibung ist schon { $friction }
+grinding-leaves-fast-growth = Schleifen senkt den Pegel und lässt das Wachstum, wie es ist
 grinding-leaves-growth = Schleifen senkt den Pegel und lässt das Wachstum, wie es ist: 6 dB in { $time }
 ground-as-it-is = so wie es ist, steigt das erste Band in { $time } um 6 dB über das, was Schleifen hinterlässt: so lang ist der Abstand des Schleifens bei einem Grenzwert in dieser Höhe
 steps-are-chosen = wie weit jede Maßnahme geht, ist gewählt; was ein Produkt bewirkt, steht in seinem Datenblatt

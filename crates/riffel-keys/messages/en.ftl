@@ -341,6 +341,7 @@ remedy-lacks-key = the case has no value of { $key }
 remedy-has-no-effect = { $key } changes nothing in this case
 remedy-is-refused = this case cannot be computed with it
 friction-is-low = friction is { $friction } already
+grinding-leaves-fast-growth = grinding lowers the level and leaves growth as it is
 grinding-leaves-growth = grinding lowers the level and leaves growth as it is, 6 dB in { $time }
 ground-as-it-is = as it is, the first band rises by 6 dB from what grinding leaves in { $time }: this is the grinding interval of a limit so far above
 steps-are-chosen = how far each remedy goes is chosen; what a product does stands in its data sheet

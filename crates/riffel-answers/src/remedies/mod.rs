@@ -141,7 +141,10 @@ impl RemediesAnswer {
         answer.remedies.sort_by(Remedy::by_effect);
         answer.left_out.push(LeftOut {
             title: say!(more_grinding),
-            reason: say!(grinding_leaves_growth, time = before.time()),
+            reason: match before.faster_than_known {
+                true => say!(grinding_leaves_fast_growth),
+                false => say!(grinding_leaves_growth, time = before.time()),
+            },
         });
         let interval = answer.grinding_interval;
         answer
