@@ -363,8 +363,8 @@ impl Profile {
     pub(super) fn is_measured(&self, [x, height]: [f64; 2]) -> bool {
         /// How near a place on a side lies to it \[m\].
         const ON_SIDE: f64 = 1e-6;
-        let faces = self.sides.iter().filter_map(|side| side.at(height));
-        let on_side = faces.filter(|face| (face.x - x).abs() < ON_SIDE).last();
+        let mut faces = self.sides.iter().filter_map(|side| side.at(height));
+        let on_side = faces.rfind(|face| (face.x - x).abs() < ON_SIDE);
         let step = on_side.map(|face| face.step).or_else(|| {
             let index = self.ends.partition_point(|end| *end <= x);
             let piece = self.pieces.get(index.checked_sub(1)?)?;
