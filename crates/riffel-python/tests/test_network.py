@@ -74,6 +74,8 @@ def test_what_cannot_be_is_refused(network: riffel.Network, tmp_path: Path) -> N
         network.plan()
     with pytest.raises(ValueError, match="cost_per_metre is missing"):
         network.plan(money=10.0)
+    with pytest.raises(TypeError, match="money is '500.000', but must be a number"):
+        network.plan(money="500.000", cost_per_metre=12)  # type: ignore[arg-type]
     with pytest.raises(ValueError, match="at least a cell"):
         network.worst(section="1 m")
     with pytest.raises(ValueError, match="2026"):

@@ -4,7 +4,7 @@ use riffel_keys::table::{foreign_unit, is_one_of, length_in, words};
 use riffel_keys::{Exponents, Unit};
 
 /// Words for a size that may be in any unit, unless a word for a level stands beside them.
-const SIZE: &str = "amplitude|amplitudes|amplituden|amplitud|ampiezza|rms|effektivwert|efficace|eficaz|roughness|rauheit|\
+const SIZE: &str = "amplitude|amplitudes|magnitude|magnitudes|amplituden|amplitud|ampiezza|rms|effektivwert|efficace|eficaz|roughness|rauheit|\
                     rauhigkeit|rugosité|rugosidad|rugosità|ruwheid|height|höhe|hoehe|hauteur|altura|altezza|depth|tiefe|\
                     peak|p2p|psd";
 const LEVEL: &str = "level|levels|l|lr|pegel|niveau|nivel|livello";
@@ -135,6 +135,7 @@ mod tests {
             ("level [dB(A)]", "in dB A"),
             ("level_nm", "in nm"),
             ("amplitude_um", "in um"),
+            ("magnitude [um]", "in um"),
             ("amplitude", "a size, and its unit is not said"),
             ("rms left", "a size, and its unit is not said"),
             ("roughness", "a size, and its unit is not said"),

@@ -10,7 +10,7 @@ const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spur
 const LINES: &str = "corner|side|face";
 /// What is measured over a chord.
 const CHORD: &str = "chord|midchord|mco|versine|versines|sehne|sehnenmaß|wandersehne|pfeilhöhe|pfeilhoehe|pfeilhöhen|corde|\
-                     flèche|fleche|flèches|cuerda|flecha|corda|freccia|pijl";
+                     flèche|fleche|flèches|cuerda|flecha|corda|freccia|pijl|sagitta|ordinate|midordinate";
 /// Along and across the rail.
 const ACROSS: &str = "longitudinal|längs|laengs|lateral|laterale|latéral|latérale|transverse|transversal|quer|längsrichtung|\
                       querrichtung|horizontal|seitlich|trasversale|lat|hor";
@@ -173,7 +173,7 @@ mod tests {
     fn only_what_a_rail_is_felt_or_measured_by_is_kept() {
         for (rails, others) in [
             ("left_um,right_um", "left_rms_um,mean_um,right_filtered_um"),
-            ("left_um,right_filtered_um", "cant_mm,versine left [mm]"),
+            ("left_um,right_filtered_um", "cant_mm,versine left [mm],sagitta_um,mid-ordinate [um]"),
             (
                 "z_filtered_um",
                 "chord offset 200 mm [um],Pfeilhöhe rechts [mm]",

@@ -212,6 +212,10 @@ class Network:
         else:
             if cost_per_metre is None:
                 raise ValueError("cost_per_metre is missing: money needs it")
+            # Text could hold points that part thousands.
+            for name, value in (("money", money), ("cost_per_metre", cost_per_metre), ("cost_per_site", cost_per_site)):
+                if isinstance(value, str):
+                    raise TypeError(f"{name} is {value!r}, but must be a number")
             budget = (float(money or 0.0), float(cost_per_metre), float(cost_per_site))
         expected = _expected(case, traffic, line)
         found = _riffel.network_plan(
