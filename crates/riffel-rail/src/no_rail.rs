@@ -173,7 +173,10 @@ mod tests {
     fn only_what_a_rail_is_felt_or_measured_by_is_kept() {
         for (rails, others) in [
             ("left_um,right_um", "left_rms_um,mean_um,right_filtered_um"),
-            ("left_um,right_filtered_um", "cant_mm,versine left [mm],sagitta_um,mid-ordinate [um]"),
+            (
+                "left_um,right_filtered_um",
+                "cant_mm,versine left [mm],sagitta_um,mid-ordinate [um]",
+            ),
             (
                 "z_filtered_um",
                 "chord offset 200 mm [um],Pfeilhöhe rechts [mm]",

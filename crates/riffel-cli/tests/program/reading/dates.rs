@@ -218,6 +218,10 @@ fn growth_is_that_of_one_device() {
         for ((device, offset), (date, year)) in
             devices.iter().zip(dates.iter().zip([0.0, 1.0, 1.0, 2.0]))
         {
+            // A device measures once a day.
+            if text.contains(&format!("{device};{date}")) {
+                continue;
+            }
             for (wavelength, level) in LEVELS {
                 writeln!(
                     text,
