@@ -59,28 +59,23 @@ impl Survey {
             record.label(column).unwrap_or_default().to_owned()
         };
         let of = |record: &LabelledSpectrum| label(record, &device);
-        let mut by_date: BTreeMap<String, BTreeSet<String>> = BTreeMap::new();
-        for record in &self.records {
-            by_date
-                .entry(label(record, &date))
-                .or_default()
-                .insert(of(record));
-        }
-        let mut sets = by_date.values();
-        let Some(reference) = sets
-            .next_back()
-            .and_then(|devices| devices.first().cloned())
-        else {
+        let by_date = self.by_date(&date).unwrap_or_default().into_iter();
+        let by_date = by_date.map(|(_, survey)| survey.records.iter().map(of).collect());
+        let by_date: Vec<BTreeSet<String>> = by_date.collect();
+        let Some(last) = by_date.last() else {
             return self;
         };
-        if sets.all(|devices| Some(devices) == by_date.values().next_back()) {
+        let Some(reference) = last.first().cloned() else {
+            return self;
+        };
+        if by_date.iter().all(|devices| devices == last) {
             return self;
         }
         let told = self.change_of_device();
         self.warnings
             .retain(|warning| Some(warning) != told.as_ref());
         let mut known = BTreeSet::from([reference.clone()]);
-        let mut others: BTreeSet<String> = by_date.into_values().flatten().collect();
+        let mut others: BTreeSet<String> = by_date.into_iter().flatten().collect();
         others.remove(&reference);
         let place = |record: &LabelledSpectrum| {
             (
@@ -169,7 +164,8 @@ mod tests {
                 let level = |at: usize| [4.0, 1.0][at] * grown + offset[at];
                 let labels = [
                     ("Messgerät", device.to_owned()),
-                    ("date", format!("{year}-06-01")),
+                    // Days that fall as years rise: the order is that of dates, not of letters.
+                    ("date", format!("{:02}.06.{year}", 2040 - year)),
                 ];
                 let bands = [0.05, 0.025].map(|it| ThirdOctave::containing(it).unwrap());
                 LabelledSpectrum {
