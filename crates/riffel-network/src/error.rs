@@ -1,6 +1,6 @@
 //! What can be wrong with a network.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::io;
 use std::path::{Path, PathBuf};
 
@@ -148,5 +148,23 @@ impl NetworkError {
     pub(crate) fn write(path: &Path) -> impl FnOnce(io::Error) -> Self {
         let path = path.to_owned();
         |reason| Self::Write { path, reason }
+    }
+
+    /// That a store has nothing of a name.
+    pub(crate) fn not_there<'a>(
+        what: &'static str,
+        asked: &str,
+        known: impl Iterator<Item = &'a str>,
+    ) -> Self {
+        let known: BTreeSet<&str> = known.collect();
+        let known: Vec<&str> = known.into_iter().collect();
+        Self::Value {
+            what,
+            value: format!("\"{asked}\""),
+            rule: match known[..] {
+                [] => "one of those in the store, which has no survey".to_owned(),
+                _ => format!("one of those in the store: {}", known.join(", ")),
+            },
+        }
     }
 }

@@ -8,7 +8,6 @@ use serde::Serialize;
 
 use crate::single_places::{LONGEST_PLACE, tells_places};
 use crate::store::in_words;
-use crate::strip_chart::not_there;
 use crate::{NetworkError, Section, Store};
 
 /// How far sections are over a limit.
@@ -152,7 +151,7 @@ impl Judgement {
             && !lines.contains(line)
         {
             let known = lines.iter().map(String::as_str);
-            return Err(not_there("the line", line, known));
+            return Err(NetworkError::not_there("the line", line, known));
         }
         self.expected.push((line.map(str::to_owned), growth));
         Ok(self)

@@ -88,12 +88,12 @@ impl StripChart {
         let of_line: Vec<&SurveyRecord> = surveys.iter().filter(is_of_line).collect();
         if let Some(line) = line.filter(|_| of_line.is_empty()) {
             let known = surveys.iter().map(|survey| survey.line.as_str());
-            return Err(not_there("the line", line, known));
+            return Err(NetworkError::not_there("the line", line, known));
         }
         let rails = || of_line.iter().flat_map(|survey| &survey.rails);
         if let Some(rail) = rail.filter(|rail| rails().all(|known| known.name != *rail)) {
             let known = rails().map(|rail| rail.name.as_str());
-            return Err(not_there("the rail", rail, known));
+            return Err(NetworkError::not_there("the rail", rail, known));
         }
         let charted: Result<Vec<ChartedSurvey>, NetworkError> = of_line
             .par_iter()
@@ -252,22 +252,4 @@ fn charted(
         date: survey.date.to_string(),
         sections: worst.into_values().collect(),
     })
-}
-
-/// That a store has nothing of a name.
-pub(crate) fn not_there<'a>(
-    what: &'static str,
-    asked: &str,
-    known: impl Iterator<Item = &'a str>,
-) -> NetworkError {
-    let known: std::collections::BTreeSet<&str> = known.collect();
-    let known: Vec<&str> = known.into_iter().collect();
-    NetworkError::Value {
-        what,
-        value: format!("\"{asked}\""),
-        rule: match known[..] {
-            [] => "one of those in the store, which has no survey".to_owned(),
-            _ => format!("one of those in the store: {}", known.join(", ")),
-        },
-    }
 }
