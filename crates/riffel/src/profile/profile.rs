@@ -150,14 +150,9 @@ impl Profile {
             Side::down(&mut points[..=from].iter().rev().copied()),
             Side::down(&mut points[to..].iter().copied()),
         ];
-        let across = |side: &Side| {
-            side.points()
-                .iter()
-                .map(|point| point[0])
-                .collect::<Vec<_>>()
-        };
-        let low = across(&sides[0]).into_iter().fold(x[from], f64::min);
-        let high = across(&sides[1]).into_iter().fold(x[to], f64::max);
+        let [inner, outer] = sides.each_ref().map(|side| side.points().iter());
+        let low = inner.fold(x[from], |low, [x, _]| low.min(*x));
+        let high = outer.fold(x[to], |high, [x, _]| high.max(*x));
         // An overhang lies inside what stands over it, a side that leans outward below; points in a wrong order lie beyond.
         let is_beyond = |place: &f64| *place < low - OVERHANG || *place > high + OVERHANG;
         if to == 0 || x.iter().any(is_beyond) {

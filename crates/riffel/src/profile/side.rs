@@ -3,6 +3,7 @@
 /// How far points of an overhanging side may lie beside the end of the curve, and above points before them \[m\]: unevenness of measured
 /// ones.
 pub(super) const OVERHANG: f64 = 1e-3;
+
 /// Points (x, height) \[m\] from an end of the curve down, each lower than those before, from which the lateral coordinate follows by the
 /// height; empty where nothing goes down there.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -65,9 +65,7 @@ impl WheelDimensions {
             flange_gradient: measured(&[tip, datum, measure, steep], measure[0] - steep[0]),
         })
     }
-}
 
-impl WheelDimensions {
     /// Wear of the tread against a nominal wheel \[m\], by which the flange is higher.
     pub fn tread_wear(&self, nominal: &Self) -> Option<f64> {
         Some(self.flange_height? - nominal.flange_height?)

@@ -155,15 +155,9 @@ fn of_rail(written: &WrittenProfile) -> [f64; 2] {
     let ends = 0.5 * (points[0][1] + points[points.len() - 1][1]);
     let up = if level(points) < ends { -1.0 } else { 1.0 };
     let upright: Vec<[f64; 2]> = points.iter().map(|[x, y]| [*x, up * y]).collect();
-    let leans_outward = matches!(Lean::of(&upright), Some(Lean::Inclined(off)) if off > 0.0);
-    [
-        if leans_outward && !written.gauge_side_known {
-            -1.0
-        } else {
-            1.0
-        },
-        up,
-    ]
+    let leans_outward = !written.gauge_side_known
+        && matches!(Lean::of(&upright), Some(Lean::Inclined(off)) if off > 0.0);
+    [if leans_outward { -1.0 } else { 1.0 }, up]
 }
 
 /// How far the middle of a head lies beside its highest point \[m\], below zero towards smaller x, where that is farther than side wear
