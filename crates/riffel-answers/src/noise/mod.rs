@@ -243,6 +243,7 @@ impl NoiseQuestion {
         let total = level.total_dba.unwrap_or(f64::NEG_INFINITY);
         let duration = self.length() / self.speed;
         let name = |(name, _): &(String, Spectrum)| name.clone();
+        let frequency_hz = nominal(&levels);
         Ok(NoiseAnswer {
             riffel_version: env!("CARGO_PKG_VERSION"),
             speed_m_per_s: self.speed,
@@ -252,8 +253,8 @@ impl NoiseQuestion {
             height_m: self.height,
             wheel_roughness: train.wheels.as_ref().map(name),
             wheel_modes: self.wheel_modes.clone(),
-            lower_bound_up_to_hz: lower_bound_up_to(&nominal(&levels)),
-            frequency_hz: nominal(&levels),
+            lower_bound_up_to_hz: lower_bound_up_to(&frequency_hz),
+            frequency_hz,
             sound_power_level: Levels::from(&sources::powers_of_parts(&powers)),
             by_transfer_functions,
             sound_exposure_level_dba: total + 10.0 * duration.log10(),

@@ -162,20 +162,15 @@ impl<T> Signals<T> {
         let why = why_no_rail(&names);
         let mut kept = why.iter().map(Option::is_none);
         self.channels.retain(|_| kept.next().unwrap_or(true));
-        let said = names.iter().zip(why).filter_map(|(name, why)| {
+        let left_out = |name: &str, reason: Message| {
             let channel = format!("`{name}`");
-            Some(say!(channel_left_out, channel = channel, reason = why?).to_string())
-        });
-        let mut said: Vec<String> = said.collect();
-        said.extend(self.seconds.drain(..).map(|signal| {
-            let channel = format!("`{}`", name(&signal));
-            say!(
-                channel_left_out,
-                channel = channel,
-                reason = say!(it_is_second)
-            )
-            .to_string()
-        }));
+            say!(channel_left_out, channel = channel, reason = reason).to_string()
+        };
+        let others = names.iter().zip(why);
+        let others = others.filter_map(|(name, why)| Some(left_out(name, why?)));
+        let seconds = self.seconds.drain(..);
+        let seconds = seconds.map(|signal| left_out(&name(&signal), say!(it_is_second)));
+        let said: Vec<String> = others.chain(seconds).collect();
         match self.channels.is_empty() && !said.is_empty() {
             true => Err(said.join("; ")),
             false => Ok(said),
