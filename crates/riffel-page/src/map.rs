@@ -5,7 +5,7 @@ use riffel::{Axis, GrowthMap, Loop, Ridge};
 use riffel_answers::map::DerivedDocument;
 use riffel_answers::ridge::{BranchDocument, RidgePointDocument, best_fit_frequency, ridge_in};
 use riffel_case::Case;
-use riffel_case::traffic::{FASTEST_DOUBLING, UsualTraffic};
+use riffel_case::traffic::{FASTEST_DOUBLING_DAYS, UsualTraffic};
 use riffel_keys::Message;
 use riffel_plot::constant_frequency_rays;
 use serde::{Deserialize, Serialize};
@@ -60,7 +60,7 @@ impl From<&Case> for Usual {
             line: usual.line.name(),
             speeds_m_per_s: usual.speeds,
             passages_per_day: usual.passages_per_day,
-            fastest_doubling_days: FASTEST_DOUBLING,
+            fastest_doubling_days: FASTEST_DOUBLING_DAYS,
             in_curve: case.file.curve.is_some() || case.file.contact.from.is_some(),
         }
     }

@@ -20,7 +20,7 @@ pub use in_time::VehicleInTime;
 pub use mix::Traffic;
 pub use on_case::TrafficOnCase;
 pub use reported_growth::{
-    FASTEST_DOUBLING, is_faster_than_known, is_of_reported_growth, reported_growth,
+    FASTEST_DOUBLING_DAYS, is_faster_than_known, is_of_reported_growth, reported_growth,
 };
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;

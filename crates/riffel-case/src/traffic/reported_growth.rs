@@ -8,7 +8,7 @@ use riffel_keys::{Message, fixed, say, significant};
 /// Days in which the amplitude of the fastest growth known here from a railway doubled: +10.1 dB in the 161 days
 /// between the 139th and the 300th after grinding, wavelengths of 4 to 14 cm on the low rail of a metro curve of
 /// 120 m radius in Stockholm (Torstensson & Nielsen 2009, *Wear* 267). 20 lg 2 = 6.02 dB.
-pub const FASTEST_DOUBLING: f64 = 161.0 * 6.020_599_913 / 10.1;
+pub const FASTEST_DOUBLING_DAYS: f64 = 161.0 * 6.020_599_913 / 10.1;
 
 /// Whether a remark is that growth is faster than any seen: dates that follow from it are not to be believed.
 pub fn is_of_reported_growth(remark: &Message) -> bool {
@@ -18,7 +18,7 @@ pub fn is_of_reported_growth(remark: &Message) -> bool {
 /// Whether a growth rate per passage \[-\] is faster than that under so many axle passages a day: then no time that follows from
 /// it is told, only wavelengths and order.
 pub fn is_faster_than_known(rate: f64, passages_per_day: f64) -> bool {
-    rate * passages_per_day * FASTEST_DOUBLING > LN_2
+    rate * passages_per_day * FASTEST_DOUBLING_DAYS > LN_2
 }
 
 /// A remark where a wavelength \[m\] grows faster than any railway known.
@@ -27,7 +27,7 @@ pub fn reported_growth(wavelength: f64, rate: f64, passages_per_day: f64) -> Opt
         say!(
             growth_faster_than_any_seen,
             wavelength = significant(1e3 * wavelength, 3),
-            known = fixed(FASTEST_DOUBLING, 0)
+            known = fixed(FASTEST_DOUBLING_DAYS, 0)
         )
     })
 }
