@@ -4,13 +4,14 @@ use std::path::Path;
 
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::data::Group;
 use crate::error::CalibrationError;
-use crate::folder::{Folder, MODELS};
+use crate::folder::Folder;
 use crate::gaussian::Given;
 use crate::held_out::{Score, given_rest};
+use crate::names::MODELS;
 use crate::plan::Plan;
-use crate::run::Chains;
 
 /// Least difference of ln densities that tells two models apart, however small its error.
 const LEAST_NATS: f64 = 4.0;

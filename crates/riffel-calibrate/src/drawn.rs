@@ -8,10 +8,10 @@ use riffel_keys::CaseError;
 use riffel_keys::quantity::Quantity;
 use toml::{Table, Value};
 
+use crate::chains::Chains;
 use crate::error::CalibrationError;
 use crate::model::{Role, VehicleKey};
 use crate::plan::Plan;
-use crate::run::Chains;
 
 /// A case and its traffic with the values of one draw.
 pub struct Drawn {

@@ -5,19 +5,14 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use riffel_arrays::{InUse, whole_file};
-use riffel_study::Stop;
-use serde_json::Value;
 
 use crate::error::CalibrationError;
+use crate::names::{GROUPS, MODELS, PARTS, SUMMARY, TREE};
 use crate::plan::Plan;
 use crate::record::Record;
-use crate::results::{GROUPS, SUMMARY, TREE};
-use crate::run::{Chains, PARTS};
 
 /// Held by who draws.
 const LOCK: &str = "in-use.lock";
-/// Folders of compared models.
-pub(crate) const MODELS: &str = "models";
 
 /// A folder of results.
 pub struct Folder<'a> {
@@ -70,6 +65,17 @@ impl<'a> Folder<'a> {
         Ok(folder)
     }
 
+    /// A folder whose chains are read, not drawn.
+    pub(crate) fn to_read(plan: &'a Plan, path: &Path, record: Record) -> Self {
+        Self {
+            plan,
+            path: path.to_owned(),
+            record,
+            goes_on: true,
+            _in_use: None,
+        }
+    }
+
     /// Where it is.
     pub fn path(&self) -> &Path {
         &self.path
@@ -79,57 +85,6 @@ impl<'a> Folder<'a> {
         whole_file::write(&self.path, name, bytes)
             .map_err(CalibrationError::write(&self.path.join(name)))
     }
-
-    /// The chains of a plan, if all are there, and the draws in `posterior.zarr` are of the same plan.
-    ///
-    /// # Errors
-    /// [`CalibrationError::OtherPlan`], [`CalibrationError::OtherDraws`], [`CalibrationError::NotThere`],
-    /// [`CalibrationError::Unfinished`].
-    fn finished(plan: &'a Plan, path: &Path) -> Result<Chains, CalibrationError> {
-        let folder = path.to_owned();
-        let Some(there) = Record::read(path) else {
-            return Err(CalibrationError::NotThere { folder });
-        };
-        let record = Record::of(plan)?;
-        if !there.is_like(&record) {
-            return Err(CalibrationError::OtherPlan { folder });
-        }
-        let tree = path.join(TREE);
-        match fs::read(tree.join("zarr.json")) {
-            Ok(bytes) => {
-                let group: Value = serde_json::from_slice(&bytes).unwrap_or_default();
-                if group["attributes"]["fingerprint"] != *record.fingerprint {
-                    return Err(CalibrationError::OtherDraws { path: tree });
-                }
-            }
-            Err(_) => return Err(CalibrationError::Unfinished { folder }),
-        }
-        let own = Self {
-            plan,
-            path: path.to_owned(),
-            record,
-            goes_on: true,
-            _in_use: None,
-        };
-        let stop = Stop::default();
-        stop.ask();
-        let chains = own.run(&|_| (), &stop)?;
-        chains.ok_or(CalibrationError::Unfinished { folder })
-    }
-}
-
-/// The plan of a finished calibration, the one that its folder names or another, and its chains.
-///
-/// # Errors
-/// [`CalibrationError::NotThere`], [`CalibrationError::OtherPlan`], [`CalibrationError::OtherDraws`] and
-/// [`CalibrationError::Unfinished`] of the folder, and those of the plan.
-pub fn finished(folder: &Path, plan: Option<&Path>) -> Result<(Plan, Chains), CalibrationError> {
-    let there = Record::read(folder).ok_or_else(|| CalibrationError::NotThere {
-        folder: folder.to_owned(),
-    })?;
-    let plan = Plan::read(plan.unwrap_or(&there.plan))?;
-    let chains = Folder::finished(&plan, folder)?;
-    Ok((plan, chains))
 }
 
 /// `Ok` if a folder is new, empty, or of a calibration, if only one that was broken off at once.

@@ -4,11 +4,11 @@ use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_study::sensitivity::quantile;
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::decision::Months;
 use crate::error::CalibrationError;
 use crate::plan::Plan;
 use crate::rail_draw::growing_bands;
-use crate::run::Chains;
 use crate::summary::SHARES;
 
 /// The future of a rail from its last date on.

@@ -3,12 +3,12 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::data::{Given, Group, Held};
 use crate::diagnostics::ess_bulk;
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::plan::Plan;
-use crate::run::Chains;
 use crate::smoothing::Weights;
 
 /// The prediction of one group of data by all others.

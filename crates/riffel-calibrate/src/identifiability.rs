@@ -1,11 +1,11 @@
 //! What the data tell of the parameters together, and what they leave to the priors.
 
+use crate::chains::Chains;
 use crate::decision::moments_of;
 use crate::information::mean;
 use crate::matrix::Matrix;
 use crate::model::Role;
 use crate::plan::Plan;
-use crate::run::Chains;
 
 /// Least part of a value that is named, over the largest.
 const NAMED: f64 = 0.3;

@@ -8,6 +8,7 @@
 //! y = model(θ) + δ + ε with δ Gaussian and small by prior.
 
 mod chain;
+mod chains;
 mod comparison;
 #[cfg(test)]
 mod conjugate;
@@ -16,6 +17,8 @@ mod decision;
 pub mod diagnostics;
 mod draw;
 mod drawn;
+#[cfg(test)]
+mod drawn_problems;
 mod emulator;
 mod ensemble;
 mod error;
@@ -32,6 +35,7 @@ mod linear;
 mod matrix;
 mod model;
 mod moments;
+mod names;
 mod nuts;
 mod optimum;
 mod outlying;
@@ -49,12 +53,13 @@ mod smc;
 mod smoothing;
 mod summary;
 
+pub use chains::Chains;
 pub use comparison::{Comparison, ModelScore, Sampler};
 pub use data::{Held, Observable};
 pub use decision::{ActionOutcome, Breaks, Decision, Months, Worth};
 pub use drawn::Drawn;
 pub use error::CalibrationError;
-pub use folder::{Folder, finished};
+pub use folder::Folder;
 pub use forecast::{BandForecast, Forecast};
 pub use held_out::Score;
 pub use identifiability::{Correlation, Direction, Identifiability};
@@ -67,6 +72,6 @@ pub use predicted::Predicted;
 pub use prior::Prior;
 pub use rail_draw::growing_bands;
 pub use results::Results;
-pub use run::{Chains, Progress};
+pub use run::{Progress, finished};
 pub use simulated::{Checked, RANKED, Ranked, Simulated};
 pub use summary::{Marginal, Summary, TOLD};

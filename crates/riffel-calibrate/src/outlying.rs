@@ -3,12 +3,12 @@
 use rayon::prelude::*;
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::data::{Observable, differences};
 use crate::draw::Draw;
 use crate::matrix::Matrix;
 use crate::plan::Plan;
 use crate::posterior::Named;
-use crate::run::Chains;
 
 /// Draws over which a residual is the mean: it then errs by a tenth of its own scatter at most.
 const MOST: usize = 100;

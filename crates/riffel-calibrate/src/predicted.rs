@@ -4,11 +4,11 @@ use rayon::prelude::*;
 use riffel_study::sensitivity::quantile;
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::data::{Observable, Place};
 use crate::draw::{Draw, random};
 use crate::plan::Plan;
 use crate::posterior::Named;
-use crate::run::Chains;
 
 /// The random numbers of replicas are those of no chain and of no rail.
 const STREAM: u64 = u64::MAX - 1;

@@ -6,13 +6,13 @@ use rand_xoshiro::Xoshiro256PlusPlus;
 use rayon::prelude::*;
 use riffel::forecast::{GrowingSum, LINES_PER_BAND};
 
+use crate::chains::Chains;
 use crate::data::Levels;
 use crate::draw::random;
 use crate::error::CalibrationError;
 use crate::nuts::normal;
 use crate::plan::Plan;
 use crate::posterior::{Named, Posterior};
-use crate::run::Chains;
 
 /// Most draws that are taken: errors of 3 % of a spread.
 const MOST: usize = 1000;

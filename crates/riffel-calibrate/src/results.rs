@@ -8,31 +8,17 @@ use jiff::Timestamp;
 use riffel_arrays::{Array, DataType, Together, Values, group, json};
 use serde_json::{Map, Value, json};
 
+use crate::chains::Chains;
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
 use crate::folder::Folder;
 use crate::given::columns;
+use crate::names::{GROUPS, SUMMARY, TREE};
 use crate::plan::Plan;
 use crate::predicted::replicas;
 use crate::record::Record;
-use crate::run::Chains;
 use crate::summary::Summary;
-
-/// The table of marginals.
-pub(crate) const SUMMARY: &str = "summary.csv";
-/// The draws, as ArviZ reads them.
-pub(crate) const TREE: &str = "posterior.zarr";
-/// Its groups.
-pub(crate) const GROUPS: [&str; 7] = [
-    "posterior",
-    "sample_stats",
-    "prior",
-    "log_likelihood",
-    "posterior_predictive",
-    "observed_data",
-    "constant_data",
-];
 
 /// Draws of the prior that are written.
 const OF_PRIOR: u64 = 1000;

@@ -1,16 +1,22 @@
 //! All chains, kept in parts.
 
 use std::fs;
+use std::path::Path;
 
 use rayon::prelude::*;
 use riffel_arrays::{Array, Values};
 use riffel_study::Stop;
+use serde_json::Value;
 
+use crate::chains::Chains;
 use crate::draw::Draw;
 use crate::error::CalibrationError;
 use crate::file::SamplerKind;
 use crate::folder::Folder;
+use crate::names::{PARTS, TREE};
 use crate::nuts::Statistics;
+use crate::plan::Plan;
+use crate::record::Record;
 use crate::sampling::Sampling;
 
 /// Draws of a part of a chain, which is kept as a whole.
@@ -21,15 +27,6 @@ const OF_DRAW: usize = 7;
 const GOES_ON: u64 = 1000;
 /// Most draws of such a chain, over those of the plan. Riffel's choice.
 const MOST_TIMES: u64 = 4;
-/// The folder of the parts.
-pub(crate) const PARTS: &str = "chains";
-
-/// The draws of all chains behind their warm-up.
-pub struct Chains {
-    pub(crate) draws: Vec<Vec<Draw>>,
-    /// ln of the evidence as each of them tells it, if they do.
-    pub log_evidences: Vec<f64>,
-}
 
 /// How a run goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -52,17 +49,6 @@ struct Going {
     state: Option<Sampling>,
     /// Parts of it that are kept.
     parts: u64,
-}
-
-impl Chains {
-    /// Draws that lie evenly in all chains, so many at most.
-    pub(crate) fn evenly(&self, most: usize) -> Vec<&Draw> {
-        let all: Vec<&Draw> = self.draws.iter().flatten().collect();
-        let count = all.len().min(most);
-        (0..count)
-            .map(|index| all[index * all.len() / count])
-            .collect()
-    }
 }
 
 impl Folder<'_> {
@@ -235,6 +221,53 @@ impl Folder<'_> {
         let state = Sampling::of_numbers(state, &self.plan.posterior, sampler, chain)?;
         Some((draws.collect(), state))
     }
+}
+
+impl<'a> Folder<'a> {
+    /// The chains of a plan, if all are there, and the draws in `posterior.zarr` are of the same plan.
+    ///
+    /// # Errors
+    /// [`CalibrationError::OtherPlan`], [`CalibrationError::OtherDraws`], [`CalibrationError::NotThere`],
+    /// [`CalibrationError::Unfinished`].
+    fn finished(plan: &'a Plan, path: &Path) -> Result<Chains, CalibrationError> {
+        let folder = path.to_owned();
+        let Some(there) = Record::read(path) else {
+            return Err(CalibrationError::NotThere { folder });
+        };
+        let record = Record::of(plan)?;
+        if !there.is_like(&record) {
+            return Err(CalibrationError::OtherPlan { folder });
+        }
+        let tree = path.join(TREE);
+        match fs::read(tree.join("zarr.json")) {
+            Ok(bytes) => {
+                let group: Value = serde_json::from_slice(&bytes).unwrap_or_default();
+                if group["attributes"]["fingerprint"] != *record.fingerprint {
+                    return Err(CalibrationError::OtherDraws { path: tree });
+                }
+            }
+            Err(_) => return Err(CalibrationError::Unfinished { folder }),
+        }
+        let own = Self::to_read(plan, path, record);
+        let stop = Stop::default();
+        stop.ask();
+        let chains = own.run(&|_| (), &stop)?;
+        chains.ok_or(CalibrationError::Unfinished { folder })
+    }
+}
+
+/// The plan of a finished calibration, the one that its folder names or another, and its chains.
+///
+/// # Errors
+/// [`CalibrationError::NotThere`], [`CalibrationError::OtherPlan`], [`CalibrationError::OtherDraws`] and
+/// [`CalibrationError::Unfinished`] of the folder, and those of the plan.
+pub fn finished(folder: &Path, plan: Option<&Path>) -> Result<(Plan, Chains), CalibrationError> {
+    let there = Record::read(folder).ok_or_else(|| CalibrationError::NotThere {
+        folder: folder.to_owned(),
+    })?;
+    let plan = Plan::read(plan.unwrap_or(&there.plan))?;
+    let chains = Folder::finished(&plan, folder)?;
+    Ok((plan, chains))
 }
 
 /// The file of a part of a chain, below the folder of results.

@@ -248,7 +248,11 @@ fn passages_to_limit(rail: &RailDraw, limits: &[Option<f64>]) -> f64 {
 }
 
 /// Values of the priors that the case takes, and the posterior of data that were made of them.
-fn simulate(posterior: &Posterior, seed: u64, index: u64) -> Option<(Vec<f64>, Posterior)> {
+pub(crate) fn simulate(
+    posterior: &Posterior,
+    seed: u64,
+    index: u64,
+) -> Option<(Vec<f64>, Posterior)> {
     let mut random = random(seed, STREAM, index);
     (0..MOST_TRIALS).find_map(|_| {
         let values = posterior.drawn_from_priors(&mut random);

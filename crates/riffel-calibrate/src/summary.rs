@@ -5,10 +5,10 @@ use std::fmt::Write as _;
 use riffel_keys::{Message, fixed, say};
 use riffel_study::sensitivity::quantile;
 
+use crate::chains::Chains;
 use crate::diagnostics::{ess_bulk, ess_tail, rhat, sorted};
 use crate::file::SamplerKind;
 use crate::plan::Plan;
-use crate::run::Chains;
 
 /// Least contraction of something that the data tell.
 pub const TOLD: f64 = 0.1;

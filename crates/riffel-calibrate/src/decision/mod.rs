@@ -7,12 +7,12 @@ use riffel_case::Variant;
 use riffel_study::sensitivity::quantile;
 use serde::Serialize;
 
+use crate::chains::Chains;
 use crate::error::CalibrationError;
 use crate::information::{mean, of_everything};
 use crate::plan::Plan;
 use crate::plan::decision::{Action, Choices, MONTHS};
 use crate::rail_draw::{RailDraw, growing_bands};
-use crate::run::Chains;
 use crate::summary::SHARES;
 
 pub(crate) use worth::moments_of;

@@ -94,21 +94,36 @@ impl Count {
             true => TOLD_EVERY,
             false => LINE_EVERY,
         };
-        while ends.recv_timeout(every) == Err(RecvTimeoutError::Timeout) {
-            let [done, total] = [&self.done, &self.total].map(|it| it.load(Ordering::Relaxed));
-            if tell_progress(done, total) {
-                continue;
+        let goes_on = |every| ends.recv_timeout(every) == Err(RecvTimeoutError::Timeout);
+        self.tell_while(goes_on, every, |done, total| {
+            if !tell_progress(done, total) {
+                say(line(what, [done, total], begun.elapsed()));
             }
-            let rate = done as f64 / begun.elapsed().as_secs_f64();
-            say(match done {
-                0 => format!("0 of {total} {what}"),
-                _ => {
-                    let left = duration((total - done) as f64 / rate);
-                    format!("{done} of {total} {what}, {rate:.1} a second, {left} left")
-                }
-            });
+        });
+    }
+
+    /// Tell how far it is each time that it still goes on after a while.
+    fn tell_while(
+        &self,
+        mut goes_on: impl FnMut(Duration) -> bool,
+        every: Duration,
+        mut tell: impl FnMut(u64, u64),
+    ) {
+        while goes_on(every) {
+            let [done, total] = [&self.done, &self.total].map(|it| it.load(Ordering::Relaxed));
+            tell(done, total.max(done));
         }
     }
+}
+
+/// How far work is that has taken so long.
+fn line(what: &str, [done, total]: [u64; 2], elapsed: Duration) -> String {
+    if done == 0 {
+        return format!("0 of {total} {what}");
+    }
+    let rate = done as f64 / elapsed.as_secs_f64();
+    let left = duration((total - done) as f64 / rate);
+    format!("{done} of {total} {what}, {rate:.1} a second, {left} left")
 }
 
 impl Drop for SampleProgress {
@@ -144,5 +159,37 @@ pub(in crate::command) fn duration(seconds: f64) -> String {
         s if s < 7200.0 => format!("{:.0} min", s / 60.0),
         s if s < 172_800.0 => format!("{:.1} h", s / 3600.0),
         s => format!("{:.1} days", s / 86_400.0),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::cell::Cell;
+
+    /// On a clock that the test turns: a line after each ten seconds until the work ends, the first before anything is done.
+    #[test]
+    fn a_line_comes_every_ten_seconds() {
+        let count = Count {
+            done: AtomicU64::new(0),
+            total: AtomicU64::new(100),
+        };
+        let clock = Cell::new(Duration::ZERO);
+        let goes_on = |every: Duration| {
+            clock.set(clock.get() + every);
+            clock.get() < Duration::from_secs(35)
+        };
+        let mut told = Vec::new();
+        count.tell_while(goes_on, LINE_EVERY, |done, total| {
+            let seconds = clock.get().as_secs();
+            told.push((seconds, line("draws", [done, total], clock.get())));
+            count.done.fetch_add(40, Ordering::Relaxed);
+        });
+        let expected = [
+            (10, "0 of 100 draws"),
+            (20, "40 of 100 draws, 2.0 a second, 30 s left"),
+            (30, "80 of 100 draws, 2.7 a second, 7.5 s left"),
+        ];
+        assert_eq!(told, expected.map(|(at, line)| (at, line.to_owned())));
     }
 }
