@@ -467,6 +467,9 @@ many-defects = Schiene { $rail } hat { $count } Schweißungen, Stöße oder Squa
 defects-left-out = { $sentence }; aus den Spektren weggelassen ({ KEY("--keep-defects") } behält sie)
 defects-out-of-levels = { $sentence }; aus den Pegeln weggelassen ({ KEY("--keep-defects") } behält sie), nicht aber aus gleitendem Effektivwert und Schleifplan
 defects-judged = { $sentence }; sie zählen in Pegeln und Grenzwerten, sind aber keine Riffeln
+wheel-has-a-flat = { $channel }: das Rad hat eine Flachstelle von etwa { $depth } µm, die alle { $circumference } m zu spüren ist; sie ist keine Schweißung und aus Pegeln und Schleifplan weggelassen
+wheel-is-not-round = { $channel }: das Rad hat { $order } Wellen auf dem Umfang, { $wavelength } mm lang mit einer Amplitude von { $amplitude } µm; sie sind aus Pegeln und Schleifplan weggelassen
+wheel-or-rail = { $channel }: Wellen von { $wavelength } mm mit einer Amplitude von { $amplitude } µm kehren mit jeder Radumdrehung wieder, { $order } in einer, und bleiben in den Pegeln: eine Schiene, deren Wellen ihre Phase halten, sieht ebenso aus; ein zweites Achslager über dieser Schiene würde es zeigen
 
 grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
 grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben

@@ -474,6 +474,9 @@ many-defects = rail { $rail } has { $count } welds, joints or squats: { $places 
 defects-left-out = { $sentence }; left out of the spectra ({ KEY("--keep-defects") } keeps them)
 defects-out-of-levels = { $sentence }; left out of the levels ({ KEY("--keep-defects") } keeps them), but not of the moving RMS and what to grind
 defects-judged = { $sentence }; they count in levels and limits, but are no corrugation
+wheel-has-a-flat = { $channel }: the wheel has a flat of some { $depth } µm, felt every { $circumference } m; it is no weld, and left out of levels and what to grind
+wheel-is-not-round = { $channel }: the wheel has { $order } waves around it, { $wavelength } mm long with an amplitude of { $amplitude } µm; they are left out of levels and what to grind
+wheel-or-rail = { $channel }: waves of { $wavelength } mm with an amplitude of { $amplitude } µm repeat with the wheel's turn, { $order } in one, and stay in the levels: a rail whose waves keep their phase looks the same; a second axle box on this rail would tell
 
 grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
 grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given

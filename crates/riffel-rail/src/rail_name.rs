@@ -64,6 +64,19 @@ fn usual(name: &str) -> Option<usize> {
     USUAL.iter().position(|words| is_one_of(word, words))
 }
 
+/// Which of the usual rails a channel of several is on, by the only word for one in its name: "left front", "bogie 2 L". Numbers
+/// are those of bogies, axles and channels.
+pub fn rail_of_channel(name: &str) -> Option<usize> {
+    let mut found = words(name).into_iter().filter_map(|word| {
+        let is_number = word.bytes().all(|byte| byte.is_ascii_digit());
+        USUAL
+            .iter()
+            .position(|words| !is_number && is_one_of(&word, words))
+    });
+    let first = found.next()?;
+    found.all(|other| other == first).then_some(first)
+}
+
 /// The place of a rail among others: that of the same name, else the only one whose name means the same rail.
 pub fn find_rail<'a>(names: impl Iterator<Item = &'a str> + Clone, name: &str) -> Option<usize> {
     if let Some(same) = names.clone().position(|other| other == name) {
@@ -137,6 +150,17 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(find_rail(english.into_iter(), name), right, "{name}");
+        }
+        for (name, rail) in [
+            ("left good", Some(0)),
+            ("bogie 2 L", Some(0)),
+            ("links vorn", Some(0)),
+            ("rechts 1", Some(1)),
+            ("2", None),
+            ("left to right", None),
+            ("front", None),
+        ] {
+            assert_eq!(rail_of_channel(name), rail, "{name}");
         }
         // Of two that mean one rail none is it, unless it has the very name.
         let twice = ["1", "links", "2"];

@@ -3,7 +3,7 @@
 use riffel::roughness::{GrindSection, line_length};
 use serde::Serialize;
 
-use super::{AxleBoxAnswer, AxleBoxRail};
+use super::{AxleBoxAnswer, AxleBoxRail, WheelMark};
 use crate::defect_document::DefectDocument;
 use crate::roughness::{Band, Verdict, bands};
 
@@ -14,6 +14,8 @@ pub struct AxleBoxDocument<'a> {
     files: Vec<String>,
     /// The worst first.
     rails: Vec<RailDocument<'a>>,
+    /// Flats of wheels and waves around them, left out of all else.
+    wheels: &'a [WheelMark],
     remarks: &'a [String],
 }
 
@@ -74,6 +76,7 @@ pub(super) fn document(answer: &AxleBoxAnswer) -> AxleBoxDocument<'_> {
             .map(|path| path.display().to_string())
             .collect(),
         rails: answer.rails.iter().map(rail).collect(),
+        wheels: &answer.wheels,
         remarks: &answer.remarks,
     }
 }

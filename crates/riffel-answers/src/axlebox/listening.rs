@@ -2,13 +2,14 @@
 
 use std::path::PathBuf;
 
-use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample};
+use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample, WheelPattern};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable, RunEnd};
 
 use super::AxleBoxRequest;
+use super::wheels::taken_off;
 use crate::AnswerError;
 use crate::roughness::{limit_levels, rms_limit};
 
@@ -16,6 +17,8 @@ use crate::roughness::{limit_levels, rms_limit};
 pub(super) struct Heard {
     pub(super) name: String,
     pub(super) parts: Vec<RailAnalysis>,
+    /// What turns with the wheel, in pieces with their lengths [m].
+    pub(super) wheel: Vec<(f64, WheelPattern)>,
     /// Wavelengths that are known somewhere.
     pub(super) known: WavelengthBand,
     slowest: f64,
@@ -31,6 +34,7 @@ impl Heard {
         Self {
             name: name.to_owned(),
             parts: Vec::new(),
+            wheel: Vec::new(),
             known,
             slowest: f64::INFINITY,
             fastest: 0.0,
@@ -48,13 +52,19 @@ impl Heard {
         [self.slowest, self.speed / self.length, self.fastest]
     }
 
-    fn add(&mut self, felt: FeltProfile, settings: &AnalysisSettings) -> Result<(), riffel::Error> {
+    fn add(
+        &mut self,
+        felt: FeltProfile,
+        wheel: Option<WheelPattern>,
+        settings: &AnalysisSettings,
+    ) -> Result<(), riffel::Error> {
         let length = felt.profile.length();
         let known = felt.known;
         // Less than a spectrum needs, four of its longest waves.
         if length < 4.0 * settings.longest_wavelength {
             return Ok(());
         }
+        self.wheel.extend(wheel.map(|found| (length, found)));
         let settings = AnalysisSettings {
             felt: Some(known),
             ..settings.clone()
@@ -149,15 +159,18 @@ pub(super) fn listen(
         input: path.display().to_string(),
         error,
     };
-    let mut take = |run: &mut Run<'_>, place: usize| -> Result<(), riffel::Error> {
-        for felt in run.finished() {
-            heard[place].add(felt, &analysis)?;
+    let mut take = |finished: Vec<(usize, FeltProfile)>| -> Result<(), riffel::Error> {
+        let name = |place: usize| heard[place].name.clone();
+        for (place, felt, wheel) in taken_off(case, finished, &name)? {
+            heard[place].add(felt, wheel, &analysis)?;
         }
         Ok(())
     };
     let mut longest = Longest::default();
     let mut visit = |reading: AxleBoxReading<'_>| {
         longest.hear(reading, file.rate());
+        // Segments of all channels are finished at once, as they have one place.
+        let mut finished = Vec::new();
         for (index, (run, place)) in channels.iter_mut().enumerate() {
             match reading {
                 AxleBoxReading::Sample(accelerations, position) => run.push(Sample {
@@ -166,10 +179,14 @@ pub(super) fn listen(
                 }),
                 AxleBoxReading::Gap => run.interrupt(),
             }
-            .and_then(|()| take(run, *place))
             .map_err(at_fault)?;
+            let own = run.finished().into_iter();
+            finished.extend(own.map(|felt| (*place, felt)));
         }
-        Ok(())
+        match finished.is_empty() {
+            true => Ok(()),
+            false => take(finished).map_err(at_fault),
+        }
     };
     let (warnings, end) = file.read(before, &mut visit, progress)?;
     visit(AxleBoxReading::Gap)?;

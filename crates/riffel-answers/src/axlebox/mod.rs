@@ -4,6 +4,7 @@ mod document;
 mod figure;
 mod listening;
 mod pads;
+mod wheels;
 
 use std::io::{self, Write};
 use std::path::PathBuf;
@@ -19,6 +20,7 @@ use riffel_rail::{
 };
 
 pub use document::AxleBoxDocument;
+pub use wheels::{WheelMark, WheelMarkKind};
 
 use crate::AnswerError;
 use crate::roughness::{Judged, RailAnswer, Verdict, tables, worst_first};
@@ -100,6 +102,8 @@ pub struct AxleBoxAnswer {
     pub files: Vec<PathBuf>,
     /// The channels, the worst first.
     pub rails: Vec<AxleBoxRail>,
+    /// What turns with wheels, and is left out of their rails.
+    pub wheels: Vec<WheelMark>,
     /// What the reader should know.
     pub remarks: Vec<String>,
 }
@@ -162,8 +166,11 @@ impl AxleBoxAnswer {
     ) -> Result<Self, AnswerError> {
         let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
         let several = heard.len() > 1;
-        let mut rails = Vec::new();
+        let (mut rails, mut wheels) = (Vec::new(), Vec::new());
         for channel in heard {
+            let (marks, said) = wheels::marks(&channel.name, &channel.wheel);
+            wheels.extend(marks);
+            remarks.extend(said.map(|said| said.to_string()));
             let (speeds, known, name) = (channel.speeds(), channel.known, channel.name);
             let Some(analysis) = RailAnalysis::joined(channel.parts) else {
                 continue;
@@ -202,6 +209,7 @@ impl AxleBoxAnswer {
         Ok(Self {
             files: files.iter().map(|(path, _)| path.clone()).collect(),
             rails,
+            wheels,
             remarks,
         })
     }
@@ -314,7 +322,8 @@ fn too_short(longest: &Longest, run: &RunSettings, warnings: &[String]) -> Strin
 /// What the model leaves out.
 fn validity(case: &Case, request: &AxleBoxRequest) -> Vec<String> {
     let mut remarks = vec![
-        "the roughness is that of rail and wheel together: a wheel that is not round adds its orders at 2πR/n".to_owned(),
+        "the roughness is that of rail and wheel together, but for what repeats with the wheel's turn over 16 turns or more"
+            .to_owned(),
     ];
     if !request.contact_filter {
         let patch = 2e3 * case.hertz.semi_axis_longitudinal();

@@ -26,6 +26,7 @@ mod run;
 mod sample;
 mod segment;
 mod transfer;
+mod wheel_pattern;
 
 pub use counted_steps::LONGEST_STEP;
 pub use felt_profile::FeltProfile;
@@ -33,3 +34,4 @@ pub use inverse::{Inverse, REGULARISATION};
 pub use run::{Run, RunSettings};
 pub use sample::Sample;
 pub use transfer::AxleBoxTransfer;
+pub use wheel_pattern::WheelPattern;

@@ -1,6 +1,7 @@
 //! Roughness from axle-box acceleration, held against signals that the time domain makes of a known rail.
 
 mod welds;
+mod wheels;
 
 use std::f64::consts::TAU;
 

@@ -180,7 +180,7 @@ class MeasuredOnCase(KeysOfCase):
         -------
         dict
             With the keys of ``riffel axlebox --json``: ``rails`` with their ``spectrum``, ``bands``, ``verdicts``,
-            ``defects`` and ``grind``, and ``remarks``.
+            ``defects`` and ``grind``, ``wheels`` that are not round, and ``remarks``.
 
         Raises
         ------

@@ -1,0 +1,158 @@
+//! Wheels that are not round, as their own axle boxes felt them.
+
+use std::collections::BTreeMap;
+use std::f64::consts::{SQRT_2, TAU};
+
+use riffel::axlebox::{FeltProfile, WheelPattern};
+use riffel_case::Case;
+use riffel_keys::{Message, fixed, say, significant};
+use riffel_rail::rail_of_channel;
+use serde::Serialize;
+
+/// Part of the greatest power of an order from which others are told, too: 10 dB less.
+const TOLD: f64 = 0.1;
+
+/// A flat of a wheel, or a wave around it.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub struct WheelMark {
+    /// The channel.
+    pub name: String,
+    /// Waves around the wheel; None for a flat.
+    pub order: Option<usize>,
+    /// Level \[dB re 1 µm\].
+    pub level_db: f64,
+    /// Amplitude of the wave \[m\]; None for a flat.
+    pub amplitude_m: Option<f64>,
+    /// Depth \[m\]; None for a wave.
+    pub flat_depth_m: Option<f64>,
+    /// Flat or polygon.
+    pub kind: WheelMarkKind,
+}
+
+/// What a wheel has.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+#[serde(rename_all = "lowercase")]
+pub enum WheelMarkKind {
+    /// Waves around it.
+    Polygon,
+    /// A flat.
+    Flat,
+}
+
+/// A channel's piece of line, which pieces of others go with.
+pub(super) type Piece = (usize, FeltProfile, Option<WheelPattern>);
+
+/// Take what turns with the wheels off pieces of line, each with the place of its channel among some names: pieces of the same length of one
+/// rail are compared.
+///
+/// # Errors
+/// Those of [`WheelPattern::take_off`].
+pub(super) fn taken_off(
+    case: &Case,
+    finished: Vec<(usize, FeltProfile)>,
+    name: &dyn Fn(usize) -> String,
+) -> Result<Vec<Piece>, riffel::Error> {
+    let circumference = TAU * case.hertz.rolling_radius();
+    let supports = case.file.track.support_spacing.map(|spacing| spacing.si());
+    let mut groups: BTreeMap<_, (Vec<usize>, Vec<FeltProfile>)> = BTreeMap::new();
+    for (place, felt) in finished {
+        let name = name(place);
+        // Rails of no name known are each another.
+        let rail = rail_of_channel(&name).ok_or(name);
+        let key = (rail, felt.profile.start().to_bits());
+        let (places, all) = groups.entry(key).or_default();
+        places.push(place);
+        all.push(felt);
+    }
+    let mut pieces = Vec::new();
+    for (places, mut felt) in groups.into_values() {
+        let found = WheelPattern::take_off(&mut felt, circumference, supports)?;
+        let of_channels = places.into_iter().zip(felt).zip(found);
+        pieces.extend(of_channels.map(|((place, felt), found)| (place, felt, found)));
+    }
+    Ok(pieces)
+}
+
+/// What turns with the wheel of a channel, in its pieces of line with their lengths \[m\], and a sentence on it.
+pub(super) fn marks(
+    name: &str,
+    pieces: &[(f64, WheelPattern)],
+) -> (Vec<WheelMark>, Option<Message>) {
+    let is_wheel = pieces.iter().any(|(_, found)| found.is_wheel);
+    let pieces: Vec<&(f64, WheelPattern)> = pieces
+        .iter()
+        .filter(|(_, found)| found.is_wheel == is_wheel)
+        .collect();
+    let length: f64 = pieces.iter().map(|(length, _)| length).sum();
+    if pieces.is_empty() {
+        return (Vec::new(), None);
+    }
+    let mean = |of: &dyn Fn(&WheelPattern) -> f64| {
+        let sum: f64 = pieces
+            .iter()
+            .map(|(length, found)| length * of(found))
+            .sum();
+        sum / length
+    };
+    let circumference = mean(&|found| found.circumference);
+    let level_db = |rms: f64| 20.0 * (rms / 1e-6).log10();
+    let channel = || name.to_owned();
+    if mean(&|found| f64::from(u8::from(found.is_flat()))) > 0.5 {
+        let depth = mean(&|found| found.depth);
+        let said = say!(
+            wheel_has_a_flat,
+            channel = channel(),
+            depth = significant(1e6 * depth, 2),
+            circumference = fixed(circumference, 2)
+        );
+        let flat = WheelMark {
+            name: channel(),
+            order: None,
+            level_db: level_db(mean(&|found| found.rms.powi(2)).sqrt()),
+            amplitude_m: None,
+            flat_depth_m: Some(depth),
+            kind: WheelMarkKind::Flat,
+        };
+        return (vec![flat], Some(said));
+    }
+    let mut powers: BTreeMap<usize, f64> = BTreeMap::new();
+    for (own, found) in &pieces {
+        for (order, amplitude) in &found.orders {
+            *powers.entry(*order).or_default() += own / length * amplitude.powi(2);
+        }
+    }
+    let mut orders: Vec<(usize, f64)> = powers.into_iter().collect();
+    orders.sort_by(|one, other| other.1.total_cmp(&one.1));
+    let Some(&(order, most)) = orders.first() else {
+        return (Vec::new(), None);
+    };
+    let (waves, amplitude) = (order.to_string(), fixed(1e6 * most.sqrt(), 1));
+    let wavelength = significant(1e3 * circumference / order as f64, 3);
+    if !is_wheel {
+        let said = say!(
+            wheel_or_rail,
+            channel = channel(),
+            order = waves,
+            amplitude = amplitude,
+            wavelength = wavelength
+        );
+        return (Vec::new(), Some(said));
+    }
+    let said = say!(
+        wheel_is_not_round,
+        channel = channel(),
+        order = waves,
+        amplitude = amplitude,
+        wavelength = wavelength
+    );
+    let told = orders.iter().filter(|(_, power)| *power >= TOLD * most);
+    let marks = told.map(|(order, power)| WheelMark {
+        name: channel(),
+        order: Some(*order),
+        level_db: level_db(power.sqrt() / SQRT_2),
+        amplitude_m: Some(power.sqrt()),
+        flat_depth_m: None,
+        kind: WheelMarkKind::Polygon,
+    });
+    (marks.collect(), Some(said))
+}

@@ -1,0 +1,168 @@
+//! A course as a sum of waves.
+
+use std::f64::consts::TAU;
+use std::ops::Range;
+
+use num_complex::Complex64;
+use realfft::RealFftPlanner;
+
+/// A course as a sum of waves.
+pub(super) struct Lines {
+    /// Wavenumber of a line \[1/m\].
+    step: f64,
+    /// Of a transform of `size` heights, mean square one for a height of one.
+    lines: Vec<Complex64>,
+    size: usize,
+    /// Heights that there are.
+    count: usize,
+    spacing: f64,
+}
+
+impl Lines {
+    pub(super) fn of(heights: &[f64], spacing: f64) -> Self {
+        let size = (2 * heights.len()).next_power_of_two();
+        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(size);
+        let mut input = transform.make_input_vec();
+        input[..heights.len()].copy_from_slice(heights);
+        let mut lines = transform.make_output_vec();
+        // Fails only for buffers of another length.
+        let done = transform.process(&mut input, &mut lines);
+        debug_assert!(done.is_ok());
+        let scale = 1.0 / ((size * heights.len()) as f64).sqrt();
+        lines.iter_mut().for_each(|line| *line *= scale);
+        Self {
+            step: 1.0 / (size as f64 * spacing),
+            lines,
+            size,
+            count: heights.len(),
+            spacing,
+        }
+    }
+
+    fn back(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
+        let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(self.size);
+        let mut heights = transform.make_output_vec();
+        lines[0].im = 0.0;
+        if let Some(last) = lines.last_mut() {
+            last.im = 0.0;
+        }
+        let done = transform.process(&mut lines, &mut heights);
+        debug_assert!(done.is_ok());
+        heights.truncate(self.count);
+        let scale = (self.count as f64 / self.size as f64).sqrt();
+        heights.iter_mut().for_each(|height| *height *= scale);
+        heights
+    }
+
+    /// The autocorrelation with even power over octaves, one at no distance.
+    pub(super) fn whitened_autocorrelation(&self) -> Vec<f64> {
+        /// Ratio of wavenumbers to either side over which power is averaged: a one-third octave.
+        const WIDE: f64 = 1.122;
+        /// Least power beside the greatest: what is filtered out is not made even.
+        const LEAST: f64 = 1e-7;
+        let mut sums = vec![0.0];
+        for line in &self.lines {
+            sums.push(sums[sums.len() - 1] + line.norm_sqr());
+        }
+        let mean = |index: usize| {
+            let low = ((index as f64 / WIDE) as usize).max(1);
+            let high = ((index as f64 * WIDE) as usize + 1).min(self.lines.len() - 1);
+            (sums[high + 1] - sums[low]) / (high + 1 - low) as f64
+        };
+        let octave = |index: usize| index as f64 * mean(index);
+        let most = (1..self.lines.len()).map(octave).fold(0.0, f64::max);
+        let even = self.lines.iter().enumerate().map(|(index, line)| {
+            let power = if index == 0 { 0.0 } else { octave(index) };
+            let kept = power > LEAST * most;
+            Complex64::new(if kept { line.norm_sqr() / power } else { 0.0 }, 0.0)
+        });
+        let found = self.back(even.collect());
+        let share = |index: usize| (self.count - index) as f64 / self.count as f64;
+        let all = found.iter().enumerate();
+        all.map(|(index, value)| value / found[0] / share(index))
+            .collect()
+    }
+
+    fn band(&self, order: usize, circumference: f64) -> Range<usize> {
+        let line = |order: f64| (order / circumference / self.step) as usize;
+        let last = self.lines.len();
+        line(order as f64 - 0.5).min(last)..line(order as f64 + 0.5).min(last)
+    }
+
+    /// Sum of the waves that a line becomes when its course is moved by up to `turns` turns either way.
+    fn comb(&self, line: usize, circumference: f64, turns: usize) -> f64 {
+        let half = 0.5 * TAU * line as f64 * self.step * circumference;
+        let all = 2 * turns + 1;
+        let sum = match half.sin() {
+            sine if sine.abs() < 1e-9 => all as f64,
+            sine => (all as f64 * half).sin() / sine,
+        };
+        sum - 1.0
+    }
+
+    /// Power about an order \[m²\], and how much of it repeats over so many turns.
+    pub(super) fn about(&self, order: usize, circumference: f64, turns: usize) -> [f64; 2] {
+        let length = self.count as f64 * self.spacing;
+        let compared = |turn: usize| 2.0 * (1.0 - turn as f64 * circumference / length);
+        let compared: f64 = (1..=turns).map(compared).sum();
+        self.band(order, circumference)
+            .fold([0.0; 2], |[all, repeating], line| {
+                let power = 2.0 * self.lines[line].norm_sqr();
+                let share = self.comb(line, circumference, turns) / compared;
+                [all + power, repeating + power * share]
+            })
+    }
+
+    /// The circumference whose orders have the wavenumbers of the highest lines near them, each with the weight of its power
+    /// and the square of its order, as its wavenumber tells the circumference by as much.
+    pub(super) fn refined(&self, orders: &[usize], circumference: f64) -> f64 {
+        let near = self.size.div_ceil(self.count);
+        let power = |line: usize| self.lines[line].norm_sqr();
+        let (mut sum, mut weights) = (0.0, 0.0);
+        for &order in orders {
+            let middle = (order as f64 / circumference / self.step).round() as usize;
+            let lines = (middle.saturating_sub(near)).max(1)
+                ..=(middle + near).min(self.lines.len().saturating_sub(2));
+            let Some(highest) = lines.max_by(|one, other| power(*one).total_cmp(&power(*other)))
+            else {
+                continue;
+            };
+            // The top of the parabola through three lines.
+            let [before, at, behind] = [highest - 1, highest, highest + 1].map(power);
+            let bend = before - 2.0 * at + behind;
+            let top = if bend < 0.0 {
+                0.5 * (before - behind) / bend
+            } else {
+                0.0
+            };
+            sum += at * order as f64 * (highest as f64 + top) * self.step;
+            weights += at * (order as f64).powi(2);
+        }
+        if sum > 0.0 {
+            weights / sum
+        } else {
+            circumference
+        }
+    }
+
+    /// What repeats with the turn in the bands of orders, at the heights: the mean over up to so many turns to either side,
+    /// itself left out, and as much of the rest as keeps the power of a course that does not repeat.
+    pub(super) fn repeating(&self, orders: &[usize], circumference: f64, turns: usize) -> Vec<f64> {
+        let mut own = vec![Complex64::ZERO; self.lines.len()];
+        let mut others = own.clone();
+        for &order in orders {
+            for line in self.band(order, circumference) {
+                own[line] = self.lines[line];
+                others[line] = own[line] * self.comb(line, circumference, turns);
+            }
+        }
+        let (mut found, sums) = (self.back(own), self.back(others));
+        let steps = circumference / self.spacing;
+        let reached = |heights: usize| ((heights as f64 / steps) as usize).min(turns);
+        for (index, (own, sum)) in found.iter_mut().zip(sums).enumerate() {
+            let count = (reached(index) + reached(self.count - 1 - index)).max(1) as f64;
+            *own -= (*own - sum / count) * (count / (count + 1.0)).sqrt();
+        }
+        found
+    }
+}

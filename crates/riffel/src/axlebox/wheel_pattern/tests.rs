@@ -1,0 +1,149 @@
+use std::f64::consts::TAU;
+
+use super::WheelPattern;
+use crate::axlebox::FeltProfile;
+use crate::roughness::{Profile, Spectrum, ThirdOctave, WavelengthBand};
+
+const STEP: f64 = 0.002;
+const LENGTH: f64 = 300.0;
+const RADIUS: f64 = 0.42;
+const RAILS: u64 = 8;
+
+/// A rail of 5 dB at 100 mm that rises by 15 dB a decade, with 20 dB more about 50 mm where it is corrugated.
+fn rail(seed: u64, is_corrugated: bool) -> Vec<f64> {
+    let levels = (-19..=-5).map(|index| {
+        let band = ThirdOctave::new(index);
+        let hump = if is_corrugated && index == -13 {
+            20.0
+        } else {
+            0.0
+        };
+        (band, 5.0 + 15.0 * (band.wavelength() / 0.1).log10() + hump)
+    });
+    let spectrum = Spectrum::new(levels).unwrap();
+    spectrum
+        .drawn(LENGTH, STEP, seed)
+        .unwrap()
+        .heights()
+        .to_vec()
+}
+
+fn with(rail: &[f64], wheel: impl Fn(f64) -> f64) -> FeltProfile {
+    let places = rail.iter().enumerate();
+    let heights = places.map(|(index, height)| height + wheel(index as f64 * STEP));
+    FeltProfile {
+        profile: Profile::new(0.0, STEP, heights.collect()).unwrap(),
+        known: WavelengthBand::new(0.014, 0.3).unwrap(),
+        speeds: [20.0; 3],
+    }
+}
+
+/// A flat of a depth [m] on a wheel of a radius [m]: the chord.
+fn flat(radius: f64, depth: f64) -> impl Fn(f64) -> f64 {
+    move |x| {
+        let turn = TAU * radius;
+        let away = (x + 0.7).rem_euclid(turn);
+        let away = away.min(turn - away);
+        -(depth - away * away / (2.0 * radius)).max(0.0)
+    }
+}
+
+fn polygon(radius: f64, order: usize, amplitude: f64) -> impl Fn(f64) -> f64 {
+    move |x| amplitude * (order as f64 * x / radius).cos()
+}
+
+/// The largest difference of levels between two rails [dB].
+fn difference(one: &Profile, other: &Profile) -> f64 {
+    let [one, other] = [one, other]
+        .map(|profile| Spectrum::of_record(std::slice::from_ref(profile), 0.3).unwrap());
+    // Bands that the rail has.
+    let known = one
+        .levels()
+        .iter()
+        .filter(|level| (-18..=-6).contains(&level.band.index()));
+    let differences = known.map(|level| (level.level - other.level(level.band).unwrap()).abs());
+    differences.fold(0.0, f64::max)
+}
+
+/// Each rail with and without corrugation; the wheel is up to 4 % smaller than its case says.
+fn rails() -> impl Iterator<Item = (u64, bool, f64)> {
+    let of = |seed| [(seed, false), (seed, true)];
+    (0..RAILS)
+        .flat_map(of)
+        .map(|(seed, is_corrugated)| (seed, is_corrugated, RADIUS * (1.0 - 0.005 * seed as f64)))
+}
+
+/// What the first of some wheels has, and the heights without it.
+fn found(mut felt: Vec<FeltProfile>, circumference: f64) -> (Option<WheelPattern>, Profile) {
+    let found = WheelPattern::take_off(&mut felt, circumference, Some(0.6)).unwrap();
+    let first = felt.swap_remove(0);
+    (found.into_iter().next().unwrap(), first.profile)
+}
+
+#[test]
+fn rails_have_no_pattern_of_a_wheel() {
+    for (seed, is_corrugated, radius) in rails() {
+        let rail = rail(seed, is_corrugated);
+        let found_of = |felt| found(felt, TAU * RADIUS).0;
+        assert_eq!(found_of(vec![with(&rail, |_| 0.0)]), None, "{seed}");
+        // A wave that keeps its phase, of which another wheel feels as much.
+        let wavy = with(&rail, polygon(radius, 17, 10e-6));
+        assert_eq!(found_of(vec![wavy.clone(), wavy.clone()]), None, "{seed}");
+        // Of one wheel alone nobody can tell: it stays, and is said but where it fits the supports.
+        let (one, left) = found(vec![wavy.clone()], TAU * RADIUS);
+        assert!(one.is_none_or(|one| !one.is_wheel), "{seed}");
+        assert_eq!(left, wavy.profile);
+        // Supports of 0.6 m whose every fifth is a turn of a wheel of 0.4775 m, all harmonics alike; known, and felt by
+        // another wheel.
+        let bays = |every: f64| {
+            with(&rail, |x| {
+                let waves = (1..6).map(|k| (f64::from(k) * TAU * x / every).cos());
+                3e-6 * waves.sum::<f64>()
+            })
+        };
+        assert_eq!(found(vec![bays(0.6)], 3.0).0, None, "{seed}");
+        let unknown = vec![bays(0.65), bays(0.65)];
+        assert_eq!(found_of(unknown), None, "{seed}");
+    }
+}
+
+/// Of what is left at worst 0.3 dB is the mean of the rail over the turns.
+#[test]
+fn flats_are_found_and_taken_off() {
+    for (seed, is_corrugated, radius) in rails() {
+        let rail = rail(seed, is_corrugated);
+        let depth = 1e-6 * (60.0 + 12.0 * seed as f64);
+        let smooth = with(&rail, |_| 0.0);
+        let (flat, left) = found(vec![with(&rail, flat(radius, depth))], TAU * RADIUS);
+        let flat = flat.unwrap_or_else(|| panic!("{seed}"));
+        let error = flat.circumference / (TAU * radius) - 1.0;
+        assert!(error.abs() < 2e-5, "{seed}: {error}");
+        assert!(flat.is_wheel && flat.is_flat(), "{seed}: {flat:?}");
+        let share = flat.depth / depth;
+        // The shortest flat is as long as the shortest wave that is known.
+        assert!((0.65..=1.05).contains(&share), "{seed}: {share} of {depth}");
+        let left = difference(&left, &smooth.profile);
+        assert!(left < 0.5, "{seed}: {left} dB");
+    }
+}
+
+#[test]
+fn polygons_are_told_by_another_wheel_on_the_rail() {
+    for (seed, is_corrugated, radius) in rails() {
+        let rail = rail(seed, is_corrugated);
+        let order = 9 + 3 * seed as usize;
+        let beside = with(&rail, |_| 0.0);
+        let felt = with(&rail, polygon(radius, order, 18e-6));
+        let (wheel, left) = found(vec![felt, beside.clone()], TAU * RADIUS);
+        let wheel = wheel.unwrap_or_else(|| panic!("{seed}"));
+        assert!(wheel.is_wheel && !wheel.is_flat(), "{seed}");
+        let [(found, amplitude)] = wheel.orders[..] else {
+            panic!("{seed}: {wheel:?}");
+        };
+        let error = wheel.circumference * order as f64 / (found as f64 * TAU * radius) - 1.0;
+        assert!(error.abs() < 2e-5, "{seed}: {found}, {error}");
+        assert!((amplitude / 18e-6 - 1.0).abs() < 0.1, "{seed}: {amplitude}");
+        let left = difference(&left, &beside.profile);
+        assert!(left < 0.5, "{seed}: {left} dB");
+    }
+}
