@@ -40,7 +40,7 @@ const MEASURED: [(&str, &str); 2] = [
 ];
 const ON_PROFILES: &str = include_str!("../reference/curving/profiles.json");
 
-fn nominal(description: &str) -> WheelsetOnTrack {
+fn nominal(description: &str) -> std::sync::Arc<WheelsetOnTrack> {
     let description: Value = serde_json::from_str(description).expect("valid JSON");
     let toml = description["case_toml"].as_str().expect("a case");
     let case = CurvingCase::parse("case.toml", toml, &[]).expect("a case");
@@ -234,7 +234,7 @@ pub(crate) fn equivalent_conicity() -> Row {
     let tables = NOMINAL
         .iter()
         .map(|(_, description)| (nominal(description), *description, 1.0));
-    for (wheelset, description, size) in tables.chain([(measured(), MEASURED[0].1, 5.0)]) {
+    for (wheelset, description, size) in tables.chain([(measured().into(), MEASURED[0].1, 5.0)]) {
         let description: Value = serde_json::from_str(description).expect("valid JSON");
         let table = RadiusDifference::rolling(&wheelset, 0.46, 0.010, 1e-4).expect("a table");
         let conicities = description["equivalent_conicity"]

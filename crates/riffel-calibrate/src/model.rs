@@ -1,6 +1,7 @@
 //! What a case predicts for values of its uncertain keys.
 
-use std::cell::OnceCell;
+use std::cell::{OnceCell, RefCell};
+use std::rc::Rc;
 
 use riffel::growth::RowEvaluator;
 use riffel::noise::{BandRadiation, FrequencyBand};
@@ -242,6 +243,15 @@ pub(crate) struct Trial<'a> {
     /// Of all parameters, in SI.
     pub(crate) values: &'a [f64],
     cases: Vec<OnceCell<Result<LoopOnTrack, String>>>,
+    settled: Rc<RefCell<Vec<Settled>>>,
+}
+
+/// A vehicle of a view with the numbers that its mean state follows from.
+struct Settled {
+    view: usize,
+    vehicle: usize,
+    numbers: Vec<(String, f64)>,
+    case: Case,
 }
 
 impl Model {
@@ -278,11 +288,59 @@ impl Model {
             model: self,
             values,
             cases: self.views.iter().map(|_| OnceCell::new()).collect(),
+            settled: Rc::default(),
         }
     }
 }
 
 impl<'a> Trial<'a> {
+    /// Other values, beside which vehicles that stand as they did are not settled anew.
+    pub(crate) fn moved<'b>(&self, values: &'b [f64]) -> Trial<'b>
+    where
+        'a: 'b,
+    {
+        Trial {
+            settled: Rc::clone(&self.settled),
+            ..self.model.trial(values)
+        }
+    }
+
+    /// The loop of a vehicle with other numbers.
+    fn wheel(
+        &self,
+        (view, vehicle): (usize, usize),
+        numbers: &[(&str, f64)],
+    ) -> Result<LoopOnTrack, CaseError> {
+        let wheel = &self.model.views[view].wheels[vehicle];
+        if !wheel.is_in_curve() {
+            return wheel.with_numbers(numbers);
+        }
+        let (beside, of_state): (Vec<_>, Vec<_>) = numbers
+            .iter()
+            .copied()
+            .partition(|(key, _)| Case::is_beside_mean_state(key));
+        let mut settled = self.settled.borrow_mut();
+        let is_it = |it: &Settled| {
+            let known = it.numbers.iter().map(|(key, value)| (&**key, *value));
+            (it.view, it.vehicle) == (view, vehicle) && known.eq(of_state.iter().copied())
+        };
+        if let Some(known) = settled.iter().find(|it| is_it(it)) {
+            return known.case.with_numbers(&beside);
+        }
+        let case = wheel.settled(&of_state)?;
+        let found = case.with_numbers(&beside);
+        let owned = of_state
+            .iter()
+            .map(|(key, value)| ((*key).to_owned(), *value));
+        settled.push(Settled {
+            view,
+            vehicle,
+            numbers: owned.collect(),
+            case,
+        });
+        found
+    }
+
     /// The case that a view has of it, or why there is none.
     pub(crate) fn case(&self, view: usize) -> Result<&LoopOnTrack, String> {
         let case = self.cases[view].get_or_init(|| {
@@ -344,8 +402,8 @@ impl<'a> Trial<'a> {
         lines: &[f64],
     ) -> Result<Vec<Complex64>, String> {
         let mut rates = vec![Complex64::ZERO; lines.len()];
-        let View { wheels, acting, .. } = &self.model.views[view];
-        for (index, (vehicle, wheel)) in self.model.vehicles.iter().zip(wheels).enumerate() {
+        let acting = &self.model.views[view].acting;
+        for (index, vehicle) in self.model.vehicles.iter().enumerate() {
             let mut numbers = self.numbers(view);
             // What the vehicle says itself, the case does not say.
             numbers.retain(|(key, _)| !vehicle.settings.iter().any(|(own, _)| own == key));
@@ -375,9 +433,8 @@ impl<'a> Trial<'a> {
             let nodes = speeds
                 .nodes()
                 .ok_or("the slowest of the vehicles would stand")?;
-            let wheel = wheel
-                .with_numbers(&numbers)
-                .map_err(|error| error.to_string())?;
+            let wheel = self.wheel((view, index), &numbers);
+            let wheel = wheel.map_err(|error| error.to_string())?;
             for (feedback, weight) in wheel.places() {
                 let rate = feedback.growth_rate_per_dissipation();
                 let factor = vehicle.share * traction_share * weight * rate;

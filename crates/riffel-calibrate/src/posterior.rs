@@ -6,7 +6,7 @@ use crate::data::{Block, Size};
 use crate::draw::Draw;
 use crate::gaussian::Density;
 use crate::matrix::{Matrix, dot};
-use crate::model::Model;
+use crate::model::{Model, Trial};
 use crate::nuts::{Statistics, uniform};
 
 /// Step in z of differences of the predictions. Forward differences: rounding of 1e-13 and curvature leave derivatives with
@@ -114,11 +114,12 @@ impl Posterior {
     /// # Errors
     /// Why the case refuses the values.
     pub fn predictions(&self, values: &[f64]) -> Result<Vec<Vec<f64>>, String> {
-        let trial = self.model.trial(values);
-        self.blocks
-            .iter()
-            .map(|named| named.block.predict(&trial))
-            .collect()
+        self.predictions_of(&self.model.trial(values))
+    }
+
+    fn predictions_of(&self, trial: &Trial<'_>) -> Result<Vec<Vec<f64>>, String> {
+        let blocks = self.blocks.iter();
+        blocks.map(|named| named.block.predict(trial)).collect()
     }
 
     /// Names of the data that depend on a parameter.
@@ -223,10 +224,13 @@ impl Posterior {
 
     /// The same as [`log_density`](Self::log_density) with its gradient.
     pub fn at(&self, place: &[f64]) -> Option<Point> {
-        let predicted = self.predictions_at(place)?;
-        let (mut point, densities) = self.with_predictions(place, &predicted)?;
+        if !self.prior(place).0.is_finite() {
+            return None;
+        }
         let values = self.values(place);
         let trial = self.model.trial(&values);
+        let predicted = self.predictions_of(&trial).ok()?;
+        let (mut point, densities) = self.with_predictions(place, &predicted)?;
         let known = self.blocks.iter().zip(predicted).zip(densities);
         let known = known.map(|((named, predicted), density)| {
             let coarse = named.block.predict_coarsely(&trial).transpose().ok()?;
@@ -240,8 +244,8 @@ impl Posterior {
             if touched.is_empty() {
                 continue;
             }
-            let slope = self.slope(place, index, &touched, &known, STEP);
-            *gradient += slope.or_else(|| self.slope(place, index, &touched, &known, -STEP))?;
+            let slope = |step| self.slope((place, &trial), (index, step), &touched, &known);
+            *gradient += slope(STEP).or_else(|| slope(-STEP))?;
         }
         point.is_finite().then_some(point)
     }
@@ -249,16 +253,15 @@ impl Posterior {
     /// Derivative of the ln likelihood of some blocks by one z; none where a step leads out of the model.
     fn slope(
         &self,
-        place: &[f64],
-        index: usize,
+        (place, here): (&[f64], &Trial<'_>),
+        (index, step): (usize, f64),
         touched: &[usize],
         known: &[(Vec<f64>, Density)],
-        step: f64,
     ) -> Option<f64> {
         let mut moved = place.to_vec();
         moved[index] += step;
         let values = self.values(&moved);
-        let trial = self.model.trial(&values);
+        let trial = here.moved(&values);
         let mut slope = 0.0;
         for &block in touched {
             let (predicted, density) = &known[block];

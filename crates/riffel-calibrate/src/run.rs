@@ -26,7 +26,7 @@ const OF_DRAW: usize = 7;
 /// Fewest draws of a chain that goes on where it allows no conclusion: shorter ones are meant to be short.
 const GOES_ON: u64 = 1000;
 /// Most draws of such a chain, over those of the plan. Riffel's choice.
-const MOST_TIMES: u64 = 4;
+const MOST_TIMES: u64 = 16;
 
 /// How a run goes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -58,7 +58,7 @@ impl Folder<'_> {
     }
 
     /// Draw until every chain is whole, on the current rayon pool; none where a wish to stop came between. Chains of a thousand draws
-    /// and more that allow no conclusion go on, up to four times their draws.
+    /// and more that allow no conclusion go on, up to sixteen times their draws.
     ///
     /// Draws do not depend on the number of threads, nor on whether a chain was stopped on its way.
     ///

@@ -12,7 +12,7 @@ use riffel_keys::{CaseError, Message, PhysicalRange, fixed, say, text_file};
 use crate::build::{BuiltCase, CreepLaws};
 use crate::case_text::CaseText;
 use crate::checked_keys::CheckedKeys;
-use crate::curving::CurvingCase;
+use crate::curving::{CurvingCase, SharedProfiles};
 use crate::file::{BeamModel, CaseFile, ContactDynamics, CreepLawName};
 use crate::measurement;
 use crate::setting::Setting;
@@ -239,7 +239,14 @@ impl Case {
         let mut case = self.clone();
         case.keys.given.tables = Shared::kept();
         case.keys.given.wheelsets = Shared::kept();
-        case
+        case.sharing_profiles()
+    }
+
+    /// The case, keeping what its profiles are on their track for all cases that are built from it.
+    #[must_use]
+    pub fn sharing_profiles(mut self) -> Self {
+        self.keys.given.profiles = SharedProfiles::kept();
+        self
     }
 
     /// The loop of the case at every place of the wheel that counts for a long profile, with weights that

@@ -46,7 +46,7 @@ impl CheckedKeys {
         let folder = folder.filter(|_| !seal::is_sealed());
         let unfilled = text.clone();
         text.fill_in()?;
-        text.fill_in_from_curve(&unfilled, folder, given.equilibrium.as_deref())?;
+        text.fill_in_from_curve(&unfilled, folder, &given)?;
         let mut file = text.deserialize()?;
         text.judge()?;
         // What it says is filled in, and a case that is sent elsewhere has no files.

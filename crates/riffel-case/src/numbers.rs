@@ -8,6 +8,8 @@ use toml::Value;
 
 use crate::checked_keys::CheckedKeys;
 use crate::file::CaseFile;
+use crate::substitutes::Substitutes;
+use crate::window::Window;
 use crate::{Case, CaseKey, Track};
 
 /// Loop and track of a case.
@@ -110,17 +112,41 @@ impl Case {
             let (feedback, track) = keys.loop_and_track()?;
             return Ok(LoopOnTrack { feedback, track });
         }
+        let Self {
+            feedback, track, ..
+        } = self.settled(numbers)?;
+        Ok(LoopOnTrack { feedback, track })
+    }
+
+    /// The case with other numbers of keys that its mean state may follow from, without the remarks that take time.
+    ///
+    /// # Errors
+    /// As of [`edit`](Self::edit).
+    pub fn settled(&self, numbers: &[(&str, f64)]) -> Result<Self, CaseError> {
         let numbers = numbers.iter();
         let settings: Vec<_> = numbers
             .map(|(key, value)| ((*key).to_owned(), Value::Float(*value)))
             .collect();
-        let Self {
-            feedback, track, ..
-        } = self.with_settings(&settings)?;
-        Ok(LoopOnTrack { feedback, track })
+        let given = Substitutes {
+            quick: true,
+            ..self.keys.given.clone()
+        };
+        let (text, folder) = (self.text_with(&[&settings])?, self.keys.folder.as_deref());
+        Self::of_text(text, folder, given, Window::BesideAnother)
     }
 
-    /// None where a key is not known here, or a curve or a wheelset may depend on it.
+    /// Whether the mean state is that of a vehicle in a curve, whose equilibrium takes hundredths of a second.
+    pub fn is_in_curve(&self) -> bool {
+        self.keys.file.contact.from.is_some() || self.unfilled.keys.has("contact.from")
+    }
+
+    /// Whether a key acts beside the mean state: a vehicle in a curve stands as before, whatever its number.
+    pub fn is_beside_mean_state(key: &str) -> bool {
+        let beside = ["rail.loss_factor", "wear.coefficient"];
+        key.starts_with("track.") || beside.contains(&key)
+    }
+
+    /// None where a key is not known here, or a curve or a wheelset may depend on one.
     fn keys_with_numbers(&self, numbers: &[(&str, f64)]) -> Option<CheckedKeys> {
         let file = &self.keys.file;
         let dependent = file.wheelset.is_some()
@@ -129,7 +155,11 @@ impl Case {
             || self.unfilled.keys.has("contact.from")
             || self.unfilled.keys.has("contact.profiles")
             || file.profiles.is_some();
-        if dependent {
+        if dependent
+            && !numbers
+                .iter()
+                .all(|(key, _)| Self::is_beside_mean_state(key))
+        {
             return None;
         }
         let mut keys = self.keys.clone();
@@ -199,5 +229,39 @@ mod tests {
                 assert_ne!(rate(&quick.feedback), rate(&case.feedback), "{key}");
             }
         }
+    }
+
+    /// In a curve, too: keys beside the mean state without the text, others by it, one after the other as together.
+    #[test]
+    fn numbers_in_a_curve_are_those_of_settings() {
+        let curve = include_str!("../cases/metro-curve.toml");
+        let case = Case::parse("curve", curve, &[]).unwrap().sharing_profiles();
+        assert!(case.is_in_curve());
+        let rate = |feedback: &Loop| feedback.complex_growth_rate(0.05, 12.5);
+        let friction = ("contact.friction", 0.35);
+        let settled = case.settled(&[friction]).unwrap();
+        let set = |(key, value): (&str, f64)| (key.to_owned(), Value::Float(value));
+        let base = case.with_settings(&[set(friction)]).unwrap();
+        assert_eq!(rate(&settled.feedback), rate(&base.feedback));
+        assert_ne!(rate(&base.feedback), rate(&case.feedback));
+        let beside = NUMBERS.into_iter().filter(|(key, _)| {
+            Case::is_beside_mean_state(key) && case.keys_with_numbers(&[(key, 1.0)]).is_some()
+        });
+        let mut count = 0;
+        for (key, _) in beside {
+            let Some(number) = case.number(key) else {
+                continue;
+            };
+            let number = (key, 1.07 * number);
+            let slow = case.with_settings(&[set(friction), set(number)]).unwrap();
+            let at_once = case.with_numbers(&[friction, number]).unwrap();
+            let [after, at_once] = [settled.with_numbers(&[number]).unwrap(), at_once]
+                .map(|found| rate(&found.feedback));
+            assert_eq!(after, rate(&slow.feedback), "{key}");
+            assert_eq!(at_once, after, "{key}");
+            assert_ne!(after, rate(&base.feedback), "{key}");
+            count += 1;
+        }
+        assert_eq!(count, 4);
     }
 }

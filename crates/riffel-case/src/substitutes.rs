@@ -6,6 +6,7 @@ use riffel::receptance::MeasuredReceptance;
 use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 
+use crate::curving::SharedProfiles;
 use crate::from_curve::Equilibrium;
 use crate::measurement::{self, UniversalFunction};
 use crate::shared::Shared;
@@ -93,4 +94,8 @@ pub(crate) struct Substitutes {
     pub(crate) tables: Shared<Arc<dyn RollingContact>>,
     /// Wheelsets that other cases have, too: of a vehicle in its curve every wheel at every speed has a case of its own.
     pub(crate) wheelsets: Shared<BuiltWheelset>,
+    /// Profiles on their track that other cases have, too.
+    pub(crate) profiles: SharedProfiles,
+    /// Whether it is one of many cases, without the remarks that cost time.
+    pub(crate) quick: bool,
 }

@@ -101,13 +101,14 @@ impl Plan {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         check_sampler(&source, &file)?;
         let case_path = beside(folder, &file.case);
-        let case =
-            Case::read_with(&case_path, &settings(&file.set)).map_err(|error| match error {
+        let case = Case::read_with(&case_path, &settings(&file.set))
+            .map_err(|error| match error {
                 CaseError::Changed { key, message } => {
                     source.refuse(&format!("set.{key}"), &message)
                 }
                 error => error,
-            })?;
+            })?
+            .sharing_profiles();
         let mut inputs = vec![path.to_owned(), case_path];
         let mut traffic = None;
         let vehicles = match &file.traffic {

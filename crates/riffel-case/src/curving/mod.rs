@@ -6,6 +6,8 @@ mod profile_file;
 mod running_gear;
 mod wheelset;
 
+pub(crate) use wheelset::SharedProfiles;
+
 pub use profile_file::{ProfileOfName, ProfileReading, profile_of, read_profile};
 
 use std::path::{Path, PathBuf};
@@ -55,6 +57,8 @@ pub struct CurvingCase {
     pub file: CurvingFile,
     /// What is to be asked about values that are not usual.
     pub remarks: Vec<Message>,
+    /// What it shares with other cases.
+    pub(super) shared: SharedProfiles,
 }
 
 impl CurvingCase {
@@ -132,6 +136,7 @@ impl CurvingCase {
             folder: folder.to_owned(),
             file,
             remarks,
+            shared: SharedProfiles::default(),
         })
     }
 

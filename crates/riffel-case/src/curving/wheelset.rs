@@ -15,6 +15,7 @@ use super::CurvingCase;
 use super::build::is_cone;
 use super::profile_file::{ProfileOfName, ProfileReading, profile_of};
 use crate::file::{CurvingTheory, LEFT_WHEEL, ProfileKind, Profiles, RailProfiles};
+use crate::shared::Shared;
 
 /// Lateral shift \[m\] to either side over which contact is tabulated, and the step.
 const FARTHEST: f64 = 0.012;
@@ -22,6 +23,23 @@ const STEP: f64 = 1e-4;
 /// How far beyond the shift at which a wheel comes to its flange contact is tabulated at least \[m\]: on a wide gauge that is
 /// beyond [`FARTHEST`].
 const BEYOND_FLANGE: f64 = 5e-3;
+
+/// Wheelsets on their tracks, and tables of how they roll there, of cases that differ in other keys.
+#[derive(Clone, Default)]
+pub(crate) struct SharedProfiles {
+    wheelsets: Shared<Arc<WheelsetOnTrack>>,
+    surfaces: Shared<Arc<RollingTable>>,
+}
+
+impl SharedProfiles {
+    /// Those that are kept as long as any case that shares them.
+    pub(crate) fn kept() -> Self {
+        Self {
+            wheelsets: Shared::kept(),
+            surfaces: Shared::kept(),
+        }
+    }
+}
 
 /// Lateral shift \[m\] over which the contact of a wheelset is tabulated.
 fn farthest(wheelset: &WheelsetOnTrack) -> f64 {
@@ -48,7 +66,18 @@ impl CurvingCase {
     /// # Errors
     /// [`CaseError`] with the key or with file and line: for cones, profiles that cannot be read, are mirrored or upside
     /// down, and a gauge that the rails cannot have.
-    pub fn wheelset_on_track(&self) -> Result<WheelsetOnTrack, CaseError> {
+    pub fn wheelset_on_track(&self) -> Result<Arc<WheelsetOnTrack>, CaseError> {
+        let make = || Ok(Arc::new(self.new_wheelset_on_track()?));
+        self.shared.wheelsets.get(|| self.of_profiles(), make)
+    }
+
+    /// All that a wheelset on its track depends on.
+    fn of_profiles(&self) -> String {
+        let Self { file, folder, .. } = self;
+        format!("{:?} {:?} {folder:?}", file.profiles, file.wheel)
+    }
+
+    fn new_wheelset_on_track(&self) -> Result<WheelsetOnTrack, CaseError> {
         let profiles = self.profiles()?;
         if is_cone(profiles) {
             let rule = "is \"cone\", which has no profile";
@@ -261,12 +290,15 @@ impl CurvingCase {
             let rule = "is set, but belongs to profiles.wheel = \"cone\"";
             return Err(self.text.keys.invalid(key, rule, ""));
         }
-        let wheelset = self.wheelset_on_track()?;
-        let farthest = farthest(&wheelset);
-        let surfaces = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
-            .map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))?;
+        let make = || {
+            let wheelset = self.wheelset_on_track()?;
+            let farthest = farthest(&wheelset);
+            let table = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
+                .map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))?;
+            Ok(Arc::new(table))
+        };
         Ok(Kinematics::Nonlinear {
-            surfaces: Arc::new(surfaces),
+            surfaces: self.shared.surfaces.get(|| self.of_profiles(), make)?,
             contact_plane,
             flange: None,
         })

@@ -19,6 +19,7 @@ use serde::Deserialize;
 use crate::case_text::CaseText;
 use crate::curving::CurvingCase;
 use crate::file::FromCurve;
+use crate::substitutes::Substitutes;
 pub(crate) use equilibrium::Equilibrium;
 
 /// A case as far as it says where its mean state comes from.
@@ -38,18 +39,18 @@ impl CaseText {
     /// it is not absent, the rail of the wheelset and the rolling radius. `unfilled` are the keys without presets; values of presets give way.
     ///
     /// A lone wheel is always on the right rail: one on the left is turned over, with lateral creepage and spin of the other sign.
-    /// An equilibrium that is known takes the place of that of the case.
+    /// An equilibrium that is given takes the place of that of the case.
     pub(crate) fn fill_in_from_curve(
         &mut self,
         unfilled: &Self,
         folder: Option<&Path>,
-        known: Option<&Equilibrium>,
+        given: &Substitutes,
     ) -> Result<(), CaseError> {
         if !self.keys.has("contact.from") {
             return Ok(());
         }
         let from = self.asks_for()?;
-        if let Some(known) = known {
+        if let Some(known) = &given.equilibrium {
             return self.fill_in_of(&from, known, true);
         }
         if from.curve.is_some() && folder.is_none() {
@@ -64,11 +65,16 @@ impl CaseText {
             let help = format!("leave contact.from.curve out, or [{table}]");
             return Err(self.keys.invalid("contact.from.curve", rule, &help));
         }
-        let curving = self.curving_case(&from, unfilled, folder)?;
+        let mut curving = self.curving_case(&from, unfilled, folder)?;
+        curving.shared = given.profiles.clone();
         let vehicle = curving.vehicle_in_curve()?;
         // Asked before the vehicle is balanced, which takes a while.
         self.check_wheelset(&from, &vehicle)?;
-        let states = curving.equilibria(&vehicle)?;
+        // The first is the same; others are but told of.
+        let states = match given.quick {
+            true => vec![curving.equilibrium(&vehicle)?],
+            false => curving.equilibria(&vehicle)?,
+        };
         self.fill_in_of(
             &from,
             &Equilibrium {
@@ -76,7 +82,7 @@ impl CaseText {
                 vehicle,
                 states,
             },
-            false,
+            given.quick,
         )
     }
 
