@@ -591,6 +591,7 @@ second-of-pair = anderer Wert
 told-as-a-product = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Produkt von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 told-as-a-ratio = die Daten sagen über { $one } und { $other } nur zusammen etwas, als Quotient von Potenzen (r = { $correlation }): keiner von beiden darf allein in einen Fall geschrieben werden
 calibration-allows-no-conclusion = die Ketten erlauben keinen Schluss, wegen { $doubts } Zweifeln, die bei ihnen stehen: mehr Ziehungen können sie ausräumen
+chains-take = das Modell braucht { $seconds } s für einen Satz von Werten: die Ketten brauchen rund { $minutes } min, und länger, wenn sie weitergehen
 chains-go-on = die Ketten lassen noch keinen Schluss zu und gehen weiter, bis jede { $draws } Ziehungen hat
 chains-disagree = die Ketten sind über { $value } uneins: R̂ ist { $rhat }, darf aber höchstens { $most } sein; mehr Ziehungen nehmen, oder { $other }
 look-for-a-second-way = einen zweiten Weg suchen, auf dem das Modell zu den Daten passt

@@ -598,6 +598,7 @@ second-of-pair = other value
 told-as-a-product = the data tell { $one } and { $other } only together, as a product of powers (r = { $correlation }): neither may be written back into a case alone
 told-as-a-ratio = the data tell { $one } and { $other } only together, as a ratio of powers (r = { $correlation }): neither may be written back into a case alone
 calibration-allows-no-conclusion = the chains allow no conclusion, by { $doubts } doubts that are told with them: more draws may settle these
+chains-take = the model takes { $seconds } s for one set of values: the chains take some { $minutes } min, and longer where they go on
 chains-go-on = the chains allow no conclusion yet, and go on to { $draws } draws each
 chains-disagree = the chains disagree on { $value }: R̂ is { $rhat }, but must be { $most } at most; take more draws, or { $other }
 look-for-a-second-way = look for a second way to fit the data

@@ -355,6 +355,44 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     assert_eq!(csv("out"), csv("elsewhere/again"));
 }
 
+/// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior to a hundredth: the density of
+/// a normal distribution about the growth of the mean, with the variances of both. Each of two steps of 2000 members errs by 1/√2000; to
+/// four errors of both.
+#[test]
+fn the_evidence_of_a_linear_problem_is_in_the_document() {
+    let sandbox = Sandbox::new();
+    let set = "validation/calibration/b-three-dates";
+    sandbox.copy(set);
+    let levels =
+        "passages,wavelength_mm,level_db,standard_error_db\n0,80,0,0.3\n2000000,80,4,0.3\n";
+    fs::write(sandbox.path(&format!("{set}/two.csv")), levels).unwrap();
+    let [mean, deviation] = [2.5e-9, 0.4e-9];
+    let plan = format!(
+        "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
+        [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 1000\n\
+        [[parameter]]\nkey = \"wear.coefficient\"\nnormal = {{ mean = {mean}, standard_deviation = {deviation} }}\n\
+        [[data]]\nkind = \"dated-levels\"\nfile = \"two.csv\"\n"
+    );
+    let path = sandbox.path(&format!("{set}/linear.toml"));
+    fs::write(&path, plan).unwrap();
+    let posterior = riffel_calibrate::Plan::read(&path).unwrap().posterior;
+    let growth = |value| posterior.predictions(&[value]).unwrap()[0][0];
+    let likelihood = |value| posterior.log_likelihood(&[value]).unwrap()[0].1;
+    let (low, middle, high) = (mean - deviation, mean, mean + deviation);
+    let slope = 0.5 * (growth(high) - growth(low));
+    assert!((growth(high) - growth(middle) - slope).abs() < 0.03 * slope);
+    let square = |value| (4.0 - growth(value)).powi(2);
+    let variance = 0.5 * (square(low) - square(high)) / (likelihood(high) - likelihood(low));
+    let both = variance + slope * slope;
+    let expected = -0.5 * (std::f64::consts::TAU * both).ln() - 0.5 * square(middle) / both;
+    let document = sandbox.json(&format!("calibrate {set}/linear.toml -o out --json"));
+    let told = document["log_evidence"]["value"].as_f64().unwrap();
+    assert!(
+        (told - expected).abs() < 4.0 * (2.0_f64 / 2000.0).sqrt(),
+        "{told} {expected}"
+    );
+}
+
 /// Growth is what the levels say, 2.9 dB in two million axles, whatever command tells it; the whole case is taken, for no other.
 fn over_the_calibration(sandbox: &Sandbox, set: &str) {
     let case = format!("{set}/case.toml");

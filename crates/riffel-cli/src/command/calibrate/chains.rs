@@ -7,9 +7,11 @@ use riffel_answers::calibrate::{close_pairs, correlations, directions, figure, l
 use riffel_answers::competing_models::{CompetingModels, what_is_compared};
 use riffel_answers::forecast::PosteriorForecast;
 use riffel_answers::{Answer, Calibration, PlanDocument, four_digits, level_limit};
+use riffel_calibrate::file::SamplerKind;
 use riffel_calibrate::{
     CalibrationError, Chains, Folder, Identifiability, Measured, Plan, Progress, Summary,
 };
+use riffel_keys::fixed;
 
 use super::LIMIT;
 use crate::arguments::{CalibrateChains, stem};
@@ -30,6 +32,10 @@ const FILES: [&str; 5] = [
     "identifiability.csv",
     "correlations.csv",
 ];
+/// Sets of values that the model computes for a draw, those of an emulator among them: some 34 000 for 8000 draws of nine values.
+const SETS_A_DRAW: f64 = 4.0;
+/// Time above which it is told beforehand \[s\].
+const SLOW: f64 = 60.0;
 /// The chains allow no conclusion.
 const NO_CONCLUSION: u8 = 1;
 
@@ -63,6 +69,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
         sampler.draws,
         plan.posterior.parameters().len()
     ));
+    on_threads(arguments.threads, || tell_time(&plan))?;
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
@@ -135,6 +142,36 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     } else {
         NO_CONCLUSION
     })
+}
+
+/// Say how long chains may take, where that is longer than one waits without a word.
+fn tell_time(plan: &Plan) {
+    let sampler = &plan.file.sampler;
+    if sampler.kind != SamplerKind::Nuts {
+        return;
+    }
+    let parameters = plan.posterior.parameters().iter();
+    let values: Vec<f64> = parameters.map(|it| it.prior.quantile(0.5)).collect();
+    // The first fills tables.
+    let mut seconds = 0.0;
+    for _ in 0..2 {
+        let begun = Instant::now();
+        let _ = plan.posterior.log_likelihood(&values);
+        seconds = begun.elapsed().as_secs_f64();
+    }
+    let at_once = sampler
+        .chains
+        .min(rayon::current_num_threads() as u64)
+        .max(1);
+    let draws = sampler.chains * (sampler.left_out() + sampler.draws) / at_once;
+    let whole = SETS_A_DRAW * seconds * draws as f64;
+    if whole > SLOW {
+        say(riffel_keys::say!(
+            chains_take,
+            seconds = fixed(seconds, 3),
+            minutes = fixed((whole / 60.0).ceil(), 0)
+        ));
+    }
 }
 
 /// Write what follows from the draws: what they tell of values together, where the plan has levels and the traffic says how much of
