@@ -355,18 +355,22 @@ fn a_population_tells_the_evidence_and_its_plan_can_be_moved() {
     assert_eq!(csv("out"), csv("elsewhere/again"));
 }
 
-/// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior to a hundredth: the density of
-/// a normal distribution about the growth of the mean, with the variances of both. Each of two steps of 2000 members errs by 1/√2000; to
+/// The evidence of one difference of levels, of which growth is linear in the wear over its normal prior: the density of a normal
+/// distribution about the growth of the mean, with the variances of both. Each of two steps of 2000 members errs by 1/√2000; to
 /// four errors of both.
 #[test]
 fn the_evidence_of_a_linear_problem_is_in_the_document() {
     let sandbox = Sandbox::new();
     let set = "validation/calibration/b-three-dates";
     sandbox.copy(set);
-    let levels =
-        "passages,wavelength_mm,level_db,standard_error_db\n0,80,0,0.3\n2000000,80,4,0.3\n";
-    fs::write(sandbox.path(&format!("{set}/two.csv")), levels).unwrap();
-    let [mean, deviation] = [2.5e-9, 0.4e-9];
+    let write = |level: f64| {
+        let levels = format!(
+            "passages,wavelength_mm,level_db,standard_error_db\n0,125,0,0.1\n10000000,125,{level},0.1\n"
+        );
+        fs::write(sandbox.path(&format!("{set}/two.csv")), levels).unwrap();
+    };
+    write(0.0);
+    let [mean, deviation] = [2.5e-9, 0.1e-9];
     let plan = format!(
         "case = \"case.toml\"\ntraffic = \"traffic.toml\"\n\
         [sampler]\nkind = \"smc\"\nchains = 2\ndraws = 1000\n\
@@ -375,16 +379,24 @@ fn the_evidence_of_a_linear_problem_is_in_the_document() {
     );
     let path = sandbox.path(&format!("{set}/linear.toml"));
     fs::write(&path, plan).unwrap();
-    let posterior = riffel_calibrate::Plan::read(&path).unwrap().posterior;
-    let growth = |value| posterior.predictions(&[value]).unwrap()[0][0];
-    let likelihood = |value| posterior.log_likelihood(&[value]).unwrap()[0].1;
+    let read = || riffel_calibrate::Plan::read(&path).unwrap().posterior;
+    let growth = |value| read().predictions(&[value]).unwrap()[0][0];
     let (low, middle, high) = (mean - deviation, mean, mean + deviation);
-    let slope = 0.5 * (growth(high) - growth(low));
-    assert!((growth(high) - growth(middle) - slope).abs() < 0.03 * slope);
-    let square = |value| (4.0 - growth(value)).powi(2);
-    let variance = 0.5 * (square(low) - square(high)) / (likelihood(high) - likelihood(low));
+    let [of_low, of_middle, of_high] = [low, middle, high].map(growth);
+    let slope = 0.5 * (of_high - of_low);
+    assert!(
+        (of_high - of_middle - slope).abs() < 0.03 * slope,
+        "{slope}"
+    );
+    let level = of_middle + slope;
+    write(level);
+    let posterior = read();
+    let likelihood = |value| posterior.log_likelihood(&[value]).unwrap()[0].1;
+    let squares = [of_low, of_high].map(|of| (level - of).powi(2));
+    let variance = 0.5 * (squares[0] - squares[1]) / (likelihood(high) - likelihood(low));
     let both = variance + slope * slope;
-    let expected = -0.5 * (std::f64::consts::TAU * both).ln() - 0.5 * square(middle) / both;
+    let expected = -0.5 * ((std::f64::consts::TAU * both).ln() + slope * slope / both);
+    assert!(slope * slope > variance, "{slope} {variance}");
     let document = sandbox.json(&format!("calibrate {set}/linear.toml -o out --json"));
     let told = document["log_evidence"]["value"].as_f64().unwrap();
     assert!(
