@@ -118,6 +118,19 @@ def test_the_program_says_the_same(felt: Signal, tmp_path: Path, program: Callab
     assert printed["rails"][0]["name"] == "Axle box left"
 
 
+def test_a_flat_is_the_wheels(felt: Signal) -> None:
+    """Blows once a turn of a wheel of 0.46 m."""
+    turn = 2 * np.pi * 0.46
+    away = (SPEED * np.arange(felt.size) / RATE + 0.5 * turn) % turn - 0.5 * turn
+    blows = 50.0 * np.exp(-((away / 0.01) ** 2))
+    case = riffel.Case.from_toml(CASE)
+    assert case.axlebox({"left": felt}, rate=RATE, speed=SPEED)["wheels"] == []
+    found = case.axlebox({"left": felt + blows}, rate=RATE, speed=SPEED)
+    (flat,) = found["wheels"]
+    assert (flat["name"], flat["kind"], flat["order"]) == ("left", "flat", None)
+    assert found["rails"][0]["defects"] == []
+
+
 def test_what_is_wrong_is_said(felt: Signal, tmp_path: Path) -> None:
     case = riffel.Case.from_toml(CASE)
     plain = {"rate": RATE, "speed": SPEED}

@@ -54,13 +54,13 @@ impl Spectrum {
     /// [`Error::OutOfRange`] where no stretch is as long as 1 m; [`Error::Measurement`] without a stretch, where
     /// their spacings differ or where no band is left.
     pub fn of_record(stretches: &[Profile], longest: f64) -> Result<Self, Error> {
-        Ok(RecordLevels::new(stretches, longest)?.spectrum)
+        Ok(RecordLevels::new(stretches, 0.0, longest)?.spectrum)
     }
 }
 
 impl RecordLevels {
-    /// As [`Spectrum::of_record`].
-    pub(super) fn new(stretches: &[Profile], longest: f64) -> Result<Self, Error> {
+    /// As [`Spectrum::of_record`], of bands that lie wholly above the shortest wavelength \[m\].
+    pub(super) fn new(stretches: &[Profile], shortest: f64, longest: f64) -> Result<Self, Error> {
         Error::unless_positive("longest wavelength", longest, "m")?;
         let (spacing, record) = spacing_and_longest(stretches)?;
         // The record is known to a sample at either end.
@@ -68,7 +68,9 @@ impl RecordLevels {
         let nyquist = 0.5 / spacing * (1.0 + 1e-9);
         let bands = (-60..=(10.0 * longest.log10()).floor() as i32)
             .map(ThirdOctave::new)
-            .filter(|band| band.wavenumber_range().1 <= nyquist);
+            .filter(|band| {
+                band.wavenumber_range().1 <= nyquist && band.wavelength_range().0 >= shortest
+            });
         let mut samples = Samples {
             spacing,
             stretches: stretches.iter().map(|one| one.heights().into()).collect(),

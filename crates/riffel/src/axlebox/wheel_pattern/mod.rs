@@ -209,7 +209,7 @@ fn is_of_rail(lines: &[Lines], own: usize, order: usize, circumference: f64, tur
     let least = FELT_BY_OTHERS * repeating(&lines[own]);
     let others = lines.iter().enumerate().filter(|(index, _)| *index != own);
     let felt = others.filter(|(_, other)| repeating(other) > least).count();
-    lines.len() > 1 && 2 * felt >= lines.len() - 1
+    2 * felt > lines.len() - 1
 }
 
 /// The distance at which a course repeats the most, in its steps, and how much of it: the mean of the autocorrelation at

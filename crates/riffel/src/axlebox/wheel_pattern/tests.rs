@@ -134,7 +134,10 @@ fn polygons_are_told_by_another_wheel_on_the_rail() {
         let order = 9 + 3 * seed as usize;
         let beside = with(&rail, |_| 0.0);
         let felt = with(&rail, polygon(radius, order, 18e-6));
-        let (wheel, left) = found(vec![felt, beside.clone()], TAU * RADIUS);
+        let (wheel, left) = found(vec![felt.clone(), beside.clone()], TAU * RADIUS);
+        // A wheel turned on the same lathe is no rail that a third does not feel.
+        let (twin, _) = found(vec![felt.clone(), felt, beside.clone()], TAU * RADIUS);
+        assert_eq!(twin, wheel, "{seed}");
         let wheel = wheel.unwrap_or_else(|| panic!("{seed}"));
         assert!(wheel.is_wheel && !wheel.is_flat(), "{seed}");
         let [(found, amplitude)] = wheel.orders[..] else {

@@ -167,7 +167,7 @@ impl RailAnalysis {
             progress();
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
-        let levels = RecordLevels::new(&stretches, settings.longest_wavelength)?;
+        let levels = record_levels(&stretches, settings)?;
         let section_spectra = match settings.section_levels {
             true => section_spectra(&stretches, &ends, settings),
             false => Vec::new(),
@@ -250,6 +250,15 @@ impl RailAnalysis {
     }
 }
 
+/// The levels of bands that are not too short to be known.
+fn record_levels(
+    stretches: &[Profile],
+    settings: &AnalysisSettings,
+) -> Result<RecordLevels, Error> {
+    let shortest = settings.felt.map_or(0.0, |felt| felt.from());
+    RecordLevels::new(stretches, shortest, settings.longest_wavelength)
+}
+
 /// The levels of each section, on all cores; those too short for any are left out.
 fn section_spectra(
     stretches: &[Profile],
@@ -265,7 +274,7 @@ fn section_spectra(
             .iter()
             .filter_map(|stretch| stretch.between(from, to));
         let parts: Vec<Profile> = parts.collect();
-        let levels = RecordLevels::new(&parts, settings.longest_wavelength).ok()?;
+        let levels = record_levels(&parts, settings).ok()?;
         Some(SectionSpectrum {
             from,
             to,
