@@ -62,14 +62,7 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let folder = Folder::begin(&plan, &path, arguments.restart)?;
     folder.write_plan(&plan)?;
     let sampler = &plan.file.sampler;
-    say(format_args!(
-        "{} chains of {} + {} draws of {} parameters",
-        sampler.chains,
-        sampler.left_out(),
-        sampler.draws,
-        plan.posterior.parameters().len()
-    ));
-    on_threads(arguments.threads, || tell_time(&plan))?;
+    on_threads(arguments.threads, || tell_plan(&plan))?;
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
@@ -144,9 +137,16 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     })
 }
 
-/// Say how long chains may take, where that is longer than one waits without a word.
-fn tell_time(plan: &Plan) {
+/// Say how many draws there are to be, and how long they may take where that is longer than one waits without a word.
+fn tell_plan(plan: &Plan) {
     let sampler = &plan.file.sampler;
+    say(format_args!(
+        "{} chains of {} + {} draws of {} parameters",
+        sampler.chains,
+        sampler.left_out(),
+        sampler.draws,
+        plan.posterior.parameters().len()
+    ));
     if sampler.kind != SamplerKind::Nuts {
         return;
     }
