@@ -93,7 +93,7 @@ pub use plan_document::PlanDocument;
 pub use table::{Column, Table, Values};
 pub use track_in_words::place;
 pub(crate) use wear_limit::wear_spread;
-pub use wear_limit::{WearLimitDocument, for_whom};
+pub use wear_limit::{WearLimitDocument, for_whom, unlikely_wear};
 
 /// The listings of the book, compiled and run.
 #[cfg(doctest)]

@@ -2,6 +2,7 @@
 
 use std::f64::consts::LN_2;
 
+use riffel::MeanWear;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
     DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, is_faster_than_known,
@@ -11,7 +12,7 @@ use riffel_case::{Case, Variant};
 use riffel_keys::{CaseError, Message, say, significant};
 use serde::{Serialize, Serializer};
 
-use crate::{Banded, Cause, wear_spread};
+use crate::{Banded, Cause, unlikely_wear, wear_spread};
 
 /// Growth under the traffic of a line: serialised, what documents hold as `under_traffic`.
 #[derive(Debug, Clone, Serialize)]
@@ -32,6 +33,9 @@ pub struct LineGrowth {
     /// Wavelengths \[m\] with their growth rates per passage.
     #[serde(skip)]
     pub curve: Vec<[f64; 2]>,
+    /// Of the rail under the traffic.
+    #[serde(skip)]
+    mean_wear: MeanWear,
 }
 
 /// The wavelengths that grow fastest.
@@ -74,6 +78,7 @@ impl LineGrowth {
         };
         let mut growth = Self::under(case, traffic, &Variant::none(""))?;
         growth.usual_traffic_of = line;
+        growth.remarks.extend(unlikely_wear(case, growth.mean_wear));
         growth.remarks.push(growth.sentence(case));
         if let Some(fastest) = growth.fastest {
             growth.cause = Cause::of(case, fastest.wavelength_m, growth.speeds_m_per_s);
@@ -107,6 +112,7 @@ impl LineGrowth {
             fastest,
             cause: None,
             remarks: Vec::new(),
+            mean_wear: on.growth.mean_wear(),
             curve: lines
                 .map(|(wavelength, rate)| [wavelength, *rate])
                 .collect(),

@@ -10,7 +10,7 @@ use riffel_study::sensitivity::quantile;
 use serde::{Serialize, Serializer};
 use serde_json::Value;
 
-use crate::{AnswerError, Column, Table, Values};
+use crate::{AnswerError, Banded, Column, Table, Values};
 
 /// Draws that are taken: a quantile of 5 % is then known to a sixth of a standard deviation.
 const DRAWS: usize = 200;
@@ -66,6 +66,10 @@ impl PosteriorDraws {
         document: impl Fn(&Drawn) -> Result<D, AnswerError> + Sync,
     ) -> Result<OverPosterior, AnswerError> {
         let documents = self.drawn.par_iter().map(|drawn| {
+            if let Some(frequency) = oscillates(drawn) {
+                progress(1);
+                return Ok(Err(frequency));
+            }
             let document = document(drawn)?;
             progress(1);
             let mut numbers = BTreeMap::new();
@@ -75,16 +79,26 @@ impl PosteriorDraws {
                     collect(key, value, &mut numbers);
                 }
             }
-            Ok(numbers)
+            Ok(Ok(numbers))
         });
         let documents = documents.collect::<Result<Vec<_>, AnswerError>>()?;
         let mut samples: BTreeMap<String, Vec<f64>> = BTreeMap::new();
-        for (name, value) in documents.into_iter().flatten() {
-            samples.entry(name).or_default().push(value);
+        let mut unstable = Vec::new();
+        for document in documents {
+            match document {
+                Err(frequency) => unstable.push(frequency),
+                Ok(numbers) => {
+                    for (name, value) in numbers {
+                        samples.entry(name).or_default().push(value);
+                    }
+                }
+            }
         }
         let numbers = samples.into_iter();
         Ok(OverPosterior {
             draws: self.drawn.len(),
+            unstable_samples: unstable.len(),
+            unstable_frequency_hz: Banded::of_samples(unstable),
             numbers: numbers
                 .map(|(name, samples)| NumberOverPosterior::new(name, samples))
                 .collect(),
@@ -97,6 +111,10 @@ impl PosteriorDraws {
 pub struct OverPosterior {
     /// Draws of the posterior.
     pub draws: usize,
+    /// Those whose loop oscillates by itself: no number holds them.
+    pub unstable_samples: usize,
+    /// At which they do.
+    pub unstable_frequency_hz: Option<Banded>,
     /// In the order of their names.
     #[serde(serialize_with = "those_that_vary")]
     numbers: Vec<NumberOverPosterior>,
@@ -209,6 +227,16 @@ impl OverPosterior {
             ],
         }
     }
+}
+
+/// Frequency \[Hz\] at which the loop of a draw oscillates by itself at the mean speed of its first vehicle, or else in the middle of
+/// the map, if it does.
+fn oscillates(drawn: &Drawn) -> Option<f64> {
+    let traffic = drawn.traffic.as_ref();
+    let speed = traffic.and_then(|traffic| Some(traffic.speeds().first()?.mean()));
+    let map = drawn.case.speed;
+    let speed = speed.unwrap_or(map.min().midpoint(map.max()));
+    drawn.case.stability(speed)?.frequency
 }
 
 fn is_of_answer(key: &str) -> bool {

@@ -201,7 +201,7 @@ impl PointAnswer {
         };
         Ok(Self {
             quantities: Point::new(case, &state),
-            wear_limit: WearLimitDocument::new(case.feedback.mean_wear(), Some(state.growth_rate)),
+            wear_limit: WearLimitDocument::new(case, Some(state.growth_rate)),
             reported_growth: reported_growth(
                 wavelength,
                 state.growth_rate,

@@ -22,6 +22,8 @@ pub(crate) struct StabilityDocument {
 struct Root {
     frequency_hz: f64,
     growth_rate_per_s: f64,
+    /// False beyond the range of the track's model.
+    counts: bool,
 }
 
 /// The same at one of several speeds.
@@ -42,6 +44,7 @@ impl From<Stability> for StabilityDocument {
                 .map(|root| Root {
                     frequency_hz: root.frequency,
                     growth_rate_per_s: root.growth_rate,
+                    counts: root.counts,
                 })
                 .collect(),
         }

@@ -119,8 +119,11 @@ impl Case {
         given: Substitutes,
         window: Window,
     ) -> Result<Self, CaseError> {
+        let mut given = given;
+        // A vehicle and a variant keep the coefficient of their case; another case has its own.
+        given.wear.take_if(|_| window == Window::Map);
         let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;
-        Self::of_keys(keys, unfilled)
+        Self::of_keys(keys, unfilled)?.as_measured()
     }
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {

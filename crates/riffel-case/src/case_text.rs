@@ -7,7 +7,7 @@ use riffel_keys::quantity::{Kind, Length, Speed};
 use toml::{Table, Value};
 
 use crate::CaseKey;
-use crate::file::{CaseFile, LEFT_WHEEL};
+use crate::file::{CaseFile, LEFT_WHEEL, MeasuredWear};
 use crate::preset::PresetKind;
 
 /// Keys that take the name of a profile.
@@ -42,7 +42,7 @@ pub(crate) struct CaseText {
     pub(crate) contact_outward: Option<f64>,
 }
 
-/// A file of keys of a case, or of some of them, the axes of its map written as tables of ends.
+/// A file of keys of a case, or of some of them, the axes of its map and its measured wear written as tables.
 ///
 /// # Errors
 /// As [`KeyFile::parse`].
@@ -110,12 +110,16 @@ impl CaseText {
         had_wheelset: bool,
         set: impl Iterator<Item = &'a str> + Clone,
     ) {
-        let [ratio, creepage] = ["contact.tractive_ratio", "contact.creepage"];
         let sets = |key: &str| set.clone().any(|other| is_within(other, key));
-        match (sets(ratio), sets(creepage)) {
-            (true, false) => self.keys.remove(creepage),
-            (false, true) => self.keys.remove(ratio),
-            _ => {}
+        for [one, other] in [
+            ["contact.tractive_ratio", "contact.creepage"],
+            ["wear.coefficient", "wear.measured"],
+        ] {
+            match (sets(one), sets(other)) {
+                (true, false) => self.keys.remove(other),
+                (false, true) => self.keys.remove(one),
+                _ => {}
+            }
         }
         if !had_wheelset && sets("wheelset") {
             let replaced = REPLACED_BY_WHEELSET.iter().filter(|key| !sets(key));
@@ -126,12 +130,16 @@ impl CaseText {
     /// The keys as types, with defaults in the place of those left out.
     pub(crate) fn deserialize(&self) -> Result<CaseFile, CaseError> {
         self.keys.deserialize_or(|key| {
+            let text = self.keys.text_of(key)?;
             let example = match key {
+                "wear.measured" => {
+                    let rule = say!(is_no_measured_wear, text = text);
+                    return Some(self.keys.invalid(key, rule, ""));
+                }
                 "map.wavelength" => "20-80 mm",
                 "map.speed" => "60-90 km/h",
                 _ => return None,
             };
-            let text = self.keys.text_of(key)?;
             let rule = format!(
                 "is \"{text}\", but must be a range as in \"{example}\", or a table of min, max and points"
             );
@@ -170,7 +178,8 @@ fn is_within(key: &str, table: &str) -> bool {
     rest.is_some_and(|rest| rest.is_empty() || rest.starts_with('.'))
 }
 
-/// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, into tables.
+/// Turn the axes of the map that are written as ranges, `map.speed = "60-90 km/h"`, and the wear measured that is written as a text
+/// into tables.
 fn spread_axes(keys: &mut KeyFile) {
     for (axis, kind) in [
         ("map.wavelength", Kind::of::<Length>()),
@@ -184,5 +193,13 @@ fn spread_axes(keys: &mut KeyFile) {
             let ends = ends.map(|(name, end)| (name.to_owned(), Value::String(end)));
             keys.put(axis, ends.collect::<Table>());
         }
+    }
+    let wear = keys
+        .text_of("wear.measured")
+        .and_then(MeasuredWear::in_words);
+    if let Some(wear) = wear {
+        let wear = ["depth", "per"].into_iter().zip(wear);
+        let wear = wear.map(|(name, value)| (name.to_owned(), Value::String(value)));
+        keys.put("wear.measured", wear.collect::<Table>());
     }
 }

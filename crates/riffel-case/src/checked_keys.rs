@@ -57,6 +57,11 @@ impl CheckedKeys {
         if let (None, Some(key)) = (folder, named) {
             return Err(text.names_a_file(key));
         }
+        if let Some((measured, coefficient)) = given.wear
+            && file.wear.measured == Some(measured)
+        {
+            file.wear.coefficient = Quantity::new(coefficient);
+        }
         let wheel = &mut file.wheel;
         if let Some(mass) = wheel.mass.filter(|_| file.wheelset.is_none()) {
             let radius = wheel.rolling_radius.si();
@@ -72,6 +77,7 @@ impl CheckedKeys {
             window,
         };
         keys.check_wheel()?;
+        keys.check_measured_wear()?;
         keys.general()?;
         Ok(keys)
     }

@@ -35,6 +35,7 @@ mod hold;
 mod idle_key;
 mod kept_state;
 mod key;
+mod measured_wear;
 mod measurement;
 mod mechanisms;
 pub mod model;

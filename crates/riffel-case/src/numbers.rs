@@ -129,6 +129,7 @@ impl Case {
             .collect();
         let given = Substitutes {
             quick: true,
+            wear: None,
             ..self.keys.given.clone()
         };
         let (text, folder) = (self.text_with(&[&settings])?, self.keys.folder.as_deref());
@@ -146,7 +147,7 @@ impl Case {
         key.starts_with("track.") || beside.contains(&key)
     }
 
-    /// None where a key is not known here, or a curve or a wheelset may depend on one.
+    /// None where a key is not known here, or a curve, a wheelset or the wear may depend on one.
     fn keys_with_numbers(&self, numbers: &[(&str, f64)]) -> Option<CheckedKeys> {
         let file = &self.keys.file;
         let dependent = file.wheelset.is_some()
@@ -154,7 +155,8 @@ impl Case {
             || file.curve.is_some()
             || self.unfilled.keys.has("contact.from")
             || self.unfilled.keys.has("contact.profiles")
-            || file.profiles.is_some();
+            || file.profiles.is_some()
+            || file.wear.measured.is_some();
         if dependent
             && !numbers
                 .iter()

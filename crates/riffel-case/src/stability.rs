@@ -6,6 +6,8 @@ use riffel_keys::{Message, Value, fixed, number, say, shown_speed, significant};
 
 use crate::Case;
 use crate::build::validity::shorter_than_patch;
+use crate::checked_keys::CheckedKeys;
+use crate::file::{BeamModel, TrackModel};
 
 /// Below the modes of a wheelset, and above what creep forces feel \[Hz\].
 const BAND: (f64, f64) = (1.0, 10e3);
@@ -14,8 +16,10 @@ impl Case {
     /// Whether the loop oscillates without any profile at a speed \[m/s\], by
     /// [`Loop::stability`]. None for the loop of one wheel and one
     /// axis, which never does, and where the phase cannot be followed, for want of any loss or of measured frequencies.
+    ///
+    /// Oscillations beyond the range of the model of the track do not count.
     pub fn stability(&self, speed: f64) -> Option<Stability> {
-        judged(&self.feedback, speed)?.ok()
+        judged(&self.feedback, self.keys.track_known_to(), speed)?.ok()
     }
 
     /// What the reader should know about the validity of the models where one speed \[m/s\] is asked about: as
@@ -26,7 +30,8 @@ impl Case {
             say!(loop_unstable, speed = "", frequency = "", growth = ""),
         ];
         let other = |remark: &&Message| of_stability.iter().all(|of| of.id() != remark.id());
-        let own = judged(&self.feedback, speed).and_then(|found| said(speed, &found));
+        let own = judged(&self.feedback, self.keys.track_known_to(), speed)
+            .and_then(|found| said(speed, &found));
         self.remarks
             .iter()
             .filter(other)
@@ -49,7 +54,7 @@ impl Case {
 
     /// The speeds \[m/s\] of the map at which the loop is judged, with what it is there.
     pub fn stability_over_the_map(&self) -> Vec<(f64, Stability)> {
-        let judged = over(&self.feedback, self.speed);
+        let judged = over(&self.feedback, self.keys.track_known_to(), self.speed);
         judged
             .filter_map(|(speed, stability)| Some((speed, stability.ok()?)))
             .collect()
@@ -64,7 +69,8 @@ pub(crate) fn said(speed: f64, found: &Result<Stability, Error>) -> Option<Messa
     };
     let frequency = fixed(found.frequency?, 0);
     let time = |root: &UnstableRoot| duration(root.growth_rate.recip());
-    let growth = found.roots.split_first().map(|(highest, others)| {
+    let roots: Vec<&UnstableRoot> = found.roots.iter().filter(|root| root.counts).collect();
+    let growth = roots.split_first().map(|(highest, others)| {
         let others = others.iter().rev().fold(Value::from(""), |others, root| {
             let frequency = significant(root.frequency, 4);
             let other = say!(
@@ -96,18 +102,35 @@ fn duration(seconds: f64) -> Value {
     }
 }
 
-fn judged(feedback: &Loop, speed: f64) -> Option<Result<Stability, Error>> {
-    let on_all_axes = !feedback.is_along_one_axis();
-    on_all_axes.then(|| feedback.stability(speed, BAND.0, BAND.1))
+impl CheckedKeys {
+    /// Frequency \[Hz\] up to which the model of the track holds: a measured one to its end, which it is not asked beyond; a beam for
+    /// as long as the section of the rail keeps its shape, with shear to 2 kHz and without to 1.5 kHz, where it is 24° off.
+    pub(crate) fn track_known_to(&self) -> f64 {
+        let measured = self.given.track.is_some() || self.file.track.model == TrackModel::Measured;
+        match (measured, self.beam_model()) {
+            (true, _) => BAND.1,
+            (false, BeamModel::EulerBernoulli) => 1500.0,
+            (false, BeamModel::Timoshenko) => 2000.0,
+        }
+    }
+}
+
+fn judged(feedback: &Loop, known_to: f64, speed: f64) -> Option<Result<Stability, Error>> {
+    if feedback.is_along_one_axis() {
+        return None;
+    }
+    let found = feedback.stability(speed, BAND.0, BAND.1);
+    Some(found.map(|found| found.known_to(known_to)))
 }
 
 /// At the ends of some speeds and in the middle.
 pub(crate) fn over(
     feedback: &Loop,
+    known_to: f64,
     speed: Axis,
 ) -> impl Iterator<Item = (f64, Result<Stability, Error>)> {
     let speeds = [speed.min(), 0.5 * (speed.min() + speed.max()), speed.max()];
     speeds
         .into_iter()
-        .filter_map(move |speed| Some((speed, judged(feedback, speed)?)))
+        .filter_map(move |speed| Some((speed, judged(feedback, known_to, speed)?)))
 }

@@ -7,6 +7,7 @@ use riffel::{Receptance, RollingContact};
 use riffel_keys::{CaseError, Message};
 
 use crate::curving::SharedProfiles;
+use crate::file::MeasuredWear;
 use crate::from_curve::Equilibrium;
 use crate::measurement::{self, UniversalFunction};
 use crate::shared::Shared;
@@ -88,6 +89,8 @@ pub(crate) struct Substitutes {
     pub(crate) track: Option<GivenReceptance>,
     /// In place of the wheel.
     pub(crate) wheel: Option<GivenReceptance>,
+    /// The wear coefficient \[kg/J\] that gives the wear measured, where that is still what the case has.
+    pub(crate) wear: Option<(MeasuredWear, f64)>,
     /// In place of that of the curve of the case.
     pub(crate) equilibrium: Option<Arc<Equilibrium>>,
     /// Tables of the exact contact that other cases have, too: each costs a second.

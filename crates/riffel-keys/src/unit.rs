@@ -104,12 +104,14 @@ const INCH: f64 = 0.0254;
 
 /// Units that take no prefix. Those of the inch and the pound are exact by the agreement of 1959; a pound is a mass,
 /// and its weight is `lbf`.
-const ALONE: [(&str, f64, Exponents); 21] = [
+const ALONE: [(&str, f64, Exponents); 22] = [
     ("%", 1e-2, Exponents::new(0, 0, 0)),
     ("‰", 1e-3, Exponents::new(0, 0, 0)),
     ("deg", DEGREE, Exponents::ANGLE),
     ("°", DEGREE, Exponents::ANGLE),
     ("t", 1e3, Exponents::new(1, 0, 0)),
+    // A million gross tonnes.
+    ("MGT", 1e9, Exponents::new(1, 0, 0)),
     ("h", 3600.0, Exponents::new(0, 0, 1)),
     ("min", 60.0, Exponents::new(0, 0, 1)),
     ("in", INCH, Exponents::new(0, 1, 0)),

@@ -246,7 +246,7 @@ pub(crate) fn fit_wear<'py>(
             "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",
         )
     })?;
-    let report = WearReport::new(&case.case, &on, &earlier, &later, passages);
+    let report = WearReport::new(&on, &earlier, &later, passages);
     document(py, &report.map_err(of_case)?.document())
 }
 

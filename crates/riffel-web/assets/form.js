@@ -25,7 +25,7 @@ const LOG_STEPS = 400;
 /** Where a reload finds whether all keys are shown. */
 const ALL_KEYS = 'riffel-all-keys';
 /** Two keys of which a case gives one. */
-const ONE_OF = [['contact.tractive_ratio', 'contact.creepage']];
+const ONE_OF = [['contact.tractive_ratio', 'contact.creepage'], ['wear.coefficient', 'wear.measured']];
 /** A model needs supports: the preset that stands in until others are chosen. */
 const FIRST_PRESET = { 'one-layer': 'slab-direct', 'one-layer-periodic': 'slab-direct', 'two-layer': 'br-stiff', 'two-layer-periodic': 'br-stiff' };
 

@@ -20,11 +20,12 @@ pub struct MeanWear {
 }
 
 impl MeanWear {
+    /// A hundred million gross tonnes \[kg\].
+    pub const HUNDRED_MILLION_TONNES: f64 = 1e11;
+
     /// Depth worn off under 100 million gross tonnes \[m\].
     pub fn depth_per_100_mgt(self) -> f64 {
-        /// \[kg\].
-        const HUNDRED_MILLION_TONNES: f64 = 1e11;
-        self.depth * HUNDRED_MILLION_TONNES / self.axle_mass
+        self.depth * Self::HUNDRED_MILLION_TONNES / self.axle_mass
     }
 
     /// Amplitude \[m\] beyond which a growth rate per passage cannot last; none where nothing grows.

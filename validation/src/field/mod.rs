@@ -52,7 +52,11 @@ pub struct Predicted {
     pub growth_db_per_month: Option<Banded>,
     /// Of the rail under study.
     pub mean_wear_mm_per_100_mgt: Option<Banded>,
-    /// Share of samples in which nothing grows by 0.1 dB per million axles, of those that have a mean state.
+    /// Samples whose loop oscillates by itself: they have no growth, and no other quantity holds them.
+    pub unstable_samples: usize,
+    /// At which they do.
+    pub unstable_frequency_hz: Option<Banded>,
+    /// Share of samples in which nothing grows by 0.1 dB per million axles, of those that have a mean state and are stable.
     pub share_that_decays: Option<f64>,
 }
 
@@ -63,7 +67,7 @@ pub struct SiteDocument {
     pub name: String,
     /// What it is.
     pub title: String,
-    /// Samples that have a mean state.
+    /// Samples that have a mean state, unstable ones among them.
     pub samples: usize,
     /// With the wave's own geometry, if the case has it.
     #[serde(flatten)]
@@ -200,14 +204,21 @@ fn samples_of(
         .collect()
 }
 
+/// A sample that has a growth: one with a mean state whose loop is stable.
+fn stable(sample: &Result<Sample, CaseError>) -> Option<&Sample> {
+    let sample = sample.as_ref().ok()?;
+    sample.unstable.is_none().then_some(sample)
+}
+
 impl Predicted {
     fn of(samples: &[Result<Sample, CaseError>]) -> Self {
         /// Of what grows in fewer samples no wavelength is told.
         const OFTEN: f64 = 0.5;
-        let known: Vec<&Sample> = samples
+        let unstable: Vec<f64> = samples
             .iter()
-            .filter_map(|sample| sample.as_ref().ok())
+            .filter_map(|sample| sample.as_ref().ok()?.unstable)
             .collect();
+        let known: Vec<&Sample> = samples.iter().filter_map(stable).collect();
         let growing: Vec<&&Sample> = known.iter().filter(|sample| sample.grows()).collect();
         let grows = growing.len() as f64 >= OFTEN * known.len() as f64;
         let of_growing = |value: &dyn Fn(&Sample) -> f64| match grows {
@@ -223,6 +234,8 @@ impl Predicted {
             growth_db_per_million_axles: of_all(&|sample| Some(sample.growth)),
             growth_db_per_month: of_all(&|sample| sample.growth_per_month),
             mean_wear_mm_per_100_mgt: of_all(&|sample| Some(sample.mean_wear)),
+            unstable_samples: unstable.len(),
+            unstable_frequency_hz: Banded::of_samples(unstable),
             share_that_decays: (!known.is_empty())
                 .then(|| 1.0 - growing.len() as f64 / known.len() as f64),
         }
@@ -262,7 +275,14 @@ impl SiteDocument {
                 count - known
             ));
         }
-        if known > 0 && predicted.wavelength_mm.is_none() {
+        let unstable = predicted.unstable_samples;
+        if let Some(frequency) = &predicted.unstable_frequency_hz {
+            reasons.push(format!(
+                "{unstable} of {count} samples oscillate by themselves, near {:.0} Hz in the median: they have no growth",
+                frequency.median
+            ));
+        }
+        if known > unstable && predicted.wavelength_mm.is_none() {
             reasons.push(format!(
                 "nothing grows in {:.0} % of the samples",
                 100.0 * decays
@@ -291,7 +311,9 @@ impl OutcomeDocument {
         let measured = Measured::read(&outcome.measured)?;
         let mut values = Vec::new();
         for (place, sample) in samples.iter().enumerate() {
-            let Ok(sample) = sample else { continue };
+            let Some(sample) = stable(sample) else {
+                continue;
+            };
             let grows = sample.grows();
             values.extend(match outcome.quantity {
                 Quantity::Wavelength => grows.then_some(1e3 * sample.wavelength),
@@ -302,7 +324,7 @@ impl OutcomeDocument {
                 Quantity::GrowthPerMonth => sample.growth_per_month,
                 Quantity::Ratio => changed
                     .get(place)
-                    .and_then(|changed| changed.as_ref().ok())
+                    .and_then(stable)
                     .filter(|_| grows)
                     .map(|changed| changed.growth / sample.growth),
             });

@@ -26,6 +26,8 @@ pub(super) struct Sample {
     pub(super) growth_per_month: Option<f64>,
     /// \[mm per 100 MGT\].
     pub(super) mean_wear: f64,
+    /// Frequency \[Hz\] at which its loop oscillates by itself, if it does: growth means nothing then.
+    pub(super) unstable: Option<f64>,
 }
 
 impl Sample {
@@ -67,6 +69,7 @@ impl Sample {
             frequency: mean_speed(growth) / wavelengths[first],
             growth: decibels,
             growth_per_month: on.passages_per_day.map(per_month),
+            unstable: on.unstable,
             mean_wear: 1e3 * growth.mean_wear().depth_per_100_mgt(),
         })
     }

@@ -27,6 +27,8 @@ pub struct Outcome {
     pub title: String,
     /// Growth by vehicle and line.
     pub growth: TrafficGrowth,
+    /// Wear coefficient that growth goes by \[kg/J\].
+    pub wear_coefficient: f64,
     /// Axle passages a day, if known.
     pub passages_per_day: Option<f64>,
     /// The line of highest growth.
@@ -167,6 +169,7 @@ impl Comparison {
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
+                wear_coefficient: on.wear_coefficient,
                 growth: on.growth,
                 rails,
                 held: on.held,

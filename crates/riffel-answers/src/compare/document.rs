@@ -102,13 +102,13 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
             .comparison
             .outcomes
             .iter()
-            .map(|outcome| of(answer, outcome))
+            .map(|outcome| of(answer, case, outcome))
             .collect(),
         over_posterior: answer.over_posterior.as_ref(),
     }
 }
 
-fn of<'a>(answer: &'a CompareAnswer, outcome: &'a Outcome) -> OutcomeDocument<'a> {
+fn of<'a>(answer: &'a CompareAnswer, case: &Case, outcome: &'a Outcome) -> OutcomeDocument<'a> {
     let base = answer.comparison.base();
     let bands = answer.comparison.bands.iter().enumerate();
     let passages_to_limit = outcome.passages_to_limit();
@@ -120,7 +120,12 @@ fn of<'a>(answer: &'a CompareAnswer, outcome: &'a Outcome) -> OutcomeDocument<'a
         fastest_wavelength_m: outcome.fastest.wavelength,
         fastest_growth_rate_per_passage: outcome.fastest.rate,
         fastest_at_edge: outcome.fastest.at_edge,
-        wear_limit: WearLimitDocument::new(outcome.growth.mean_wear(), Some(outcome.fastest.rate)),
+        wear_limit: WearLimitDocument::under(
+            case,
+            outcome.growth.mean_wear(),
+            outcome.wear_coefficient,
+            Some(outcome.fastest.rate),
+        ),
         change_of_fastest_growth: match outcome.effect {
             Effect::None => (base.fastest.rate > 0.0).then_some(0.0),
             _ => outcome.change_from(base),

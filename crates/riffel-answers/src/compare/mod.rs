@@ -22,7 +22,7 @@ pub use over_posterior::compare_over;
 use crate::forecast::{
     RailForecast, not_forecast, number_alone, per_million, reached, three_digits,
 };
-use crate::{AnswerError, OverPosterior, wear_spread};
+use crate::{AnswerError, OverPosterior, unlikely_wear, wear_spread};
 
 /// What is asked of variants.
 #[derive(Clone)]
@@ -49,6 +49,8 @@ pub struct CompareAnswer {
     hold: Option<Hold>,
     /// How well the wear coefficient is known that growth goes by; none where other damage has a part.
     pub wear_spread: Option<WearSpread>,
+    /// That no rail is known to wear as the case as it is does.
+    unlikely_wear: Option<Message>,
     /// Speeds of the traffic, or its title, in words.
     pub speeds: Message,
     /// The outcomes.
@@ -115,6 +117,7 @@ impl CompareAnswer {
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
             wear_spread: wear_spread(case),
+            unlikely_wear: unlikely_wear(case, comparison.base().growth.mean_wear()),
             hold,
             speeds,
             comparison,
@@ -184,15 +187,15 @@ impl CompareAnswer {
                 )
             })
         });
-        outcomes
+        let outcomes = outcomes
             .flat_map(|outcome| {
                 let kept = (self.hold.is_none() && outcome.held.contains(&Hold::Ratio))
                     .then(|| say!(keeps_tractive_ratio, title = &outcome.title));
                 outcome.effect.sentence().cloned().into_iter().chain(kept)
             })
             .chain(at_edge)
-            .chain(known_to)
-            .collect()
+            .chain(known_to);
+        self.unlikely_wear.iter().cloned().chain(outcomes).collect()
     }
 
     /// Heads of the table without that of the titles: those of what is known of some outcome.

@@ -227,8 +227,10 @@ pub(super) fn document<'a>(
             .map(|date| date.to_string()),
         growth_rate_per_passage: rates(forecast, &|band| forecast.growth_rate(band)),
         growth_rate_error: traffic.rate_error(),
-        wear_limit: WearLimitDocument::new(
+        wear_limit: WearLimitDocument::under(
+            case,
             traffic.mean_wear(),
+            answer.on.wear_coefficient,
             traffic.rates().iter().copied().max_by(f64::total_cmp),
         ),
         growth_db_per_million_axles: banded(1.0),

@@ -99,6 +99,7 @@ impl ForecastAnswer {
             .collect();
         // Of the rail that leads, which is the first.
         findings.splice(1..1, self.months_within());
+        findings.splice(0..0, self.unlikely_wear.clone());
         let rails = self.rails.iter();
         findings.extend(rails.map(|rail| about(rail, self.linear_range(rail))));
         let decays = |rail: &RailForecast| {

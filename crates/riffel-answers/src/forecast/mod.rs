@@ -24,7 +24,7 @@ use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey, name_in_words, rail_in_words};
 
-use crate::{AnswerError, wear_spread};
+use crate::{AnswerError, unlikely_wear, wear_spread};
 use words::beyond;
 
 pub use damage::{CrackedWave, HardenedWave};
@@ -81,6 +81,8 @@ pub struct ForecastAnswer {
     /// How well the wear coefficient is known that growth goes by; none where growth goes by what was measured, or by other damage
     /// than wear.
     pub wear_spread: Option<WearSpread>,
+    /// That no rail is known to wear as the case does; none where growth goes by what was measured.
+    unlikely_wear: Option<Message>,
     /// What is to be said of the records.
     pub warnings: Vec<Message>,
 }
@@ -144,6 +146,7 @@ impl ForecastAnswer {
             };
             warnings.push(say!(all_rails_grow_alike, of_rail = of_rail));
         }
+        let unlikely_wear = unlikely_wear(case, on.growth.mean_wear());
         Ok(Self {
             passages: horizon.passages(&on)?,
             traffic,
@@ -157,6 +160,7 @@ impl ForecastAnswer {
             date: date.or(measured_on),
             wear: None,
             wear_spread,
+            unlikely_wear,
             warnings,
         })
     }
@@ -173,6 +177,7 @@ impl ForecastAnswer {
                 self.rails = rails;
                 self.on.growth = growth;
                 self.wear_spread = None;
+                self.unlikely_wear = None;
             }
         }
         self.wear = Some(wear);

@@ -74,7 +74,6 @@ impl WearReport {
     /// # Errors
     /// [`CaseError::Data`] for passages not above zero, or measurements without a band that the case speaks of.
     pub fn new(
-        case: &Case,
         on: &TrafficOnCase,
         earlier: &Survey,
         later: &Survey,
@@ -86,7 +85,7 @@ impl WearReport {
             fit: WearFit::new(&change, &on.growth).map_err(wrong)?,
             passages,
             days: on.passages_per_day.map(|per_day| passages / per_day),
-            coefficient: case.file.wear.coefficient.si(),
+            coefficient: on.wear_coefficient,
             records: [earlier.records.len(), later.records.len()],
             remarks: [earlier, later].into_iter().flat_map(remarks_of).collect(),
         })

@@ -188,7 +188,7 @@ impl MapAnswer {
                 speeds: ridge.points.len(),
             },
             wear_limit: WearLimitDocument::new(
-                case.feedback.mean_wear(),
+                case,
                 ridge.highest().map(|point| point.growth_rate),
             ),
             stability: (case.stability_over_the_map().into_iter())

@@ -109,7 +109,7 @@ fn of(of: &ModelGrowth) -> ModelDocument<'_> {
         not_on_this_case: growth.as_ref().err().map(String::as_str),
         growth_rate_per_passage: known.map(|growth| growth.rates.as_slice()),
         highest: known.and_then(|growth| growth.highest).map(Into::into),
-        wear_limit: known.map(|growth| growth.wear_limit),
+        wear_limit: known.map(|growth| growth.wear_limit.clone()),
         differs_by: known.map_or_else(Vec::new, |growth| {
             let differences = growth.differs_by.iter();
             differences.map(|by| difference(growth, by)).collect()

@@ -181,9 +181,8 @@ impl Growth {
                 3.6 * speed
             )
         });
-        let wear = on.case.feedback.mean_wear();
         let growth = Self {
-            wear_limit: WearLimitDocument::new(wear, highest.map(|highest| highest.rate)),
+            wear_limit: WearLimitDocument::new(&on.case, highest.map(|highest| highest.rate)),
             rates: Vec::new(),
             highest,
             differs_by: Difference::all(case, model.joints, &course, speed),

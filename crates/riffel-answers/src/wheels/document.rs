@@ -90,7 +90,7 @@ fn of(wheel: &WheelAnswer) -> WheelDocument<'_> {
         highest: known.and_then(|growth| growth.highest).map(Into::into),
         wear_limit: known.map(|growth| {
             let rate = growth.highest.map(|highest| highest.rate);
-            WearLimitDocument::new(growth.case.feedback.mean_wear(), rate)
+            WearLimitDocument::new(&growth.case, rate)
         }),
         branches: known.map_or(&[], |growth| &growth.map.branches),
         unstable_frequency_hz: known.and_then(|growth| growth.unstable),

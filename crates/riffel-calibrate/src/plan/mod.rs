@@ -101,7 +101,7 @@ impl Plan {
         let folder = path.parent().unwrap_or_else(|| Path::new(""));
         check_sampler(&source, &file)?;
         let case_path = beside(folder, &file.case);
-        let case = Case::read_with(&case_path, &settings(&file.set))
+        let mut case = Case::read_with(&case_path, &settings(&file.set))
             .map_err(|error| match error {
                 CaseError::Changed { key, message } => {
                     source.refuse(&format!("set.{key}"), &message)
@@ -116,6 +116,7 @@ impl Plan {
             Some(name) => {
                 inputs.push(beside(folder, name));
                 let read = traffic.insert(Traffic::read(&beside(folder, name))?);
+                case = read.wearing_as_measured(&case)?.into_owned();
                 Vehicle::all(read).map_err(|(index, key)| {
                     let message = say!(not_for_calibration, index = index, key = key);
                     source.refuse("traffic", message.about(name))

@@ -4,6 +4,8 @@ use std::fs;
 use std::path::{Path, PathBuf};
 
 use riffel_calibrate::{Folder, Measured, Plan};
+use riffel_case::traffic::{Traffic, bands_of};
+use riffel_case::{Case, Variant};
 use tempfile::TempDir;
 
 use crate::folder;
@@ -86,7 +88,7 @@ fn priors_are_the_usual_ones() {
         ("track.pad.stiffness", 300e6, 2.0),
         ("track.ballast.stiffness", 60e6, 1.8),
         ("track.sleeper.mass", 145.0, 1.05),
-        ("wear.coefficient", 2.5e-9, 2.0),
+        ("wear.coefficient", 0.3e-9, 2.36),
         ("vehicle.speed.standard_deviation", 8.0 / 3.6, 1.5),
         ("preload_stiffening", 1.2, 1.3),
     ] {
@@ -99,6 +101,41 @@ fn priors_are_the_usual_ones() {
             "{name}"
         );
     }
+}
+
+/// The wear of a rail that was measured is the prior of its coefficient: what gives it under the traffic, 80 % within its factor.
+#[test]
+fn measured_wear_is_the_prior_of_the_coefficient() {
+    let to = TempDir::new().unwrap();
+    let set = folder("c-all-together");
+    let text = fs::read_to_string(set.join("case.toml")).unwrap();
+    let given = "coefficient = 2.5e-9";
+    let path = to.path().join("case.toml");
+    let measured = text.replace(given, "measured = \"1.2 mm / 100 MGT\"");
+    assert_ne!(measured, text);
+    fs::write(&path, measured).unwrap();
+    let (traffic, roughness) = (set.join("traffic.toml"), set.join("roughness.csv"));
+    let plan = Plan::usual(
+        &to.path().join("plan.toml"),
+        &Measured {
+            case: &path,
+            traffic: Some(&traffic),
+            tables: &[roughness],
+        },
+    );
+    let plan = plan.unwrap_or_else(|error| panic!("{error}"));
+    let case = Case::read(&set.join("case.toml"), &[]).unwrap();
+    let on = Traffic::read(&traffic).unwrap();
+    let on = on
+        .on(&case, &bands_of(&case), &Variant::none(""), &|_| ())
+        .unwrap();
+    let right = 2.5e-9 * 1.2e-3 / on.growth.mean_wear().depth_per_100_mgt();
+    let parameters = plan.posterior.parameters().iter();
+    let wear = parameters.clone().find(|it| it.name == "wear.coefficient");
+    let prior = wear.unwrap().prior;
+    // Plans have four digits.
+    assert!((prior.quantile(0.5) / right - 1.0).abs() < 1e-3);
+    assert!((prior.quantile(0.9) / prior.quantile(0.5) / 1.5 - 1.0).abs() < 1e-3);
 }
 
 /// A plan that is written is read from its folder as the same plan; one that was changed is not replaced.

@@ -91,7 +91,7 @@ pub(crate) fn remarks(
         ));
     }
     remarks.extend(of_contact(keys, hertz, wavelength.min()));
-    remarks.extend(unstable(feedback, speed));
+    remarks.extend(unstable(feedback, keys.track_known_to(), speed));
     remarks.extend(of_waves(keys, feedback, hertz, [wavelength, speed]));
     if let Some(wheelset) = wheelset {
         remarks.extend(wheelset.beyond_its_modes(highest));
@@ -245,8 +245,8 @@ fn readable(growth: f64) -> Value {
 
 /// A loop on all axes that oscillates by itself at a speed of the window, or of which that cannot be told, for want of any loss or
 /// of measured frequencies; only these can.
-fn unstable(feedback: &Loop, speed: Axis) -> Option<Message> {
-    let judged: Vec<_> = stability::over(feedback, speed).collect();
+fn unstable(feedback: &Loop, known_to: f64, speed: Axis) -> Option<Message> {
+    let judged: Vec<_> = stability::over(feedback, known_to, speed).collect();
     let said = |(speed, found): &(f64, Result<Stability, Error>)| stability::said(*speed, found);
     let grows = |judged: &&(f64, Result<Stability, Error>)| {
         judged

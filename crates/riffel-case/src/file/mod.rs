@@ -7,6 +7,7 @@ mod curving;
 mod damage;
 mod from_curve;
 mod map;
+mod measured_wear;
 mod measurement;
 mod opposite_contact;
 mod rail;
@@ -36,6 +37,7 @@ pub use damage::{
 };
 pub use from_curve::{ContactOfWheel, CurveRail, FromCurve, Patch};
 pub use map::{Map, SpeedRange, WavelengthRange};
+pub use measured_wear::MeasuredWear;
 pub use measurement::{AngleUnit, Measurement, Response, VerticalAxis};
 pub use opposite_contact::OppositeContact;
 pub use rail::{BeamModel, Rail};
@@ -146,6 +148,11 @@ impl Default for Corrugation {
 pub struct Wear {
     /// Mass worn per dissipated energy k_w.
     pub coefficient: Quantity<WearCoefficient>,
+    /// Wear of the rail under study as it was measured, as in "1.2 mm / 100 MGT", in place of `coefficient`: k_w is what gives it under
+    /// the traffic.
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    #[schemars(schema_with = "measured_wear::schema")]
+    pub measured: Option<MeasuredWear>,
     /// Density ρ of the rail.
     pub density: Quantity<Density>,
     /// How wear goes with the work of a contact.
@@ -154,7 +161,7 @@ pub struct Wear {
     /// Speed of the wheel, of which creepage makes the sliding speed of `archard-map`; left out, the middle of `map.speed`.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub speed: Option<Quantity<Speed>>,
-    /// How many times less the rail wears than dry steel, by natural lubrication; left out, it is dry.
+    /// How many times less the rail wears than by its law, by natural lubrication, where that law is of dry steel; left out, as much.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub natural_lubrication: Option<Quantity<Ratio>>,
     /// Standard deviation of ln(Tγ/A) over the wheels of traffic, about the value of the case as their median, for laws by Tγ/A;
@@ -194,6 +201,7 @@ impl Default for Wear {
     fn default() -> Self {
         Self {
             coefficient: Quantity::new(riffel::EnergyWear::DEFAULT_COEFFICIENT),
+            measured: None,
             density: Quantity::new(riffel::EnergyWear::DEFAULT_DENSITY),
             law: WearLaw::default(),
             speed: None,

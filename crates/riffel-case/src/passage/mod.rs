@@ -113,11 +113,9 @@ impl CaseInTime<'_> {
     /// `Ok` if waves of a profile settle at a speed \[m/s\].
     fn check_stable(&self, speed: f64) -> Result<(), CaseError> {
         if let Some(stability) = self.case.stability(speed)
-            && stability.unstable_roots > 0
+            && let Some(frequency) = stability.frequency
         {
-            let at = stability.frequency.map_or(String::new(), |frequency| {
-                format!(" near {frequency:.0} Hz")
-            });
+            let at = format!(" near {frequency:.0} Hz");
             let message = format!(
                 "at {speed} m/s the loop is unstable without any profile, an oscillation{at} grows of itself, so that no wave of \
                  a profile settles; `riffel simulate --smooth` follows it to its limit cycle"

@@ -34,6 +34,7 @@ impl Traffic {
     /// # Errors
     /// [`CaseError`] with the key of the vehicle, and those of [`Case::passing_wheel`].
     pub fn in_time(&self, case: &Case) -> Result<Vec<VehicleInTime>, CaseError> {
+        let case = &*self.wearing_as_measured(case)?;
         let bands = bands_of(case);
         // To the edges of the bands, as far as the linear loop is asked beside.
         let edges = bands.iter().copied().map(ThirdOctave::wavelength_range);

@@ -1,5 +1,6 @@
 //! Traffic on a case: the wheel of each vehicle, and growth under all of them.
 
+use std::borrow::Cow;
 use std::collections::BTreeSet;
 
 use riffel::forecast::{TrafficGrowth, VehicleGrowth, band_lines};
@@ -7,7 +8,9 @@ use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, fixed, say};
 
 use super::wheels_of_vehicle::{Asked, KeptWheels};
-use super::{DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, reported_growth, vehicle_in_words};
+use super::{
+    DAYS_PER_MONTH, DAYS_PER_YEAR, Traffic, Vehicle, bands_of, reported_growth, vehicle_in_words,
+};
 use crate::{Case, Hold, Variant};
 
 /// Traffic on a case: growth rates, and what the reader should know.
@@ -15,6 +18,10 @@ use crate::{Case, Hold, Variant};
 pub struct TrafficOnCase {
     /// Growth by vehicle and line.
     pub growth: TrafficGrowth,
+    /// Frequency \[Hz\] at which the loop of a vehicle oscillates by itself at its mean speed, if one does: growth rates mean nothing then.
+    pub unstable: Option<f64>,
+    /// Wear coefficient that growth goes by \[kg/J\].
+    pub wear_coefficient: f64,
     /// Axle passages a day, if the file says how much traffic there is.
     pub passages_per_day: Option<f64>,
     /// What the variant holds of the mean state, by vehicle: each kind once, none where friction and load stay.
@@ -24,10 +31,12 @@ pub struct TrafficOnCase {
 }
 
 /// One kind of vehicle on a case.
-struct VehicleOnCase {
-    growth: VehicleGrowth,
-    held: Option<Hold>,
-    remarks: Vec<Message>,
+pub(super) struct VehicleOnCase {
+    pub(super) growth: VehicleGrowth,
+    pub(super) held: Option<Hold>,
+    /// Frequency \[Hz\] at which one of its wheels oscillates by itself, if one does.
+    pub(super) unstable: Option<f64>,
+    pub(super) remarks: Vec<Message>,
 }
 
 impl TrafficOnCase {
@@ -69,12 +78,16 @@ impl Traffic {
         variant: &Variant,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<TrafficOnCase, CaseError> {
+        let given = case.file.wear.coefficient;
+        let case = &*self.wearing_as_measured(case)?;
         let mut vehicles = Vec::new();
+        let mut unstable = None;
         let mut remarks = Vec::new();
         let mut held = Vec::new();
         for index in 0..self.file.vehicle.len() {
             let vehicle = self.vehicle_on(index, kept, case, bands, variant)?;
             vehicles.push(vehicle.growth);
+            unstable = unstable.or(vehicle.unstable);
             remarks.push(vehicle.remarks);
             held.extend(vehicle.held.filter(|hold| !held.contains(hold)));
             progress(1);
@@ -82,8 +95,7 @@ impl Traffic {
         let own = self.remarks.iter().chain(&variant.remarks);
         let mut remarks = self.merged(remarks);
         remarks.splice(0..0, own.cloned());
-        let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
-        let growth = growth.map_err(|error| self.source.refuse("vehicle", &error))?;
+        let growth = self.of_vehicles(bands, vehicles)?;
         let line = self.file.line;
         let of_mgt = |mgt: f64| growth.passages(mgt) / DAYS_PER_YEAR;
         let passages_per_day = line.passages_per_day.or(line.mgt_per_year.map(of_mgt));
@@ -101,12 +113,50 @@ impl Traffic {
         }
         // It says most of all.
         remarks.splice(0..0, reported);
+        if case.file.wear.coefficient != given {
+            let told = case.measured_coefficient_in_words();
+            remarks.extend(told.map(|told| say!(measured_wear_of_traffic, coefficient = told)));
+        }
         Ok(TrafficOnCase {
             growth,
+            unstable,
+            wear_coefficient: case.file.wear.coefficient.si(),
             passages_per_day,
             held,
             remarks,
         })
+    }
+
+    /// The case whose wear coefficient gives the wear that was measured under this traffic, as it is, if one was.
+    ///
+    /// # Errors
+    /// As [`on`](Self::on), and where nothing slides.
+    pub fn wearing_as_measured<'a>(&self, case: &'a Case) -> Result<Cow<'a, Case>, CaseError> {
+        let bands = bands_of(case);
+        let [band, ..] = &bands[..] else {
+            return Ok(Cow::Borrowed(case));
+        };
+        if case.file.wear.measured.is_none() {
+            return Ok(Cow::Borrowed(case));
+        }
+        // Wear does not ask for wavelengths.
+        let (kept, band) = (&KeptWheels::default(), std::slice::from_ref(band));
+        let as_it_is = &Variant::none("");
+        let vehicles = 0..self.file.vehicle.len();
+        let vehicles =
+            vehicles.map(|index| Ok(self.vehicle_on(index, kept, case, band, as_it_is)?.growth));
+        let growth = self.of_vehicles(band, vehicles.collect::<Result<_, CaseError>>()?)?;
+        let depth = growth.mean_wear().depth_per_100_mgt();
+        Ok(Cow::Owned(case.clone().wearing(depth)?))
+    }
+
+    fn of_vehicles(
+        &self,
+        bands: &[ThirdOctave],
+        vehicles: Vec<VehicleGrowth>,
+    ) -> Result<TrafficGrowth, CaseError> {
+        let growth = TrafficGrowth::new(bands.to_vec(), vehicles);
+        growth.map_err(|error| self.source.refuse("vehicle", &error))
     }
 
     /// The remarks on the vehicles, the one with most passages first. Of several that say the same with other values the
@@ -148,15 +198,14 @@ impl Traffic {
             variant,
             speeds: None,
         };
-        let (growth, remarks, held) = asked.vehicle(bands)?;
+        let on_case = asked.vehicle(bands)?;
         let traction_share = vehicle.traction_share.map_or(1.0, |share| share.si());
         let at = format!("vehicle[{index}]");
         self.check_traction_share(index, case)?;
-        let growth = growth.with_traction_on(traction_share);
+        let growth = on_case.growth.with_traction_on(traction_share);
         Ok(VehicleOnCase {
             growth: growth.map_err(|error| self.source.refuse(&at, &error))?,
-            held,
-            remarks,
+            ..on_case
         })
     }
 

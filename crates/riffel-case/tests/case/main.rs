@@ -9,6 +9,7 @@ mod damage_stress;
 mod general_loop;
 mod measured_resonances;
 mod measured_tables;
+mod measured_wear;
 mod measurement;
 mod models;
 mod p2;

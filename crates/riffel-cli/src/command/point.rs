@@ -10,7 +10,7 @@ use riffel_keys::quantity::{Kind, Length, Speed};
 
 use crate::arguments::{Point as Arguments, covering, positive};
 use crate::error::CliError;
-use crate::messages::print_remarks;
+use crate::messages::{language, print_remarks};
 use crate::output::{print, print_json, table};
 
 pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
@@ -39,7 +39,9 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     if arguments.json {
         print_json(&answer)?;
     } else {
-        print(&readable(&case, &answer.state))?;
+        let unlikely = answer.wear_limit.unlikely_wear.iter();
+        let unlikely: String = unlikely.map(|it| it.text(language()) + "\n").collect();
+        print(&(unlikely + &readable(&case, &answer.state)))?;
         if let Some(growth) = &answer.with_neighbours {
             print(&with_neighbours(growth))?;
         }

@@ -67,7 +67,7 @@ dimensions! {
     /// Density.
     Density = "a density", "kg/m3", "7850 kg/m3";
     /// Mass worn per dissipated energy.
-    WearCoefficient = "a wear coefficient", "kg/J", "2.5e-9 kg/J";
+    WearCoefficient = "a wear coefficient", "kg/J", "0.3e-9 kg/J";
     /// Angle.
     Angle = "an angle", "rad", "3 deg";
     /// Turn per length of way.

@@ -166,8 +166,14 @@ impl Case {
     }
 
     fn to_dict<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let table =
+        let mut table =
             toml::Table::try_from(&self.case.file).map_err(|error| wrong(error.to_string()))?;
+        // What the wear measured has made is none of the keys beside it.
+        if self.case.file.wear.measured.is_some()
+            && let Some(wear) = table.get_mut("wear").and_then(toml::Value::as_table_mut)
+        {
+            wear.remove("coefficient");
+        }
         tables::dict(py, &table)
     }
 

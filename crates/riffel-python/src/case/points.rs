@@ -26,8 +26,7 @@ pub(super) fn at(
     const MANY: usize = 1000;
     let at = move |wavelength: f64, speed: f64| {
         let state = case.feedback.at(wavelength, speed);
-        let wear = case.feedback.mean_wear();
-        let limit = WearLimitDocument::new(wear, Some(state.growth_rate));
+        let limit = WearLimitDocument::new(&case, Some(state.growth_rate));
         (Point::new(&case, &state), limit)
     };
     if wavelengths.len() < MANY {
@@ -130,9 +129,16 @@ pub(super) fn columns<'py>(
         let values = points.iter().map(|point| value(&point.1));
         values.collect::<Vec<f64>>().into_pyarray(py).into_any()
     };
+    let coefficient = limits(|limit| limit.wear_coefficient_kg_per_j.unwrap_or(f64::NAN));
     let wear = limits(|limit| limit.mean_wear_mm_per_100_mgt);
     let amplitude = limits(|limit| limit.amplitude_limit_m.unwrap_or(f64::NAN));
     let beside = [
+        (
+            "wear_coefficient_kg_per_j".to_owned(),
+            "kg/J",
+            "wear coefficient that the rate goes by",
+            coefficient,
+        ),
         (
             "mean_wear_mm_per_100_mgt".to_owned(),
             "mm",

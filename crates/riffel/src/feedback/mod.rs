@@ -180,6 +180,18 @@ impl Loop {
         self
     }
 
+    /// The loop whose contacts wear so many times as much.
+    ///
+    /// # Errors
+    /// [`Error::OutOfRange`] unless the factor is above zero.
+    pub fn with_wear_times(mut self, factor: f64) -> Result<Self, Error> {
+        Error::unless_positive("factor of wear", factor, "")?;
+        for contact in &mut self.contacts {
+            contact.wear = contact.wear.times(factor);
+        }
+        Ok(self)
+    }
+
     /// The loop without flow that hardens.
     pub(crate) fn without_flow_that_hardens(self) -> Self {
         self.with_damage(|contact| {

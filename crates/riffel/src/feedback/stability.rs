@@ -47,6 +47,25 @@ pub struct UnstableRoot {
     pub frequency: f64,
     /// \[1/s\].
     pub growth_rate: f64,
+    /// Whether it lies where the loop is known: one beyond that does not decide.
+    pub counts: bool,
+}
+
+impl Stability {
+    /// The same where the loop is known up to a frequency \[Hz\]: an oscillation beyond it does not count, and
+    /// [`frequency`](Self::frequency) and [`growth_rate`](Self::growth_rate) are those of the highest that does.
+    pub fn known_to(mut self, frequency: f64) -> Self {
+        for root in &mut self.roots {
+            root.counts = root.frequency <= frequency;
+        }
+        let highest = self.roots.iter().find(|root| root.counts);
+        self.growth_rate = highest.map(|root| root.growth_rate);
+        self.frequency = match self.roots.is_empty() {
+            true => self.frequency.filter(|own| *own <= frequency),
+            false => highest.map(|root| root.frequency),
+        };
+        self
+    }
 }
 
 impl Loop {
@@ -191,6 +210,7 @@ fn roots_near(
     let root = |zero: &Complex64| UnstableRoot {
         frequency: zero.re,
         growth_rate: -2.0 * PI * zero.im,
+        counts: true,
     };
     found.iter().map(root).collect()
 }
@@ -216,6 +236,33 @@ mod tests {
             let zeros: Complex64 = roots.iter().map(|&root| pair(root)).product();
             let poles = (s + 1000.0).powu(2 * roots.len() as u32);
             zeros / poles * pair([-40.0, 300.0]) / pair([-15.0, 240.0]) * (s + 20.0).sqrt()
+        }
+    }
+
+    /// The highest oscillation up to a frequency decides; where none was found, the place where one must be.
+    #[test]
+    fn an_oscillation_beyond_what_is_known_does_not_decide() {
+        let root = |frequency: f64| UnstableRoot {
+            frequency,
+            growth_rate: 0.1 * frequency,
+            counts: true,
+        };
+        for (roots, crossing, decides) in [
+            (&[][..], None, None),
+            (&[], Some(180.0), Some(180.0)),
+            (&[], Some(3000.0), None),
+            (&[3000.0], Some(3000.0), None),
+            (&[3000.0, 180.0, 80.0], Some(3000.0), Some(180.0)),
+        ] {
+            let found = Stability {
+                unstable_roots: 2 * roots.len(),
+                frequency: crossing,
+                growth_rate: None,
+                roots: roots.iter().copied().map(root).collect(),
+            };
+            let known = found.known_to(2000.0);
+            assert_eq!(known.frequency, decides, "{roots:?}");
+            assert_eq!(known.roots.len(), roots.len());
         }
     }
 

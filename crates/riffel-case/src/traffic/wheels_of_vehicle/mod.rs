@@ -12,6 +12,7 @@ use riffel::forecast::{Distribution, MeanGrowth, SpeedDistribution, VehicleGrowt
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, Value, say, shown_speed};
 
+use super::on_case::VehicleOnCase;
 use super::spreads::{LOAD, PartValues, Rules, Spreads};
 use super::through_curve::{OF_VEHICLE, ThroughCurve};
 use super::wheel_on_case::{WheelOnCase, settings_of, window};
@@ -52,6 +53,8 @@ pub(super) struct WheelsOfVehicle {
     wheels: Vec<WheelOfVehicle>,
     held: Option<Hold>,
     remarks: Vec<Message>,
+    /// Frequency \[Hz\] at which the loop of one oscillates by itself at its mean speed, if one does.
+    unstable: Option<f64>,
 }
 
 /// Wheels that were built, by vehicle, speeds and values: of several rules of quadrature and of the effects of spreads the same ones.
@@ -118,6 +121,7 @@ impl Asked<'_> {
         self.check_frequencies(&wheel, &speeds)?;
         let remarks = remarks_of(&wheel);
         Ok(WheelsOfVehicle {
+            unstable: oscillates(&wheel, speeds.mean()),
             wheels: vec![WheelOfVehicle {
                 share: 1.0,
                 states: vec![(speeds.mean(), wheel.places())],
@@ -236,10 +240,12 @@ impl Asked<'_> {
                 }),
             }
         }
+        let mean = equilibria[middle].0;
         Ok(WheelsOfVehicle {
             wheels,
             held: None,
             remarks,
+            unstable: first.iter().find_map(|wheel| oscillates(wheel, mean)),
         })
     }
 
@@ -380,10 +386,7 @@ impl Asked<'_> {
 
     /// Growth under the vehicle with all its spreads: of every spread value the coarsest rule of Gauss that the next finer one
     /// confirms, the others at their means; what is left is in the error.
-    pub(super) fn vehicle(
-        &self,
-        bands: &[ThirdOctave],
-    ) -> Result<(VehicleGrowth, Vec<Message>, Option<Hold>), CaseError> {
+    pub(super) fn vehicle(&self, bands: &[ThirdOctave]) -> Result<VehicleOnCase, CaseError> {
         let spread = self.spreads().spread_values();
         let (rules, error) = self.rules(&spread, bands)?;
         let parts = self.parts(&rules)?;
@@ -392,7 +395,12 @@ impl Asked<'_> {
         let middle = &parts[parts.len() / 2].1;
         let mut remarks = middle.remarks.clone();
         remarks.extend(self.across_in_words(&parts));
-        Ok((growth, remarks, middle.held))
+        Ok(VehicleOnCase {
+            growth,
+            held: middle.held,
+            unstable: middle.unstable,
+            remarks,
+        })
     }
 
     fn rules(&self, spread: &[usize], bands: &[ThirdOctave]) -> Result<(Rules, f64), CaseError> {
@@ -456,6 +464,11 @@ impl Asked<'_> {
         }
         rates.into_iter().fold(f64::NEG_INFINITY, f64::max)
     }
+}
+
+/// Frequency \[Hz\] at which the loop of a wheel oscillates by itself at a speed \[m/s\], if it does.
+fn oscillates(wheel: &Case, speed: f64) -> Option<f64> {
+    wheel.stability(speed)?.frequency
 }
 
 /// That a preset of the case changes nothing for a vehicle with values of its own is no news.

@@ -3,7 +3,6 @@
 use std::path::PathBuf;
 
 use riffel_answers::forecast::WearReport;
-use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::CaseError;
 use riffel_rail::Survey;
@@ -20,7 +19,6 @@ pub(super) fn wear_report(
     spectra: &Spectra,
     dated: &Dated,
     on: &TrafficOnCase,
-    case: &Case,
 ) -> miette::Result<Option<WearReport>> {
     let Some(earlier) = &dated.earlier else {
         if spectra.passages_between.is_some() {
@@ -53,7 +51,7 @@ pub(super) fn wear_report(
             None => None,
         },
     };
-    Ok(Some(measured.fit(case, on, passages)?))
+    Ok(Some(measured.fit(on, passages)?))
 }
 
 /// A rail as it was measured before and now.
@@ -65,15 +63,10 @@ pub(crate) struct Measured<'a> {
 
 impl Measured<'_> {
     /// The fit of the change under so many passages.
-    pub(crate) fn fit(
-        &self,
-        case: &Case,
-        on: &TrafficOnCase,
-        passages: f64,
-    ) -> Result<WearReport, CaseError> {
+    pub(crate) fn fit(&self, on: &TrafficOnCase, passages: f64) -> Result<WearReport, CaseError> {
         let places = self.places.as_ref();
         let [earlier, now] = places.map_or(self.surveys, |[earlier, now]| [earlier, now]);
-        WearReport::new(case, on, earlier, now, passages)
+        WearReport::new(on, earlier, now, passages)
     }
 }
 

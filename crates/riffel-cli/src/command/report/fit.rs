@@ -80,7 +80,7 @@ pub(super) fn fit(
             None => None,
         },
     };
-    let report = measured.fit(case, &on, passages);
+    let report = measured.fit(&on, passages);
     Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))
 }
 
