@@ -25,6 +25,15 @@ impl Banded {
         }
     }
 
+    /// The same in a unit of which the present one has so many.
+    pub(crate) fn times(self, factor: f64) -> Self {
+        Self {
+            median: factor * self.median,
+            band_50: self.band_50.map(|end| factor * end),
+            band_80: self.band_80.map(|end| factor * end),
+        }
+    }
+
     /// Of samples in any order, those that are no number left out; none of none.
     pub fn of_samples(mut samples: Vec<f64>) -> Option<Self> {
         samples.retain(|sample| sample.is_finite());

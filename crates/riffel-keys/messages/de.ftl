@@ -441,7 +441,7 @@ noise-limit-not-reached = { $sentence }; { $limit } dB(A) werden nicht erreicht
 ## Gemessenes Wachstum
 
 decaying-bands-stay = Bänder, die abklingen, behalten den Pegel von heute: nichts im Modell macht die Rauheit, die der Verkehr auf einer Schiene macht
-growth-unexplained = kein Verschleißbeiwert: das Modell erklärt das Wachstum bei { $shortest }–{ $longest } mm nicht, { $measured } dB gemessen und { $fitted } dB mit dem besten Beiwert; die Prognose geht nach dem, was gemessen wurde
+growth-unexplained = kein Verschleißbeiwert: das Modell erklärt das Wachstum bei { $wavelengths } mm nicht, { $measured } dB gemessen und { $fitted } dB mit dem besten Beiwert
 grew-in-a-year = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen
 grew-in-a-year-within = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen, 95-%-Intervall { $low } bis { $high }
 grew-in-a-million = { $wavelength } mm ist um { $rate } dB je 10⁶ Überrollungen gewachsen
@@ -471,8 +471,20 @@ wheel-has-a-flat = { $channel }: das Rad hat eine Flachstelle von etwa { $depth 
 wheel-is-not-round = { $channel }: das Rad hat { $order } Wellen auf dem Umfang, { $wavelength } mm lang mit einer Amplitude von { $amplitude } µm; sie sind aus Pegeln und Schleifplan weggelassen
 wheel-or-rail = { $channel }: Wellen von { $wavelength } mm mit einer Amplitude von { $amplitude } µm kehren mit jeder Radumdrehung wieder, { $order } in einer, und bleiben in den Pegeln: eine Schiene, deren Wellen ihre Phase halten, sieht ebenso aus; ein zweites Achslager über dieser Schiene würde es zeigen
 
-grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
-grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
+grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): { $by }
+grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): { $by }
+grew-where-model-decays = das Modell des Falls erklärt diese Schiene nicht: { $wavelength } mm ist in { $amount } um { $decibels } dB gewachsen, und im Modell klingt es ab; die Prognose geht nach dem, was gemessen wurde
+grew-unlike-model = das Modell des Falls erklärt diese Schiene nicht: { $wavelength } mm ist in { $amount } um { $decibels } dB gewachsen, und das Modell hat das { $ratio }-Fache davon; die Prognose geht nach dem, was gemessen wurde
+grew-as-model-explains = die Prognose geht nach dem, was an dieser Schiene gemessen wurde: { $wavelength } mm ist in { $amount } um { $decibels } dB gewachsen; das Modell des Falls hat das { $ratio }-Fache davon
+dates-since-grinding = die Messtage der Schiene sagen nicht, wie sie wächst: Seit ihr Pegel zuletzt um mehr als 3 dB gefallen ist, wie durch Schleifen, gibt es einen; das Wachstum ist das des Modells
+growth-without-traffic = die Messtage der Schiene sagen nicht, wie sie wächst, denn die Verkehrsdatei nennt unter [line] weder { KEY("passages_per_day") } noch { KEY("mgt_per_year") }; das Wachstum ist das des Modells
+levels-beside-ground = die Pegel der Schiene zählen neben dem, was Schleifen hinterlässt, nicht, denn sie sind von einem Tag; das Wachstum ist das des Modells
+rate-now-and-then = { $now } jetzt, { $then } dann
+so-many-passages = { $passages } Überrollungen
+as-this-rail-grew = wie diese Schiene von Messung zu Messung gewachsen ist
+as-the-coefficient-may-be = der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben
+measured-months-within = nach dem, was gemessen wurde, sind das { $early } bis { $late } Monate von jetzt (80 %)
+measured-months-from = nach dem, was gemessen wurde, sind das { $early } Monate von jetzt oder mehr (80 %): Die Schiene ist kaum mehr gewachsen, als sie streut
 months-within = mit der Unsicherheit des Verschleißbeiwerts sind das { $early } bis { $late } Monate von jetzt (80 %)
 wear-unlike-rails = { $place } würde die Schiene { $depth } mm je 100 MGT verlieren, wo Schienen { $low } bis { $high } verlieren: Wellenlängen und Reihenfolge gelten, aber Raten und Zeiten liegen ebenso weit daneben; was die Schiene verloren hat, { KEY("wear.measured") } = "1 mm / 100 MGT", rückt sie zurecht
 on-straight-track = auf gerader Strecke

@@ -448,7 +448,7 @@ noise-limit-not-reached = { $sentence }; { $limit } dB(A) are not reached
 ## Measured growth
 
 decaying-bands-stay = bands that decay keep today's level: nothing in the model makes the roughness that traffic makes on a rail
-growth-unexplained = no wear coefficient: the model does not explain the growth at { $shortest }–{ $longest } mm, { $measured } dB measured and { $fitted } dB with the best coefficient; the forecast goes by what was measured
+growth-unexplained = no wear coefficient: the model does not explain the growth at { $wavelengths } mm, { $measured } dB measured and { $fitted } dB with the best coefficient
 grew-in-a-year = { $wavelength } mm has grown by { $rate } dB a year
 grew-in-a-year-within = { $wavelength } mm has grown by { $rate } dB a year, 95 % interval { $low } to { $high }
 grew-in-a-million = { $wavelength } mm has grown by { $rate } dB per 10⁶ passages
@@ -478,8 +478,20 @@ wheel-has-a-flat = { $channel }: the wheel has a flat of some { $depth } µm, fe
 wheel-is-not-round = { $channel }: the wheel has { $order } waves around it, { $wavelength } mm long with an amplitude of { $amplitude } µm; they are left out of levels and what to grind
 wheel-or-rail = { $channel }: waves of { $wavelength } mm with an amplitude of { $amplitude } µm repeat with the wheel's turn, { $order } in one, and stay in the levels: a rail whose waves keep their phase looks the same; a second axle box on this rail would tell
 
-grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
-grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): the wear coefficient is uncertain; friction, pads and traction are taken as given
+grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): { $by }
+grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): { $by }
+grew-where-model-decays = the model of the case does not explain this rail: { $wavelength } mm has grown by { $decibels } dB in { $amount }, and in the model it decays; the forecast goes by what was measured
+grew-unlike-model = the model of the case does not explain this rail: { $wavelength } mm has grown by { $decibels } dB in { $amount }, and the model has { $ratio } times that; the forecast goes by what was measured
+grew-as-model-explains = the forecast goes by what was measured on this rail: { $wavelength } mm has grown by { $decibels } dB in { $amount }; the model of the case has { $ratio } times that
+dates-since-grinding = the dates of the rail do not tell how it grows: since its level last fell by more than 3 dB, as by grinding, there is one date; growth is that of the model
+growth-without-traffic = the dates of the rail do not tell how it grows, for the traffic file says under [line] neither { KEY("passages_per_day") } nor { KEY("mgt_per_year") }; growth is that of the model
+levels-beside-ground = the levels of the rail do not count beside what grinding leaves, for they are of one date; growth is that of the model
+rate-now-and-then = { $now } now, { $then } then
+so-many-passages = { $passages } axle passages
+as-this-rail-grew = as this rail grew from date to date
+as-the-coefficient-may-be = the wear coefficient is uncertain; friction, pads and traction are taken as given
+measured-months-within = by what was measured that is { $early } to { $late } months from now (80 %)
+measured-months-from = by what was measured that is { $early } months from now or more (80 %): the rail grew by little more than it scatters
 months-within = with the uncertainty of the wear coefficient that is { $early } to { $late } months from now (80 %)
 wear-unlike-rails = { $place } the rail would lose { $depth } mm per 100 MGT, where rails lose { $low } to { $high }: wavelengths and order hold, but rates and times are as far off; what the rail has lost, { KEY("wear.measured") } = "1 mm / 100 MGT", puts them right
 on-straight-track = on straight track

@@ -5,17 +5,16 @@ use std::path::PathBuf;
 use numpy::{IntoPyArray, PyArray1, PyArray2, PyArrayMethods, PyReadonlyArray1};
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
-use riffel::forecast::{Forecast, Reach, SpeedDistribution};
-use riffel::roughness::{LevelLimit, Spectrum};
+use riffel::forecast::{Reach, SpeedDistribution};
 use riffel_answers::compare::{Comparison, Effect};
 use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
 use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
-use riffel_rail::{GroundRail, Layout};
+use riffel_rail::Layout;
 
 use crate::array::owned;
-use crate::arrays_of_rails::spectrum;
+use crate::begins::{Begins, GivenDates, GivenGround};
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_case, of_physics, wrong};
@@ -67,35 +66,6 @@ type Real<'py> = Bound<'py, PyArray1<f64>>;
 /// Wavelengths \[m\] and levels \[dB re 1 µm\].
 pub(crate) type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
-/// Limit table that grinding meets, and decibels below the limit.
-type GivenGround = (Option<String>, Option<String>);
-
-/// The spectrum with which a forecast begins: measured, or that of a rail that will be ground.
-fn begins(
-    measured: Option<GivenLevels<'_>>,
-    ground: GivenGround,
-    limit: &LevelLimit,
-    edition: &str,
-) -> PyResult<Option<Spectrum>> {
-    Ok(match (measured, ground) {
-        (Some((wavelengths, levels)), (None, None)) => {
-            Some(spectrum(&owned(&wavelengths), &owned(&levels))?)
-        }
-        (None, (Some(name), None)) => Some(GroundRail::of_table(&name).map_err(of_case)?.spectrum),
-        (None, (None, Some(decibels))) => {
-            let below = GroundRail::below(edition, limit, &decibels);
-            let refused = |rule| wrong(format!("from_limit is {decibels:?}, but must be {rule}"));
-            Some(below.map_err(refused)?.spectrum)
-        }
-        (None, (None, None)) => None,
-        _ => {
-            return Err(wrong(
-                "spectrum, ground and from_limit exclude each other: give one of them",
-            ));
-        }
-    })
-}
-
 /// Messages as English sentences.
 fn in_words(remarks: &[Message]) -> Vec<String> {
     remarks.iter().map(ToString::to_string).collect()
@@ -134,7 +104,7 @@ fn passages_of(
 pub(crate) fn forecast<'py>(
     py: Python<'py>,
     case: &Case,
-    measured: Option<GivenLevels<'py>>,
+    measured: Option<GivenDates<'py>>,
     ground: GivenGround,
     traffic: Option<GivenTraffic<'py>>,
     passages: Option<PyReadonlyArray1<'py, f64>>,
@@ -143,14 +113,17 @@ pub(crate) fn forecast<'py>(
     limit: &str,
 ) -> PyResult<Bound<'py, PyDict>> {
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
-    let begins = begins(measured, ground, &limit, &table.edition)?;
-    let spectrum = begins.ok_or_else(|| wrong("give spectrum, ground or from_limit"))?;
+    let begins = Begins::new(measured, ground, &limit, &table.edition)?;
+    if begins.starts(None).is_empty() {
+        return Err(wrong("give spectrum, ground or from_limit"));
+    }
     let traffic = traffic_of(case, traffic.as_ref())?;
     let on = case.compute(py, move |case| {
         traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
     })?;
     let on = on.map_err(of_case)?;
-    let forecast = Forecast::new(&spectrum, on.growth.clone()).map_err(of_physics)?;
+    let starts = begins.starts(on.passages_per_day);
+    let forecast = starts[0].forecast(&on).map_err(of_physics)?;
     let passages = passages_of(&on, passages, mgt, months)?;
     let bands = forecast.bands();
     let column = |value: &dyn Fn(&riffel::forecast::ForecastBand) -> f64| -> Real<'py> {
@@ -212,7 +185,9 @@ pub(crate) fn forecast<'py>(
     result.set_item("passages_per_day", on.passages_per_day)?;
     result.set_item("linear_force_ratio", linear.force_ratio)?;
     result.set_item("linear_passages", linear.passages)?;
-    result.set_item("remarks", in_words(&on.remarks))?;
+    let mut remarks = on.remarks;
+    remarks.extend(begins.remark(on.passages_per_day));
+    result.set_item("remarks", in_words(&remarks))?;
     Ok(result)
 }
 
@@ -264,7 +239,7 @@ pub(crate) fn compare<'py>(
     case: &Case,
     variants: Vec<GivenVariant<'py>>,
     traffic: Option<GivenTraffic<'py>>,
-    measured: Option<GivenLevels<'py>>,
+    measured: Option<GivenDates<'py>>,
     ground: GivenGround,
     hold: Option<&str>,
     limit: &str,
@@ -282,13 +257,13 @@ pub(crate) fn compare<'py>(
     }
     let traffic = given_or_usual(case, traffic.as_ref())?;
     let (table, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
-    let measured = begins(measured, ground, &limit, &table.edition)?;
+    let begins = Begins::new(measured, ground, &limit, &table.edition)?;
     let comparison: Result<Comparison, CaseError> = case.compute(py, move |case| {
         Comparison::compute(
             case,
             &variants,
             &traffic,
-            &measured.map(Into::into).into_iter().collect::<Vec<_>>(),
+            &|per_day| begins.starts(per_day),
             Some(&limit),
             &|_| (),
         )

@@ -11,6 +11,7 @@
 mod array;
 mod arrays_of_rails;
 mod axlebox;
+mod begins;
 mod calibrate;
 mod case;
 mod curving;

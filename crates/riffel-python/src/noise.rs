@@ -11,6 +11,7 @@ use riffel_rail::read_decay_rates;
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
+use crate::begins::{GivenDates, survey};
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_case};
@@ -35,7 +36,7 @@ fn roughness_of((wavelengths, levels): &GivenLevels<'_>) -> PyResult<Spectrum> {
 pub(crate) fn noise<'py>(
     py: Python<'py>,
     case: &Case,
-    spectrum: GivenLevels<'py>,
+    measured: GivenDates<'py>,
     speed: f64,
     train: GivenTrain,
     wheel_roughness: Option<GivenWheels<'py>>,
@@ -50,9 +51,11 @@ pub(crate) fn noise<'py>(
     let (wheels, train_length, distance, height) = train;
     let (rail_foot, sleeper_area) = radiators;
     let (months, limit_dba) = ahead;
+    let survey = survey(&measured)?;
     let question = NoiseQuestion {
         speed,
-        roughness: roughness_of(&spectrum)?,
+        roughness: survey.mean(),
+        history: survey.history,
         rails: Vec::new(),
         before: None,
         wheel_roughness: match wheel_roughness {

@@ -118,6 +118,39 @@ def test_dominant_wavelengths_of_profile_and_spectra(wave: Any) -> None:
     assert roughness.dominant_wavelengths(levels)["wavelength"].size <= 1
 
 
+def test_a_rail_of_two_dates_goes_on_as_it_grew(nominal: riffel.Case) -> None:
+    wavelengths = np.array([0.02, 0.025, 0.0315, 0.04, 0.05, 0.063])
+    grown = np.array([0.5, 0.5, 2.0, 4.0, 2.0, 1.0])
+    now = riffel.roughness.levels(wavelengths, [-11.0, -10.0, -9.0, -8.0, -7.0, -6.0])
+    before = riffel.roughness.levels(wavelengths, now.values - grown)
+    dates = ["2025-01-01", "2026-01-01"]
+    a_year = grown * 365.2425 / 365.0
+    found = nominal.forecast(now, earlier=[before], dates=dates, traffic="cases/traffic.toml", months=[12.0])
+    assert np.allclose(found["level"][0] - found["level_now"], a_year, rtol=1e-9)
+    ground = nominal.forecast(
+        now, earlier=[before], dates=dates, traffic="cases/traffic.toml", months=[12.0], from_limit="-6 dB"
+    )
+    days = ground.attrs["grinding_interval_passages"] / ground.attrs["passages_per_day"]
+    assert days == pytest.approx(6.0 / 4.0 * 365.0, rel=1e-9)
+    compared = nominal.compare(
+        [{"title": "less friction", "contact": {"friction": 0.25}}],
+        traffic="cases/traffic.toml", spectrum=now, earlier=[before], dates=dates, from_limit="-6 dB",
+    )  # fmt: skip
+    assert compared["passages_to_limit"].values[0] == pytest.approx(ground.attrs["grinding_interval_passages"], rel=1e-9)
+    assert compared["fastest_wavelength"].values[0] == pytest.approx(0.0398, rel=2e-3)
+    line = riffel.Case.from_toml("cases/main-line.toml")
+    course = line.noise(now, earlier=[before], dates=dates, speed="100 km/h", traffic="cases/traffic.toml")["course"]
+    then = riffel.roughness.levels(wavelengths, now.values + a_year)
+    assert course["total_dba"][-1] == pytest.approx(line.noise(then, speed="100 km/h")["level"]["total_dba"], abs=1e-9)
+    for wrong, words in [
+        ({"earlier": [before]}, "dates is empty"),
+        ({"earlier": [before], "dates": dates[::-1]}, "oldest first"),
+        ({"earlier": [before], "dates": dates[:1]}, "must be 2 dates"),
+    ]:
+        with pytest.raises(ValueError, match=words):
+            nominal.forecast(now, traffic="cases/traffic.toml", **wrong)
+
+
 def test_forecast_is_that_of_the_program(nominal: riffel.Case, tmp_path: Path, program: Callable[..., Any]) -> None:
     table = tmp_path / "spectrum.csv"
     wavelengths, levels = [20, 25, 31.5, 40, 50, 63, 80], [2.0, 4.0, 6.0, 5.0, 3.0, 1.0, 0.0]

@@ -1,6 +1,5 @@
 //! Measurements of one rail or several, as one-third-octave spectra with what is known of each.
 
-use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
@@ -9,6 +8,7 @@ use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
 use riffel_keys::{CaseError, Message, number, say};
 
 use crate::date::{read_date, read_dates};
+use crate::rail_dates::{Elapsed, RailDates, in_step};
 use crate::rail_name::{is_rail_column, name_alike};
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
@@ -36,6 +36,8 @@ pub struct Survey {
     pub records: Vec<LabelledSpectrum>,
     /// What was put right in a profile.
     pub warnings: Vec<Message>,
+    /// The records of all dates, where these are the latest of several.
+    pub history: Option<RailDates>,
 }
 
 impl Survey {
@@ -58,6 +60,7 @@ impl Survey {
             path: path.to_owned(),
             records,
             warnings,
+            history: None,
         };
         if let (Some(rail), Some(date)) = (survey.rail_column(), survey.date_column()) {
             let (rail, date) = (rail.to_owned(), date.to_owned());
@@ -171,6 +174,7 @@ impl Survey {
                         path: self.path.clone(),
                         records: vec![record.clone()],
                         warnings: self.warnings.clone(),
+                        history: None,
                     },
                 )),
             }
@@ -224,7 +228,7 @@ impl Survey {
     }
 
     /// The latest records of each rail, with the last of their dates: what the rail is like now. Records without dates
-    /// are all of now. A warning says what was left out.
+    /// are all of now; those of other instruments are laid on that of the last date. A warning says what was left out.
     pub fn latest(self) -> (Self, Option<Date>) {
         let Some(column) = self.date_column().map(str::to_owned) else {
             return (self, None);
@@ -236,17 +240,19 @@ impl Survey {
             return (self, None);
         };
         let last = *last;
-        if dates.len() == 1 {
+        if dates.len() == 1 || self.history.is_some() {
             return (self, Some(last));
         }
-        let rails = self.by_rail();
+        let survey = self.on_one_device();
+        let dates = survey.by_date(&column).unwrap_or_default();
+        let rails = survey.by_rail();
         let records = rails.iter().filter_map(|(_, rail)| {
             let (_, survey) = rail.by_date(&column).ok()?.pop()?;
             Some(survey.records)
         });
         let records: Vec<LabelledSpectrum> = records.flatten().collect();
-        let mut warnings = self.warnings;
-        if records.len() < self.records.len() {
+        let mut warnings = survey.warnings;
+        if records.len() < survey.records.len() {
             warnings.push(say!(
                 now_is_latest_of_each_rail,
                 column = column,
@@ -254,10 +260,17 @@ impl Survey {
                 last = last.to_string()
             ));
         }
+        let days = |date: Date| date.since(last).map_or(0, |span| span.get_days());
+        let dates = dates.into_iter();
+        let dates = dates.map(|(date, survey)| (f64::from(days(date)), survey));
         let latest = Self {
-            path: self.path,
+            path: survey.path,
             records,
             warnings,
+            history: Some(RailDates {
+                dates: dates.collect(),
+                elapsed: Elapsed::Days,
+            }),
         };
         (latest, Some(last))
     }
@@ -299,7 +312,7 @@ impl Survey {
     /// The change from an earlier survey to this one, with the axle passages between.
     ///
     /// Records are paired by the columns that hold the same values in both surveys, if these tell the
-    /// records of each apart; a number of the spectrum or a date does not count, for its values differ.
+    /// records of each apart.
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for passages not above zero.
@@ -308,45 +321,19 @@ impl Survey {
         earlier: &Self,
         passages: f64,
     ) -> Result<MeasuredChange, riffel::Error> {
-        let earlier = &earlier.with_names_of(self);
-        let values = |survey: &Self, column: &str| -> BTreeSet<String> {
-            let labels = survey.records.iter().filter_map(|r| r.label(column));
-            labels.map(str::to_owned).collect()
-        };
-        let columns: Vec<&str> = self.records[0]
-            .labels
-            .iter()
-            .map(|(column, _)| column.as_str())
-            .filter(|column| values(self, column) == values(earlier, column))
-            .collect();
-        let key = |record: &LabelledSpectrum| -> Vec<String> {
-            let labels = columns.iter().map(|column| record.label(column));
-            labels
-                .map(|label| label.unwrap_or_default().to_owned())
-                .collect()
-        };
-        let keyed = |survey: &Self| -> BTreeMap<Vec<String>, Spectrum> {
-            let records = survey.records.iter();
-            records
-                .map(|record| (key(record), record.spectrum.clone()))
-                .collect()
-        };
-        let (of_later, of_earlier) = (keyed(self), keyed(earlier));
-        let unique = [(self, &of_later), (earlier, &of_earlier)]
-            .iter()
-            .all(|(survey, keyed)| survey.records.len() == keyed.len());
-        if unique && of_later.keys().eq(of_earlier.keys()) && !columns.is_empty() {
-            // In the order of the rail: neighbours scatter together.
-            let records = earlier.records.iter();
-            let now = records.map(|record| of_later[&key(record)].clone());
-            MeasuredChange::paired(earlier.spectra(), now.collect(), passages)
-        } else {
-            MeasuredChange::groups(earlier.spectra(), self.spectra(), passages)
+        let (mut records, paired) = in_step(&[&earlier.with_names_of(self), self]);
+        let (later, earlier) = (
+            records.pop().unwrap_or_default(),
+            records.pop().unwrap_or_default(),
+        );
+        match paired {
+            true => MeasuredChange::paired(earlier, later, passages),
+            false => MeasuredChange::groups(earlier, later, passages),
         }
     }
 
     /// The survey with the names that another one has for its rails and the column of them.
-    fn with_names_of(&self, other: &Self) -> Self {
+    pub(crate) fn with_names_of(&self, other: &Self) -> Self {
         let mut named = self.clone();
         let (Some(own), Some(column)) = (self.rail_column(), other.rail_column()) else {
             return named;

@@ -6,9 +6,8 @@ use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
 use riffel_keys::{CaseError, Message, Value, say};
-use riffel_rail::RailSpectrum;
 
-use crate::forecast::RailForecast;
+use crate::forecast::{RailForecast, RailStart};
 use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
@@ -146,7 +145,7 @@ impl Comparison {
         case: &Case,
         variants: &[Variant],
         traffic: &Traffic,
-        rails: &[RailSpectrum],
+        starts: &dyn Fn(Option<f64>) -> Vec<RailStart>,
         limit: Option<&LevelLimit>,
         progress: &(dyn Fn(usize) + Sync),
     ) -> Result<Self, CaseError> {
@@ -157,7 +156,13 @@ impl Comparison {
             let on = traffic.on(case, &bands, variant, progress)?;
             let changed = variant.applied_to(case)?;
             let ridge = ridge_of(&changed, &changed.feedback);
-            let rails = RailForecast::of_rails(rails, &on.growth, limit)
+            let mut rails = starts(on.passages_per_day);
+            if let Some(base) = outcomes.first() {
+                for start in &mut rails {
+                    *start = start.clone().changed(&base.growth, &on.growth);
+                }
+            }
+            let rails = RailForecast::of_rails(&rails, &on, limit)
                 .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
             let effect = match outcomes.first() {
                 None => Effect::None,
@@ -165,7 +170,7 @@ impl Comparison {
             };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
-                fastest: FastestLine::of(&on.growth, case),
+                fastest: FastestLine::of(&on.growth, case, rails.first()),
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
@@ -231,8 +236,17 @@ impl Outcome {
 }
 
 impl FastestLine {
-    /// Of the bands of the case.
-    fn of(growth: &TrafficGrowth, case: &Case) -> Self {
+    /// Of the bands of the case; of a rail whose growth was measured, within a tenth of the wavelength that grows fastest on it.
+    fn of(growth: &TrafficGrowth, case: &Case, rail: Option<&RailForecast>) -> Self {
+        let own = rail.and_then(|rail| rail.start.growth.as_ref()?.fastest());
+        let near = own.and_then(|own| growth.fastest_near(own.band.wavelength()));
+        if let (Some(own), Some(rate)) = (own, near) {
+            return Self {
+                wavelength: own.band.wavelength(),
+                rate,
+                at_edge: false,
+            };
+        }
         // Every traffic has a line.
         let (wavelength, rate, at_edge) = case.fastest_under(growth).unwrap_or_default();
         Self {

@@ -95,7 +95,7 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
         riffel_version: env!("CARGO_PKG_VERSION"),
         case: &case.file,
         speeds: &answer.speeds,
-        spectrum_now: rail.map(|rail| levels(&rail.measured.spectrum)),
+        spectrum_now: rail.map(|rail| levels(&rail.start.levels.spectrum)),
         ground: answer.ground.as_ref().map(|ground| &ground.words),
         limit: rail.map(|_| answer.table.edition.as_str()),
         outcomes: answer

@@ -49,7 +49,7 @@ pub(super) fn figure(answer: &CompareAnswer, case: &Case, language: Language) ->
             None => now,
         };
         let mut ended = Vec::new();
-        let spectrum = &leading.measured.spectrum;
+        let spectrum = &leading.start.levels.spectrum;
         let mut levels = vec![curve(
             &now.text(language),
             spectrum,

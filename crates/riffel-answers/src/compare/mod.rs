@@ -13,14 +13,14 @@ use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Hold, Variant};
 use riffel_keys::{Language, Message, fixed, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey, name_in_words, rail_in_words};
+use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
 pub use comparison::{Comparison, Effect, FastestLine, Outcome};
 pub use document::CompareDocument;
 pub use over_posterior::compare_over;
 
 use crate::forecast::{
-    RailForecast, not_forecast, number_alone, per_million, reached, three_digits,
+    RailForecast, RailStart, not_forecast, number_alone, per_million, reached, three_digits,
 };
 use crate::{AnswerError, OverPosterior, unlikely_wear, wear_spread};
 
@@ -90,20 +90,16 @@ impl CompareAnswer {
             limit: (table, limit),
         } = request;
         let mut warnings = Vec::new();
-        let rails: Vec<RailSpectrum> = match (&ground, survey) {
-            (Some(ground), _) => vec![ground.spectrum.clone().into()],
-            (None, Some(survey)) => {
-                let (survey, _) = survey.latest();
-                warnings.extend(survey.warnings.iter().cloned());
-                survey.rail_means()
-            }
-            (None, None) => Vec::new(),
-        };
+        let survey = survey.map(|survey| survey.latest().0);
+        let of_survey = survey.iter().filter(|_| ground.is_none());
+        warnings.extend(of_survey.flat_map(|survey| survey.warnings.clone()));
+        let starts = |per_day| RailStart::of(survey.as_ref(), ground.as_ref(), per_day);
+        let rails = starts(None);
         if !rails.is_empty() {
             let bands = bands_of(case);
-            let known = |rail: &RailSpectrum| {
+            let known = |rail: &RailStart| {
                 let mut bands = bands.iter();
-                bands.any(|band| rail.spectrum.level(*band).is_some())
+                bands.any(|band| rail.levels.spectrum.level(*band).is_some())
             };
             if !rails.iter().any(known) {
                 return Err(AnswerError::OutsideWindow(riffel::Error::Measurement {
@@ -113,7 +109,12 @@ impl CompareAnswer {
             }
         }
         let comparison =
-            Comparison::compute(case, &variants, &traffic, &rails, Some(&limit), progress)?;
+            Comparison::compute(case, &variants, &traffic, &starts, Some(&limit), progress)?;
+        let per_day = comparison.base().passages_per_day;
+        warnings.extend(survey.as_ref().and_then(|survey| {
+            let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
+            RailStart::without_growth(&starts(per_day), has_dates, is_ground, per_day)
+        }));
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
             wear_spread: wear_spread(case),

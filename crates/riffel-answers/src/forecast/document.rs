@@ -49,6 +49,9 @@ pub struct ForecastDocument<'a> {
     growth_db_per_month: Option<Banded>,
     /// The times to the limit that leave a tenth of what the wear coefficient may be on either side.
     months_to_limit_band_80: Option<[f64; 2]>,
+    /// Growth by the model over that of the leading rail as it was measured, within a tenth of the wavelength that grows fastest on it;
+    /// null where none was measured.
+    model_over_measured: Option<f64>,
     limit: LimitDocument<'a>,
     /// Of the first band that reaches the limit: the grinding interval.
     #[serde(flatten)]
@@ -138,9 +141,14 @@ struct Band<'a> {
     limit_db: Option<f64>,
     growth_rate_per_passage: f64,
     growth_db_per_million_axles: f64,
-    /// What leaves a tenth of what the wear coefficient may be below, and above; null where growth goes by what was measured.
+    /// Band of 80 %: of the growth that was measured, or else by what the wear coefficient may be; null where it does not go by that.
     growth_db_per_million_axles_low: Option<f64>,
     growth_db_per_million_axles_high: Option<f64>,
+    /// Whether growth is that of the rail from date to date, and not that of the model.
+    growth_is_measured: bool,
+    /// Band of 80 % of the level then; null where growth was not measured.
+    level_then_low_db: Option<f64>,
+    level_then_high_db: Option<f64>,
     /// Until the rate no longer lasts, for it would need more than the mean wear of the rail; null where it lasts on.
     passages_to_bend: Option<f64>,
     /// after | beyond-linear-range | never; null without a limit.
@@ -199,12 +207,10 @@ pub(super) fn document<'a>(
         level_db: forecast.level(band, answer.passages),
     };
     let valid_to = forecast.linear_range(forecast.bands()).passages;
-    let months_to_limit = first.and_then(|first| answer.months(first.passages));
     let fastest = answer
         .fastest()
-        .map(|(_, rate)| rate)
-        .zip(answer.wear_spread);
-    let banded = |per: f64| fastest.map(|(rate, spread)| Banded::by_wear(per * rate, spread));
+        .and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
+    let banded = |per: f64| fastest.map(|within| within.times(per));
     let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
     let warnings = answer.warnings.iter();
     let mut remarks: Vec<Message> = warnings.cloned().collect();
@@ -235,9 +241,8 @@ pub(super) fn document<'a>(
         ),
         growth_db_per_million_axles: banded(1.0),
         growth_db_per_month: millions_a_month.and_then(banded),
-        months_to_limit_band_80: months_to_limit
-            .zip(answer.wear_spread)
-            .map(|(months, spread)| spread.band_80(months)),
+        months_to_limit_band_80: answer.months_80(),
+        model_over_measured: answer.model_beside().map(|(_, ratio)| ratio),
         limit: LimitDocument::of(&answer.table),
         reach: ReachDocument::new(
             Some(forecast.grinding_interval(&answer.limit).name()),
@@ -378,7 +383,7 @@ fn rates(forecast: &Forecast, rate: &dyn Fn(&ForecastBand) -> f64) -> Vec<Rate> 
 /// Levels that were measured on a rail outside the wavelengths of the case.
 fn bands_left_out(rail: &RailForecast) -> Vec<Level> {
     let computed = rail.forecast.bands().iter().map(|band| band.now.band);
-    let levels = rail.measured.spectrum.levels().iter();
+    let levels = rail.start.levels.spectrum.levels().iter();
     let left_out = levels.filter(|level| !computed.clone().any(|band| band == level.band));
     let left_out = left_out.map(|level| Level {
         wavelength_m: level.band.wavelength(),
@@ -397,7 +402,9 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
             let passages_to_limit = limit.and_then(|limit| limit.2.passages());
             let linear = forecast.linear_range([band]);
             let growth = per_million(forecast.growth_rate(band));
-            let within = answer.wear_spread.map(|it| it.band_80(growth));
+            let within = rail.growth_within(band, answer.wear_spread);
+            let [low, high] = [0, 1].map(|end| within.map(|it| it.band_80[end]));
+            let then = rail.level_80(band, answer.passages);
             Band {
                 rail: rail.name(),
                 wavelength_m: band.now.band.wavelength(),
@@ -406,8 +413,11 @@ fn bands<'a>(answer: &ForecastAnswer, rail: &'a RailForecast) -> Vec<Band<'a>> {
                 limit_db: limit.map(|limit| limit.1),
                 growth_rate_per_passage: forecast.growth_rate(band),
                 growth_db_per_million_axles: growth,
-                growth_db_per_million_axles_low: within.map(|it| it[0]),
-                growth_db_per_million_axles_high: within.map(|it| it[1]),
+                growth_db_per_million_axles_low: low,
+                growth_db_per_million_axles_high: high,
+                growth_is_measured: rail.own(band).is_some(),
+                level_then_low_db: then.map(|it| it[0]),
+                level_then_high_db: then.map(|it| it[1]),
                 passages_to_bend: band.bends_after(),
                 limit_reached: limit.map(|limit| limit.2.name()),
                 passages_to_limit,

@@ -21,7 +21,7 @@ pub(super) fn figure(answer: &ForecastAnswer, case: &Case, language: Language) -
     });
     let now = levels(
         &now,
-        &rail.measured.spectrum,
+        &rail.start.levels.spectrum,
         LineStyle::Solid,
         OKABE_ITO[1],
     );

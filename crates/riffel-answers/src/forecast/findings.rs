@@ -1,13 +1,16 @@
 //! What a forecast finds, in sentences.
 
-use riffel::forecast::Reach;
+use riffel::forecast::{MeasuredBand, Reach};
 use riffel_case::traffic::{SpreadEffect, vehicle_in_words};
-use riffel_keys::{Message, fixed, number as numeral, say};
+use riffel_keys::{Message, fixed, number as numeral, say, significant};
 
-use super::ForecastAnswer;
 use super::damage::{CrackedWave, HardenedWave};
 use super::rail_forecast::RailForecast;
 use super::words::number;
+use super::{Crossing, ForecastAnswer, WearReport};
+
+/// Growth by the model over that of a rail which it explains.
+const EXPLAINS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
 /// What a spread does, where it is worth a word.
 fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
@@ -38,29 +41,110 @@ fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
 }
 
 impl ForecastAnswer {
-    /// Between which months the leading rail reaches its limit, by what the wear coefficient may be.
-    pub(crate) fn months_within(&self) -> Option<Message> {
-        let crossings = self.crossings(self.leading());
-        let months = self.months(crossings.first()?.passages)?;
-        let [early, late] = self.wear_spread?.band_80(months).map(number);
-        (months > 0.0).then(|| say!(months_within, early = early, late = late))
+    /// Between how many months the leading rail reaches its limit by 80 %; none where it is over it now or never reaches it.
+    pub(crate) fn months_80(&self) -> Option<[f64; 2]> {
+        let rail = self.leading();
+        let crossings = self.crossings(rail);
+        let Crossing {
+            band,
+            limit,
+            passages,
+        } = crossings.first().filter(|it| it.passages > 0.0)?;
+        let [early, late] = rail.passages_80(band, *limit, *passages, self.wear_spread)?;
+        Some([self.months(early)?, self.months(late)?])
     }
 
-    /// Between what the fastest growth lies, by what the wear coefficient may be.
+    /// The same in words.
+    pub(crate) fn months_within(&self) -> Option<Message> {
+        let rail = self.leading();
+        let crossings = self.crossings(rail);
+        let is_measured = rail.own(crossings.first()?.band).is_some();
+        let [early, late] = self.months_80()?;
+        let early = number(early);
+        Some(match (is_measured, late.is_finite()) {
+            (true, true) => say!(measured_months_within, early = early, late = number(late)),
+            (true, false) => say!(measured_months_from, early = early),
+            (false, _) => say!(months_within, early = early, late = number(late)),
+        })
+    }
+
+    /// The band that grows fastest on the leading rail as it was measured, and what part of that the model has there, within a tenth of
+    /// the wavelength; none where no growth was measured.
+    pub(super) fn model_beside(&self) -> Option<(&MeasuredBand, f64)> {
+        let own = self.leading().start.growth.as_ref()?.fastest()?;
+        let model = self.on.growth.fastest_near(own.band.wavelength())?;
+        Some((own, 20.0 / std::f64::consts::LN_10 * model / own.slope))
+    }
+
+    /// What growth goes by: how the leading rail grew, or else a mean wear that no rail has.
+    pub(crate) fn first_said(&self) -> Option<Message> {
+        self.own_growth().or_else(|| self.unlikely_wear.clone())
+    }
+
+    /// Whether the model does not explain how the leading rail grew.
+    pub(crate) fn is_unexplained(&self) -> bool {
+        let beside = self.model_beside().filter(|(own, _)| own.slope > 0.0);
+        beside.is_some_and(|(_, ratio)| !EXPLAINS.contains(&ratio))
+            || self.wear.as_ref().is_some_and(WearReport::is_unexplained)
+    }
+
+    /// How the leading rail grew, and what of it the model explains.
+    fn own_growth(&self) -> Option<Message> {
+        let (own, ratio) = self.model_beside().filter(|(own, _)| own.slope > 0.0)?;
+        let wavelength = numeral(own.band.nominal_millimetres());
+        let decibels = fixed(own.slope * own.span(), 1);
+        let amount = match self.months(own.span()) {
+            Some(months) => say!(months_of, months = number(months)),
+            None => say!(so_many_passages, passages = number(own.span())),
+        };
+        let ratio_in_words = significant(ratio, 2);
+        Some(if ratio <= 0.0 {
+            say!(
+                grew_where_model_decays,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount
+            )
+        } else if EXPLAINS.contains(&ratio) {
+            say!(
+                grew_as_model_explains,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount,
+                ratio = ratio_in_words
+            )
+        } else {
+            say!(
+                grew_unlike_model,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount,
+                ratio = ratio_in_words
+            )
+        })
+    }
+
+    /// Between what the fastest growth lies.
     fn fastest_within(&self) -> Option<Message> {
-        let (band, rate) = self.fastest().filter(|(_, rate)| *rate > 0.0)?;
-        let spread = self.wear_spread?;
+        let (band, _) = self.fastest().filter(|(_, rate)| *rate > 0.0)?;
+        let rail = self.leading();
+        let within = rail.growth_within(band, self.wear_spread)?;
         let wavelength = numeral(band.now.band.nominal_millimetres());
-        let [low, high] = spread.band_80(rate).map(number);
+        let [low, high] = within.band_80.map(number);
+        let by = match rail.own(band) {
+            Some(_) => say!(as_this_rail_grew),
+            None => say!(as_the_coefficient_may_be),
+        };
         let said = match self.on.passages_per_month() {
             None => say!(
                 grows_within,
                 wavelength = wavelength,
                 low = low,
-                high = high
+                high = high,
+                by = by
             ),
             Some(passages) => {
-                let a_month = spread.band_80(1e-6 * passages * rate);
+                let a_month = within.times(1e-6 * passages).band_80;
                 let [low_a_month, high_a_month] = a_month.map(number);
                 say!(
                     grows_within_a_month,
@@ -68,7 +152,8 @@ impl ForecastAnswer {
                     low = low,
                     high = high,
                     low_a_month = low_a_month,
-                    high_a_month = high_a_month
+                    high_a_month = high_a_month,
+                    by = by
                 )
             }
         };
@@ -99,7 +184,7 @@ impl ForecastAnswer {
             .collect();
         // Of the rail that leads, which is the first.
         findings.splice(1..1, self.months_within());
-        findings.splice(0..0, self.unlikely_wear.clone());
+        findings.splice(0..0, self.first_said());
         let rails = self.rails.iter();
         findings.extend(rails.map(|rail| about(rail, self.linear_range(rail))));
         let decays = |rail: &RailForecast| {
@@ -112,7 +197,10 @@ impl ForecastAnswer {
         findings.extend(self.fastest_within());
         findings.extend(self.damage_in_words());
         findings.extend(self.bend());
-        findings.extend(self.spreads.iter().filter_map(spread_in_words));
+        // What a spread does to the model is nothing to a rail that goes by its own growth.
+        let is_of_model = self.leading().start.growth.is_none();
+        let spreads = self.spreads.iter().filter(|_| is_of_model);
+        findings.extend(spreads.filter_map(spread_in_words));
         let left_out = self.left_out();
         if let (Some(first), Some(last)) = (left_out.first(), left_out.last()) {
             findings.push(say!(

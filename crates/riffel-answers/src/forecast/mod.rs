@@ -22,7 +22,7 @@ use riffel_case::file::CurveRail;
 use riffel_case::traffic::{DAYS_PER_MONTH, SpreadEffect, Traffic, TrafficOnCase, bands_of};
 use riffel_keys::{Language, Message, fixed, number as numeral, say};
 use riffel_plot::LineFigure;
-use riffel_rail::{GroundRail, LimitTable, RailSpectrum, Survey, name_in_words, rail_in_words};
+use riffel_rail::{GroundRail, LimitTable, Survey, name_in_words, rail_in_words};
 
 use crate::{AnswerError, unlikely_wear, wear_spread};
 use words::beyond;
@@ -32,7 +32,7 @@ pub use document::ForecastDocument;
 pub(crate) use figure::{rate_panel, zero};
 pub use horizon::ForecastHorizon;
 pub use over_posterior::PosteriorForecast;
-pub use rail_forecast::RailForecast;
+pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport};
 pub(crate) use words::{number, reached, shown as number_alone, when};
@@ -97,6 +97,9 @@ struct Crossing<'a> {
     passages: f64,
 }
 
+/// Least rise of a level that a table shows \[dB\].
+const RISE_SHOWN: f64 = 0.05;
+
 impl ForecastAnswer {
     /// The forecast of the rail that will be ground, or else of what was measured; `progress` is told of each vehicle.
     ///
@@ -126,17 +129,20 @@ impl ForecastAnswer {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),
         };
-        let measured: Vec<RailSpectrum> = match (&ground, &survey) {
-            (Some(ground), _) => vec![ground.spectrum.clone().into()],
-            (None, Some(survey)) => survey.rail_means(),
-            (None, None) => return Err(AnswerError::NoSpectrum),
-        };
-        let rails = RailForecast::of_rails(&measured, &on.growth, Some(&limit))
+        let measured = RailStart::of(survey.as_ref(), ground.as_ref(), on.passages_per_day);
+        if measured.is_empty() {
+            return Err(AnswerError::NoSpectrum);
+        }
+        let rails = RailForecast::of_rails(&measured, &on, Some(&limit))
             .map_err(AnswerError::OutsideWindow)?;
         let mut warnings = survey
             .as_ref()
             .map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
+        warnings.extend(survey.as_ref().and_then(|survey| {
+            let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
+            RailStart::without_growth(&measured, has_dates, is_ground, on.passages_per_day)
+        }));
         if let (Some(from), true) = (&case.file.contact.from, rails.len() > 1) {
             let of_rail = match from.rail {
                 CurveRail::Low => say!(of_low),
@@ -165,21 +171,9 @@ impl ForecastAnswer {
         })
     }
 
-    /// The same with what an earlier measurement says: where the case does not explain the growth since, it goes by what was
-    /// measured.
+    /// The same with what the model makes of the growth between two dates.
     #[must_use]
     pub fn with_wear(mut self, wear: WearReport) -> Self {
-        if let Some(growth) = wear.measured_growth(self.growth()) {
-            let rails = self.rails.iter();
-            let measured: Vec<RailSpectrum> = rails.map(|rail| rail.measured.clone()).collect();
-            // The bands are those of before.
-            if let Ok(rails) = RailForecast::of_rails(&measured, &growth, Some(&self.limit)) {
-                self.rails = rails;
-                self.on.growth = growth;
-                self.wear_spread = None;
-                self.unlikely_wear = None;
-            }
-        }
         self.wear = Some(wear);
         self
     }
@@ -351,7 +345,7 @@ impl ForecastAnswer {
                 level(band.now.level),
                 then.map_or_else(beyond, level),
                 limit.map_or_else(nothing, |limit| level(limit.1)),
-                number_alone(self.rate_in_words(per_million(forecast.growth_rate(band)))),
+                self.rate_in_words(rail, band),
                 limit.map_or_else(nothing, |limit| reached(limit.2)),
                 when(forecast.linear_range([band]).passages),
             ];
@@ -360,19 +354,30 @@ impl ForecastAnswer {
         forecast.bands().iter().rev().map(row).collect()
     }
 
-    /// A growth of the level \[dB\] with the band of 80 % that the wear coefficient gives it.
-    fn rate_in_words(&self, growth: f64) -> String {
+    /// Growth of the level of a band \[dB\] with its band of 80 %, or now and then where it falls and then rises.
+    fn rate_in_words(&self, rail: &RailForecast, band: &ForecastBand) -> Message {
         let signed = |growth: f64| match growth > 0.0 {
             true => format!("+{}", three_digits(growth)),
             false => three_digits(growth),
         };
-        match self.wear_spread {
-            Some(spread) => {
-                let [low, high] = spread.band_80(growth).map(three_digits);
-                format!("{} ({low} … {high})", signed(growth))
-            }
-            None => signed(growth),
+        let growth = signed(per_million(rail.forecast.growth_rate(band)));
+        // Lines of a band that decays may outgrow it.
+        let rises = band.level(self.passages) - band.now.level > RISE_SHOWN;
+        if rail.forecast.growth_rate(band) < 0.0 && rises {
+            let then = signed(per_million(band.sum.rate(self.passages)));
+            return say!(
+                rate_now_and_then,
+                now = numeral(growth),
+                then = numeral(then)
+            );
         }
+        number_alone(match rail.growth_within(band, self.wear_spread) {
+            Some(within) => {
+                let [low, high] = within.band_80.map(three_digits);
+                format!("{growth} ({low} … {high})")
+            }
+            None => growth,
+        })
     }
 
     /// The band of the leading rail that grows fastest, with the growth of its level \[dB per million axles\].
@@ -386,7 +391,7 @@ impl ForecastAnswer {
     /// Nominal wavelengths of bands of the leading rail that were measured and are not forecast \[mm\], the shortest first.
     pub fn left_out(&self) -> Vec<f64> {
         let rail = self.leading();
-        let levels = rail.measured.spectrum.levels().iter();
+        let levels = rail.start.levels.spectrum.levels().iter();
         levels
             .map(|level| level.band)
             .filter(|band| {
@@ -403,11 +408,13 @@ impl ForecastAnswer {
 
 /// A sentence on each rail that has no band in the window of the case, beside others that have.
 pub(crate) fn not_forecast<'a>(
-    measured: &'a [RailSpectrum],
+    measured: &'a [RailStart],
     rails: &'a [RailForecast],
     case: &'a Case,
 ) -> impl Iterator<Item = Message> + 'a {
-    let names = measured.iter().filter_map(|rail| rail.rail.as_deref());
+    let names = measured
+        .iter()
+        .filter_map(|rail| rail.levels.rail.as_deref());
     names
         .filter(|name| rails.iter().all(|rail| rail.name() != Some(name)))
         .map(|name| {

@@ -1,14 +1,127 @@
-//! The rails of a track under one traffic: growth is the same for all, the levels now are those of each.
+//! The rails of a track under one traffic: each grows as it was measured to, or else all as the model says.
 
-use riffel::forecast::{Forecast, Reach, TrafficGrowth};
-use riffel::roughness::LevelLimit;
-use riffel_rail::RailSpectrum;
+use riffel::forecast::{
+    Forecast, ForecastBand, MeasuredBand, MeasuredGrowth, Reach, TrafficGrowth, WearSpread,
+};
+use riffel::roughness::{LevelLimit, ThirdOctave};
+use riffel_case::traffic::TrafficOnCase;
+use riffel_keys::{Message, say};
+use riffel_rail::{GroundRail, RailSpectrum, Survey};
+
+use super::per_million;
+use crate::Banded;
+
+/// What is known of a rail when a forecast begins.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RailStart {
+    /// Its levels now.
+    pub levels: RailSpectrum,
+    /// Whether these were measured; else they are what grinding leaves.
+    pub is_measured: bool,
+    /// How it grew from date to date, in axle passages.
+    pub growth: Option<MeasuredGrowth>,
+}
+
+impl RailStart {
+    /// The rails of a survey, which begin as they are or as they will be ground; each with its own growth where it has several dates.
+    pub fn of(
+        survey: Option<&Survey>,
+        ground: Option<&GroundRail>,
+        passages_per_day: Option<f64>,
+    ) -> Vec<Self> {
+        let rails = survey.map(Survey::rail_means).unwrap_or_default();
+        let history = survey.and_then(|survey| survey.history.as_ref());
+        let starts = rails.into_iter().map(|levels| {
+            let growth = history.and_then(|it| it.growth(levels.rail.as_deref(), passages_per_day));
+            Self {
+                levels,
+                is_measured: true,
+                growth,
+            }
+        });
+        let starts: Vec<Self> = starts.collect();
+        let Some(ground) = ground else {
+            return starts;
+        };
+        let spectrum = &ground.spectrum;
+        let mut of_ground: Vec<Self> = starts
+            .into_iter()
+            .filter(|start| start.growth.is_some())
+            .collect();
+        for start in &mut of_ground {
+            start.levels.spectrum = spectrum.clone();
+            start.is_measured = false;
+        }
+        match of_ground.is_empty() {
+            true => vec![spectrum.clone().into()],
+            false => of_ground,
+        }
+    }
+}
+
+impl RailStart {
+    /// Why the records of rails tell of none how it grows, where they have dates, or would tell nothing else, as of a rail that will be
+    /// ground; axle passages a day where they are known.
+    pub fn without_growth(
+        starts: &[Self],
+        has_dates: bool,
+        is_ground: bool,
+        passages_per_day: Option<f64>,
+    ) -> Option<Message> {
+        if starts.iter().any(|start| start.growth.is_some()) {
+            return None;
+        }
+        match (has_dates, passages_per_day) {
+            (true, None) => Some(say!(growth_without_traffic)),
+            (true, Some(_)) => Some(say!(dates_since_grinding)),
+            (false, _) => is_ground.then(|| say!(levels_beside_ground)),
+        }
+    }
+
+    /// The forecast of the rail: by its own growth, or else by that of the model.
+    ///
+    /// # Errors
+    /// [`riffel::Error::Measurement`] where the rail has no band in common with the traffic.
+    pub fn forecast(&self, on: &TrafficOnCase) -> Result<Forecast, riffel::Error> {
+        let growth = on.growth.clone();
+        let growth = match &self.growth {
+            Some(own) => growth.as_measured(own),
+            None => growth,
+        };
+        Forecast::new(&self.levels.spectrum, growth)
+    }
+
+    /// The start under something that changes: its own growth changes as that of the model within a tenth of each wavelength, where the
+    /// model grows there.
+    pub(crate) fn changed(mut self, base: &TrafficGrowth, variant: &TrafficGrowth) -> Self {
+        let factor = |band: ThirdOctave| {
+            let near = |growth: &TrafficGrowth| growth.fastest_near(band.wavelength());
+            match (near(base), near(variant)) {
+                (Some(base), Some(variant)) if base > 0.0 => variant / base,
+                _ => 1.0,
+            }
+        };
+        self.growth = self.growth.map(|growth| growth.scaled(factor));
+        self
+    }
+}
+
+impl<T: Into<RailSpectrum>> From<T> for RailStart {
+    /// A rail that will be ground, of which no growth was measured.
+    fn from(levels: T) -> Self {
+        Self {
+            levels: levels.into(),
+            is_measured: false,
+            growth: None,
+        }
+    }
+}
 
 /// The forecast of a rail.
 #[derive(Debug, Clone, PartialEq)]
 pub struct RailForecast {
-    /// The rail with all its levels now, bands that are not forecast included.
-    pub measured: RailSpectrum,
+    /// The rail with all its levels now, bands that are not forecast included, and its own growth.
+    pub start: RailStart,
     /// Its forecast.
     pub forecast: Forecast,
     /// When its first band reaches the limit; none where no limit was given.
@@ -23,17 +136,17 @@ impl RailForecast {
     /// # Errors
     /// [`riffel::Error::Measurement`] where no rail has a band in common with the traffic.
     pub fn of_rails(
-        rails: &[RailSpectrum],
-        growth: &TrafficGrowth,
+        rails: &[RailStart],
+        on: &TrafficOnCase,
         limit: Option<&LevelLimit>,
     ) -> Result<Vec<Self>, riffel::Error> {
         let mut found = Vec::new();
         let mut refused = None;
-        for measured in rails {
-            match Forecast::new(&measured.spectrum, growth.clone()) {
+        for start in rails {
+            match start.forecast(on) {
                 Ok(forecast) => found.push(Self {
                     reach: limit.map(|limit| forecast.grinding_interval(limit)),
-                    measured: measured.clone(),
+                    start: start.clone(),
                     forecast,
                 }),
                 Err(error) => refused = Some(error),
@@ -61,7 +174,52 @@ impl RailForecast {
 
     /// Name of the rail.
     pub fn name(&self) -> Option<&str> {
-        self.measured.rail.as_deref()
+        self.start.levels.rail.as_deref()
+    }
+
+    /// The growth of a band as it was measured, times in axle passages.
+    pub fn own(&self, band: &ForecastBand) -> Option<&MeasuredBand> {
+        self.start.growth.as_ref()?.band(band.now.band)
+    }
+
+    /// Growth of the level of a band \[dB per million axles\] with its bands: as measured, or by what the wear coefficient may be.
+    pub fn growth_within(&self, band: &ForecastBand, spread: Option<WearSpread>) -> Option<Banded> {
+        let median = per_million(self.forecast.growth_rate(band));
+        match self.own(band) {
+            Some(own) => {
+                let [band_50, band_80] = own.slope_within().map(|it| it.map(|slope| 1e6 * slope));
+                Some(Banded {
+                    median,
+                    band_50,
+                    band_80,
+                })
+            }
+            None => Some(Banded::by_wear(median, spread?)),
+        }
+    }
+
+    /// Between what its level is \[dB re 1 µm\] after some axle passages by 80 %, where its growth was measured.
+    pub fn level_80(&self, band: &ForecastBand, passages: f64) -> Option<[f64; 2]> {
+        let change = self.own(band)?.change_80(passages, self.start.is_measured);
+        Some(change.map(|change| band.now.level + change))
+    }
+
+    /// Between what axle passages a band reaches a limit \[dB re 1 µm\] by 80 %, when it does after `passages`; infinite where it may
+    /// never do so.
+    pub fn passages_80(
+        &self,
+        band: &ForecastBand,
+        limit: f64,
+        passages: f64,
+        spread: Option<WearSpread>,
+    ) -> Option<[f64; 2]> {
+        match self.own(band) {
+            Some(own) => {
+                let times = own.time_80(limit - band.now.level, self.start.is_measured);
+                Some(times.map(|time| time.unwrap_or(f64::INFINITY)))
+            }
+            None => Some(spread?.band_80(passages)),
+        }
     }
 
     /// The highest level now over the limit \[dB\], or over 1 µm where there is no limit.

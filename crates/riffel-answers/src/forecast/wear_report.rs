@@ -1,6 +1,6 @@
 //! The wear coefficient of two measurements of a rail, in words and as data.
 
-use riffel::forecast::{FittedBand, LARGE_CHANGE, TrafficGrowth, WearFit, WearSpread, WearVerdict};
+use riffel::forecast::{FittedBand, LARGE_CHANGE, WearFit, WearSpread, WearVerdict};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
@@ -108,14 +108,6 @@ impl WearReport {
         self.fit.verdict == WearVerdict::Unexplained
     }
 
-    /// Growth as it was measured, in place of that of a model that does not explain it.
-    pub(super) fn measured_growth(&self, model: &TrafficGrowth) -> Option<TrafficGrowth> {
-        let bands = self.fit.bands.iter();
-        let changes: Vec<_> = bands.map(|band| (band.band, band.measured)).collect();
-        self.is_unexplained()
-            .then(|| model.clone().as_measured(&changes, self.passages))
-    }
-
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
     pub fn sentences_of_forecast(&self, case: &Case) -> Vec<Message> {
         let mut sentences = self.sentences();
@@ -151,15 +143,13 @@ impl WearReport {
     /// The bands whose growth the model does not explain.
     fn unexplained(&self) -> Message {
         let bands = || self.fit.bands.iter().filter(|band| band.is_unexplained());
-        let wavelengths: Vec<f64> = bands()
-            .map(|band| band.band.nominal_millimetres())
-            .collect();
+        let wavelengths = bands().map(|band| band.band.nominal_millimetres().to_string());
+        let wavelengths: Vec<String> = wavelengths.collect();
         let most = bands().max_by(|a, b| a.residual().total_cmp(&b.residual()));
         let (measured, fitted) = most.map_or((0.0, 0.0), |band| (band.measured, band.fitted));
         say!(
             growth_unexplained,
-            shortest = number(wavelengths.first().copied().unwrap_or_default()),
-            longest = number(wavelengths.last().copied().unwrap_or_default()),
+            wavelengths = wavelengths.join(", "),
             measured = fixed(measured, 1),
             fitted = fixed(fitted, 1),
         )

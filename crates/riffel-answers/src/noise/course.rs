@@ -1,6 +1,5 @@
 //! The level in months to come.
 
-use riffel::forecast::Forecast;
 use riffel::noise::Part;
 use riffel::roughness::Spectrum;
 use riffel_case::traffic::{Traffic, bands_of};
@@ -11,6 +10,7 @@ use serde::Serialize;
 use super::sources::Radiation;
 use super::{Train, at_least};
 use crate::AnswerError;
+use crate::forecast::RailStart;
 
 /// Steps of the time looked ahead.
 const STEPS: u32 = 24;
@@ -45,8 +45,17 @@ impl Course {
         let per_month = on
             .passages_per_month()
             .ok_or(AnswerError::NoPassagesPerDay)?;
-        let forecast = Forecast::new(&question.roughness, on.growth.clone())
-            .map_err(AnswerError::OutsideWindow)?;
+        let start = RailStart {
+            levels: question.roughness.clone().into(),
+            is_measured: true,
+            growth: (question.history.as_ref())
+                .and_then(|history| history.growth(None, on.passages_per_day)),
+        };
+        let has_dates = question.history.is_some();
+        let per_day = on.passages_per_day;
+        let without =
+            RailStart::without_growth(std::slice::from_ref(&start), has_dates, false, per_day);
+        let forecast = start.forecast(&on).map_err(AnswerError::OutsideWindow)?;
         // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
         let linear = forecast.valid_to() / per_month;
         let end = question.months.min(linear);
@@ -74,7 +83,8 @@ impl Course {
             month,
             total_dba,
         };
-        Ok((course, on.remarks))
+        let remarks = on.remarks.into_iter().chain(without);
+        Ok((course, remarks.collect()))
     }
 
     /// The course in a sentence without its full stop, its levels lower bounds where the bands end at a frequency \[Hz\].

@@ -19,7 +19,8 @@ use riffel_case::{Case, TrackRadiator};
 use riffel_keys::{Language, Message, PhysicalRange, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
-    LimitTable, TransferPart, TransferTable, WheelModesTable, WheelRoughness, levels_unlike_a_rail,
+    LimitTable, RailDates, TransferPart, TransferTable, WheelModesTable, WheelRoughness,
+    levels_unlike_a_rail,
 };
 use serde::Serialize;
 
@@ -53,6 +54,8 @@ pub struct NoiseQuestion {
     pub speed: f64,
     /// Roughness of the rail.
     pub roughness: Spectrum,
+    /// Its records at several dates, by which it goes on growing.
+    pub history: Option<RailDates>,
     /// What it was before, as before grinding.
     pub before: Option<Spectrum>,
     /// Names of the rails of which the roughness is the mean, where they are several.
@@ -92,6 +95,7 @@ impl NoiseQuestion {
         Self {
             speed,
             roughness,
+            history: None,
             rails: Vec::new(),
             before: None,
             wheel_roughness: None,

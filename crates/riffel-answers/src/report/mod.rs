@@ -26,7 +26,7 @@ pub use site::Site;
 use crate::AnswerError;
 use crate::compare::CompareAnswer;
 use crate::diagnose::{Diagnosis, Finding, course_in_words};
-use crate::forecast::{ForecastAnswer, PosteriorForecast, WearReport};
+use crate::forecast::{ForecastAnswer, PosteriorForecast};
 use crate::map::MapAnswer;
 use crate::noise::NoiseAnswer;
 use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict};
@@ -221,11 +221,9 @@ fn outlooks(
     noise: Result<&NoiseAnswer, Message>,
     language: Language,
 ) -> Result<[(Message, Outlook); 3], PlotError> {
-    let is_unexplained = |answer: &&ForecastAnswer| {
-        let wear = answer.wear.as_ref();
-        wear.is_some_and(WearReport::is_unexplained)
-    };
-    let forecast_by_measured = forecast.as_ref().is_ok_and(is_unexplained);
+    let is_unexplained = forecast
+        .as_ref()
+        .is_ok_and(|answer| answer.is_unexplained());
     let forecast = match forecast {
         Ok(answer) => outlook::forecast(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(forecast), why),
@@ -234,14 +232,13 @@ fn outlooks(
         Ok(answer) => outlook::what_if(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(what_if), why),
     };
-    let mut noise = match noise {
+    let noise = match noise {
         Ok(answer) => noise::heard(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(rolling_noise), why),
     };
     // Where growth goes by what was measured, the case knows nothing of what its variants would do to it.
-    if forecast_by_measured {
+    if is_unexplained {
         what_if.brief = vec![sentence(&say!(model_does_not_explain_growth), language)];
-        noise.brief.truncate(1);
     }
     Ok([
         (say!(what_comes), forecast),

@@ -111,11 +111,13 @@ pub(super) fn forecast(
         warnings.push(say!(growth_is_uncertain));
     }
     // Sections are worse than the mean that is forecast.
-    let first = findings.first().map(|first| match &report.ground {
+    let own = report.first_said();
+    let interval = findings.get(usize::from(own.is_some()));
+    let first = interval.map(|first| match &report.ground {
         Some(_) => first.clone(),
         None => say!(mean_over_the_record, sentence = first),
     });
-    let brief = first.into_iter().chain(report.months_within());
+    let brief = own.into_iter().chain(first).chain(report.months_within());
     Ok(Outlook {
         section: Section::There(say!(forecast), html),
         brief: brief.map(|message| sentence(&message, language)).collect(),

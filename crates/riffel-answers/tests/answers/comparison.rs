@@ -27,7 +27,7 @@ fn wrong_changes_are_refused() {
         let traffic = Traffic::of_case(SpeedDistribution::single(30.0).unwrap());
         let error = Variant::parse("a.toml", text)
             .and_then(|variant| {
-                Comparison::compute(&case, &[variant], &traffic, &[], None, &|_| {})
+                Comparison::compute(&case, &[variant], &traffic, &|_| Vec::new(), None, &|_| {})
             })
             .unwrap_err();
         assert!(error.to_string().contains(part), "{error}");
@@ -54,7 +54,7 @@ fn variants_are_compared_with_the_case() -> Result<(), CaseError> {
         &case,
         &[friction, wear, slower],
         &traffic,
-        &[spectrum.into()],
+        &|_| vec![spectrum.clone().into()],
         Some(&limit),
         &|_| {},
     )?;

@@ -10,7 +10,7 @@ use riffel_keys::quantity::{Quantity, Speed};
 use riffel_rail::read_date;
 
 use super::number::{plain_number, sum_of_money};
-use super::{Asked, CaseArguments, Layout, Posterior, ResultsArguments};
+use super::{Asked, CaseArguments, Earlier, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -33,7 +33,7 @@ pub(crate) struct Forecast {
     pub(crate) traffic: Option<PathBuf>,
 
     /// Folder of a finished calibration of the case: its levels, traffic and draws, with bands of 50 and 90 %.
-    #[arg(long, value_name = "DIR", conflicts_with_all = ["traffic", "spectrum", "ground_rail", "passages", "mgt", "date", "earlier", "dates", "date_column", "choose", "earlier_choose", "passages_between"])]
+    #[arg(long, value_name = "DIR", conflicts_with_all = ["traffic", "spectrum", "ground_rail", "passages", "mgt", "date", "files", "dates", "date_column", "choose", "earlier_choose", "passages_between"])]
     pub(crate) posterior: Option<PathBuf>,
 
     /// Limit of the levels, by name or as a TOML file.
@@ -72,69 +72,39 @@ pub(crate) struct Horizon {
 #[derive(Args)]
 pub(crate) struct Spectra {
     /// Measured rail: a table of one-third-octave levels or a longitudinal profile; the energy mean of its
-    /// records is taken.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["ground", "from_limit"])]
+    /// records is taken. Of several dates the latest is now, and growth goes on as measured.
+    #[arg(long, value_name = "FILE")]
     pub(crate) spectrum: Option<PathBuf>,
 
     #[command(flatten)]
     pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(
-        long = "where",
-        value_name = "COLUMN=VALUE",
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
-    )]
+    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
     pub(crate) choose: Vec<String>,
 
     /// Column of dates, as 2026-01-31 or 31.01.2026: the latest is now, the earliest before.
-    #[arg(
-        long,
-        value_name = "COLUMN",
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
-    )]
+    #[arg(long, value_name = "COLUMN", requires = "spectrum")]
     pub(crate) date_column: Option<String>,
 
-    /// An earlier measurement of the same rail, to fit the wear coefficient to; may be repeated, the oldest first: that is the one
-    /// taken.
-    #[arg(
-        long,
-        value_name = "FILE",
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
-    )]
-    pub(crate) earlier: Vec<PathBuf>,
-
-    /// Dates of the measurements, as 2026-01-31: one for each --earlier and one for --spectrum.
-    #[arg(
-        long,
-        value_name = "DATE,…",
-        value_delimiter = ',',
-        requires = "earlier",
-        conflicts_with_all = ["date_column", "ground_rail"],
-        value_parser = read_date
-    )]
-    pub(crate) dates: Vec<jiff::civil::Date>,
+    #[command(flatten)]
+    pub(crate) earlier: Earlier,
 
     /// Keep the earlier spectra whose column has this value [default file: that of --spectrum].
     #[arg(
         long = "earlier-where",
         value_name = "COLUMN=VALUE",
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
+        requires = "spectrum"
     )]
     pub(crate) earlier_choose: Vec<String>,
 
-    /// Axle passages between the two measurements [default: from the dates and the traffic file].
+    /// Axle passages between the oldest record and that of now [default: from the dates and the traffic file].
     #[arg(
         long,
         value_name = "N",
         allow_negative_numbers = true,
         value_parser = plain_number,
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
+        requires = "spectrum"
     )]
     pub(crate) passages_between: Option<f64>,
 }
@@ -260,9 +230,12 @@ pub(crate) struct Compare {
     #[arg(long, value_enum, value_name = "WHAT", hide_possible_values = true)]
     pub(crate) hold: Option<HoldArgument>,
 
-    /// Measured rail, to say when each variant reaches the limit.
-    #[arg(long, value_name = "FILE", conflicts_with_all = ["ground", "from_limit"])]
+    /// Measured rail, to say when each variant reaches the limit; of several dates growth goes on as measured.
+    #[arg(long, value_name = "FILE")]
     pub(crate) spectrum: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) earlier: Earlier,
 
     #[command(flatten)]
     pub(crate) ground: Ground,
@@ -271,12 +244,7 @@ pub(crate) struct Compare {
     pub(crate) layout: Layout,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
-    #[arg(
-        long = "where",
-        value_name = "COLUMN=VALUE",
-        requires = "spectrum",
-        conflicts_with = "ground_rail"
-    )]
+    #[arg(long = "where", value_name = "COLUMN=VALUE", requires = "spectrum")]
     pub(crate) choose: Vec<String>,
 
     /// Limit of the levels, by name or as a TOML file.

@@ -6,7 +6,7 @@ use clap::Args;
 use riffel_keys::quantity::{Area, Length, Speed};
 
 use super::number::plain_number;
-use super::{Asked, CaseArguments, Layout, Posterior, ResultsArguments};
+use super::{Asked, CaseArguments, Earlier, Layout, Posterior, ResultsArguments};
 
 #[derive(Args)]
 #[command(
@@ -26,6 +26,9 @@ pub(crate) struct Noise {
     /// Roughness of the same rail before, as before grinding: a file like that of --roughness, which is compared with it.
     #[arg(long, value_name = "FILE")]
     pub(crate) before: Option<PathBuf>,
+
+    #[command(flatten)]
+    pub(crate) earlier: Earlier,
 
     #[command(flatten)]
     pub(crate) layout: Layout,

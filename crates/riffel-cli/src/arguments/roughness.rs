@@ -6,10 +6,10 @@ use clap::Args;
 use riffel::roughness::{AnalysisSettings, GrindSettings};
 use riffel_answers::roughness::ProfileRequest;
 use riffel_keys::quantity::{Frequency, Length, Quantity};
-use riffel_rail::{LengthUnit, RecordPart, read_date};
+use riffel_rail::{LengthUnit, RecordPart};
 
 use super::number::plain_number;
-use super::{CaseArguments, Ground, HoldArgument, ResultsArguments};
+use super::{CaseArguments, Earlier, Ground, HoldArgument, ResultsArguments};
 
 /// How files of roughness are laid out, and what is taken of them.
 #[derive(Args, Default)]
@@ -205,20 +205,8 @@ pub(crate) struct DiagnosisArguments {
     #[command(flatten)]
     pub(crate) layout: Layout,
 
-    /// An earlier record of the same rail; may be repeated, the oldest first.
-    #[arg(long, value_name = "FILE")]
-    pub(crate) earlier: Vec<PathBuf>,
-
-    /// Dates of all records, as 2026-01-31 or 31.01.2026, separated by commas, the oldest first and that of --roughness
-    /// last.
-    #[arg(
-        long,
-        value_name = "DATES",
-        value_delimiter = ',',
-        requires = "earlier",
-        value_parser = read_date
-    )]
-    pub(crate) dates: Vec<jiff::civil::Date>,
+    #[command(flatten)]
+    pub(crate) earlier: Earlier,
 
     /// Keep the spectra of a table whose column has this value; may be repeated.
     #[arg(long = "where", value_name = "COLUMN=VALUE")]
@@ -258,7 +246,7 @@ impl DiagnosisArguments {
             ("--spacing", self.layout.spacing.is_some()),
             ("--height-unit", self.layout.height_unit.is_some()),
             ("--position-unit", self.layout.position_unit.is_some()),
-            ("--earlier", !self.earlier.is_empty()),
+            ("--earlier", !self.earlier.files.is_empty()),
             ("--where", !self.choose.is_empty()),
             ("--by", self.by.is_some()),
             ("--keep-defects", self.layout.keep_defects),
@@ -355,7 +343,7 @@ pub(crate) struct Report {
     #[arg(long, requires = "case")]
     pub(crate) keep_coefficient: bool,
 
-    /// Axle passages between the last --earlier and --roughness, to fit the wear coefficient to [default: from the dates
+    /// Axle passages between the oldest --earlier and --roughness, to fit the wear coefficient to [default: from the dates
     /// and the traffic file].
     #[arg(
         long,

@@ -10,6 +10,7 @@ use riffel_keys::{CaseError, Language, Message, say, shown_speed};
 use riffel_rail::Survey;
 
 use super::forecast::{ground_rail, outside};
+use super::history::History;
 use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
@@ -77,11 +78,15 @@ pub(super) fn compare(
     };
     let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
-    let survey = match &ground {
-        Some(_) => None,
-        None => survey
-            .map(|survey| survey.choose(&arguments.choose))
-            .transpose()?,
+    History::check_now(&arguments.earlier, arguments.spectrum.as_deref())?;
+    let (path, choose) = (arguments.spectrum.as_deref(), &arguments.choose);
+    let survey = match survey {
+        Some(survey) => {
+            let (survey, _) = survey.choose(choose)?.latest();
+            let history = History::read(&arguments.earlier, path, &arguments.layout, choose)?;
+            Some(history.before(survey, None))
+        }
+        None => None,
     };
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
     let request = CompareRequest {

@@ -10,6 +10,7 @@ pub(crate) mod decide;
 pub(crate) mod diagnose;
 pub(crate) mod figures;
 pub(crate) mod forecast;
+mod history;
 pub(crate) mod init;
 pub(crate) mod man;
 pub(crate) mod map;

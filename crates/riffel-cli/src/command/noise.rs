@@ -6,6 +6,7 @@ use riffel_case::TrackRadiator;
 use riffel_case::traffic::Traffic;
 use riffel_rail::read_decay_rates;
 
+use super::history::History;
 use super::roughness::survey;
 use crate::arguments::Noise;
 use crate::messages::print_remarks;
@@ -14,8 +15,10 @@ use crate::posterior::over;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
-    let survey = survey(&arguments.roughness, &arguments.layout)?.choose(&arguments.choose)?;
-    let (survey, _) = survey.latest();
+    let (path, layout, choose) = (&arguments.roughness, &arguments.layout, &arguments.choose);
+    let (survey, _) = survey(path, layout)?.choose(choose)?.latest();
+    let survey =
+        History::read(&arguments.earlier, Some(path), layout, choose)?.before(survey, None);
     let before = match &arguments.before {
         Some(path) => {
             let before = super::roughness::survey(path, &arguments.layout)?;
@@ -31,6 +34,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
         speed: arguments.speed.within("--speed")?,
         roughness: survey.mean(),
         rails: survey.rails(),
+        history: survey.history.clone(),
         before,
         wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
         wheel_modes: arguments.wheel_modes.clone(),

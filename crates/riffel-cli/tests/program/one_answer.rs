@@ -140,3 +140,130 @@ fn growth_under_the_traffic_is_told_alike() {
         assert!(!page.contains("grows fastest under"), "{page}");
     }
 }
+
+/// A rail that rose by 4 dB at 40 mm and less in other bands in 365 days goes on so: its level in 12 months, the time to its limit and what
+/// leads are one answer of forecast, by a table or by files, of comparison, noise, report and network, to 1e-9.
+#[test]
+fn commands_agree_on_a_rail_that_was_measured_twice() {
+    /// Bands \[mm\], levels now, and what they rose by.
+    const BANDS: [(f64, f64, f64); 6] = [
+        (63.0, -6.0, 1.0),
+        (50.0, -7.0, 2.0),
+        (40.0, -8.0, 4.0),
+        (31.5, -9.0, 2.0),
+        (25.0, -10.0, 0.5),
+        (20.0, -11.0, 0.5),
+    ];
+    const YEAR: f64 = 365.2425 / 365.0;
+    let sandbox = Sandbox::new();
+    let write = |name: &str, more: &dyn Fn(f64) -> f64, dates: &[(&str, f64)]| {
+        let mut text = "place,date,wavelength_mm,level_db\n".to_owned();
+        for ((date, years), place) in dates
+            .iter()
+            .flat_map(|date| (0..12).map(move |p| (date, p)))
+        {
+            for (wavelength, level, growth) in BANDS {
+                let level = level + more(growth) + growth * years + 0.2 * f64::from(place % 5);
+                text += &format!("{place},{date},{wavelength},{level}\n");
+            }
+        }
+        std::fs::write(sandbox.path(name), text).unwrap();
+    };
+    let (before, now) = ("2025-01-01", "2026-01-01");
+    write("rail.csv", &|_| 0.0, &[(before, -1.0), (now, 0.0)]);
+    write("before.csv", &|_| 0.0, &[(before, -1.0)]);
+    write("now.csv", &|_| 0.0, &[(now, 0.0)]);
+    write("then.csv", &|growth| growth * YEAR, &[("2027-01-01", 0.0)]);
+    const CASE: &str = "cases/main-line.toml --traffic cases/traffic.toml";
+    let dated = format!("--earlier before.csv --dates {before},{now}");
+    let table = sandbox.json(&format!("forecast {CASE} --spectrum rail.csv --json"));
+    let files = sandbox.json(&format!(
+        "forecast {CASE} --spectrum now.csv {dated} --json"
+    ));
+    let is_of = |own: f64, wavelength: f64| (1e-3 * own / wavelength - 1.0).abs() < 0.02;
+    let now_of = |wavelength: f64| BANDS.iter().find(|band| is_of(band.0, wavelength)).unwrap();
+    for document in [&table, &files] {
+        let bands = document["bands"].as_array().unwrap();
+        assert_eq!(bands.len(), BANDS.len());
+        for band in bands {
+            assert_eq!(band["growth_is_measured"], true, "{band}");
+            let wavelength = number(&band["wavelength_m"]);
+            let [from, to] = ["level_now_db", "level_then_db"].map(|key| number(&band[key]));
+            assert!(
+                (to - from - now_of(wavelength).2 * YEAR).abs() < 1e-9,
+                "{band}"
+            );
+        }
+    }
+    let months = number(&table["months_to_limit"]);
+    // The energy mean of the places is the same on both dates but for growth.
+    let of_40 = table["bands"].as_array().unwrap().iter();
+    let of_40 = of_40.map(|band| {
+        let [level, limit] = ["level_now_db", "limit_db"].map(|key| number(&band[key]));
+        12.0 * (limit - level) / (now_of(number(&band["wavelength_m"])).2 * YEAR)
+    });
+    let by_hand = of_40.fold(f64::INFINITY, f64::min);
+    assert!((months / by_hand - 1.0).abs() < 1e-9, "{months} {by_hand}");
+    assert_eq!(files["months_to_limit"], table["months_to_limit"]);
+
+    let compare = format!("compare {CASE} --with cases/soft-pads.toml --json");
+    for rail in [
+        "--spectrum rail.csv".to_owned(),
+        format!("--spectrum now.csv {dated}"),
+    ] {
+        let base = &sandbox.json(&format!("{compare} {rail}"))["outcomes"][0];
+        assert!(
+            (number(&base["months_to_limit"]) / months - 1.0).abs() < 1e-9,
+            "{base}"
+        );
+        assert!(
+            (number(&base["fastest_wavelength_m"]) - 0.0398).abs() < 1e-4,
+            "{base}"
+        );
+    }
+    let ground = "--from-limit=-6 --spectrum rail.csv";
+    let forecast = sandbox.json(&format!("forecast {CASE} {ground} --json"));
+    assert!(
+        (number(&forecast["months_to_limit"]) / (12.0 * 6.0 / (4.0 * YEAR)) - 1.0).abs() < 1e-9
+    );
+    let compared = sandbox.json(&format!("{compare} {ground}"));
+    let base = &compared["outcomes"][0];
+    assert!(
+        (number(&base["months_to_limit"]) / number(&forecast["months_to_limit"]) - 1.0).abs()
+            < 1e-9
+    );
+
+    let noise = format!("noise {CASE} --speed \"100 km/h\" --json --roughness");
+    let then = number(&sandbox.json(&format!("{noise} then.csv"))["level"]["total_dba"]);
+    for rail in ["rail.csv".to_owned(), format!("now.csv {dated}")] {
+        let course = &sandbox.json(&format!("{noise} {rail}"))["course"];
+        let last = course["total_dba"].as_array().unwrap().last().unwrap();
+        assert!((number(last) - then).abs() < 1e-9, "{course} {then}");
+    }
+
+    let report = sandbox.riffel(&format!(
+        "report {CASE} --roughness rail.csv -o report.html"
+    ));
+    assert_eq!(report.status, Some(0), "{}", report.text);
+    let page = std::fs::read_to_string(sandbox.path("report.html")).unwrap();
+    for sentence in table["findings"].as_array().unwrap().iter().take(3) {
+        let sentence = sentence.as_str().unwrap().replace('&', "&amp;");
+        assert!(page.contains(&sentence), "{sentence}");
+    }
+
+    for (date, rms) in [(before, 1.0), (now, 10f64.powf(4.0 / 20.0))] {
+        let mut text = "rail,from_m,to_m,rms_30_to_100_mm_um\n".to_owned();
+        for from in (0..200).step_by(10) {
+            text += &format!("left,{from},{},{rms}\n", from + 10);
+        }
+        std::fs::write(sandbox.path("blocks.csv"), text).unwrap();
+        sandbox.json(&format!(
+            "network ingest store blocks.csv --line L --date {date} --json"
+        ));
+    }
+    let grown = &sandbox.json("network growth store --json")[0];
+    assert!(
+        (number(&grown["growth_db_per_year"]) - 4.0 * YEAR).abs() < 1e-9,
+        "{grown}"
+    );
+}

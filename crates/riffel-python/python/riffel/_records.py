@@ -81,11 +81,25 @@ def checked_dates(dates: Sequence[Date], records: int) -> list[str | None]:
         return [None] * records
     if len(dates) != records:
         raise ValueError(
-            f"dates has {len(dates)} values, but must be {records} dates, one for each of earlier and one for rail"
+            f"dates has {len(dates)} values, but must be {records} dates, one for each of earlier and one for that of now"
         )
     if records == 1:
         raise ValueError("dates are for rails with earlier records, but earlier is empty")
     return [_date(date, f"dates[{index}]") for index, date in enumerate(dates)]
+
+
+def dated_levels(
+    spectrum: xr.DataArray, earlier: Sequence[xr.DataArray], dates: Sequence[Date]
+) -> tuple[tuple[Any, Any], list[tuple[Any, Any]], list[str]]:
+    """Levels of now, those of before, and the dates of all."""
+    if isinstance(earlier, xr.DataArray):
+        raise ValueError("earlier is a DataArray, but must be a sequence of these, the oldest first")
+    given = checked_dates(dates, len(earlier) + 1)
+    dated = [date for date in given if date is not None]
+    if len(dated) == 0 and len(earlier) > 0:
+        raise ValueError("dates is empty, but must be the dates of the earlier spectra and of spectrum, the oldest first")
+    before = [levels_of(one, f"earlier[{index}]") for index, one in enumerate(earlier)]
+    return levels_of(spectrum, "spectrum"), before, dated
 
 
 def _date(value: Any, name: str) -> str:

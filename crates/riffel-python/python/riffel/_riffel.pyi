@@ -12,6 +12,7 @@ _Complexes: TypeAlias = npt.NDArray[np.complex128]
 _Stretches: TypeAlias = Sequence[tuple[float, _Floats]]
 _Levels: TypeAlias = tuple[_Floats, _Floats, _Floats]
 _Spectra: TypeAlias = Sequence[tuple[_Floats, _Floats]]
+_Dates: TypeAlias = tuple[tuple[_Floats, _Floats], _Spectra, Sequence[str]]
 _Dominant: TypeAlias = tuple[float, float, float, float, float, float | None, float | None]
 _Traffic: TypeAlias = str | dict[str, Any] | tuple[float, float]
 _Roughness: TypeAlias = (
@@ -125,7 +126,7 @@ def axis(min: float, max: float, points: int) -> _Floats: ...
 def presets() -> list[dict[str, Any]]: ...
 def forecast(
     case: Case,
-    measured: tuple[_Floats, _Floats] | None,
+    measured: _Dates | None,
     ground: tuple[str | None, str | None],
     traffic: _Traffic | None,
     passages: _Floats | None,
@@ -145,7 +146,7 @@ def compare(
     case: Case,
     variants: Sequence[str | dict[str, Any]],
     traffic: _Traffic | None,
-    measured: tuple[_Floats, _Floats] | None,
+    measured: _Dates | None,
     ground: tuple[str | None, str | None],
     hold: str | None,
     limit: str,
@@ -223,7 +224,7 @@ class LogPosterior:
 
 def noise(
     case: Case,
-    spectrum: tuple[_Floats, _Floats],
+    measured: _Dates,
     speed: float,
     train: tuple[int, float | None, float, float],
     wheel_roughness: str | tuple[_Floats, _Floats] | None,

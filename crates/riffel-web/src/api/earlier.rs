@@ -151,17 +151,25 @@ impl Earlier {
         files.map(|(file, name)| folder.put(file, name)).collect()
     }
 
-    /// Name the records, and their dates, in the question of a diagnosis or a report.
-    pub(super) fn add_to_diagnosis(&self, names: &[String], question: &mut Value) {
+    /// Whether all records have a date, and there are earlier ones.
+    pub(super) fn has_dates(&self) -> bool {
+        !self.dates.is_empty()
+    }
+
+    /// Name the records, and their dates, in a question.
+    pub(super) fn add_to(&self, names: &[String], question: &mut Value) {
         question["earlier"] = json!(names);
         if !self.dates.is_empty() {
             question["dates"] = self.dates.join(",").into();
         }
     }
 
-    /// Name the latest record in the question of a forecast, under so many axle passages a day.
+    /// Name the records in the question of a forecast; where not all have dates, the latest that has one, under so many axle passages
+    /// a day.
     pub(super) fn add_to_forecast(&self, names: &[String], per_day: f64, question: &mut Value) {
-        if let Some((place, days)) = self.dated {
+        if self.has_dates() {
+            self.add_to(names, question);
+        } else if let Some((place, days)) = self.dated {
             question["earlier"] = names[place].as_str().into();
             question["passages_between"] = json!(days * per_day);
         }
@@ -203,7 +211,7 @@ mod tests {
             let files = Workspace::within(place.path()).unwrap();
             let names = earlier.put(&files).unwrap();
             let (mut diagnosis, mut forecast) = (json!({}), json!({}));
-            earlier.add_to_diagnosis(&names, &mut diagnosis);
+            earlier.add_to(&names, &mut diagnosis);
             earlier.add_to_forecast(&names, 1000.0, &mut forecast);
             json!([diagnosis, forecast])
         };

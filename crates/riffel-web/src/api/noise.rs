@@ -62,6 +62,7 @@ pub(crate) async fn post(
         ))));
     }
     let upload = page.uploads.of(&asker.owner()?)?;
+    let earlier = question.rail.earlier(&upload)?;
     let program = page.program.clone();
     page.long
         .run(asker.subject("noise"), move |wanted| {
@@ -71,11 +72,15 @@ pub(crate) async fn post(
                 return Ok(Told(json!({ "fault": fault })));
             }
             let (files, record) = rail.put(&upload)?;
-            let question = rail.reading.add_to(json!({
+            let before = earlier.put(&files)?;
+            let mut question = rail.reading.add_to(json!({
                 "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE,
                 "speed": format!("{} m/s", rail.traffic.mean_speed()), "months": rail.months,
                 "limit_dba": limit, "wheel_modes": question.wheel.modes(),
             }));
+            if earlier.has_dates() {
+                earlier.add_to(&before, &mut question);
+            }
             let answer = program.ask(files.path(), "noise", &question, wanted);
             fault_as_answer(answer, wanted).map(Told)
         })

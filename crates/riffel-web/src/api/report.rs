@@ -50,7 +50,7 @@ pub(crate) async fn of_rail(
                 // As on the page, which takes a fitted coefficient only when it is told to.
                 "keep_coefficient": true,
             }));
-            earlier.add_to_diagnosis(&earlier.put(&files)?, &mut report);
+            earlier.add_to(&earlier.put(&files)?, &mut report);
             write(&program, &files, &report, language, wanted)
         })
         .await?;

@@ -107,7 +107,7 @@ pub(crate) async fn measure(
                 "case": CASE_FILE, "roughness": record, "traffic": TRAFFIC_FILE,
                 "speed": question.traffic.speed_range(),
             }));
-            earlier.add_to_diagnosis(&before, &mut diagnose);
+            earlier.add_to(&before, &mut diagnose);
             let diagnosis = ask_or_fault("diagnose", &diagnose)?;
             let forecast = reading.add_to(json!({
                 "case": CASE_FILE, "spectrum": record, "traffic": TRAFFIC_FILE, "months": question.months,

@@ -239,7 +239,7 @@ impl WearFit {
     /// negative: then the bands have fallen. Bands that grow go as in a [`Forecast`](super::Forecast).
     ///
     /// The fit may fail: of the bands that have grown by 2 dB or more and more than their scatter, whether or not the
-    /// model says so, it must explain more than half by the sum of the squares.
+    /// model says so, it must leave no more than half, in the root of the mean squares.
     ///
     /// Method: Gauss–Newton with halved steps, to rounding; 95 % intervals by the jackknife over the records with
     /// Student's t, in pairs where the places are the same, neighbours together where they scatter together. They hold
@@ -317,13 +317,13 @@ impl WearFit {
     }
 }
 
-/// Whether a fit leaves more than half of the growth on the rail unexplained, by the sum of the squares over the bands
+/// Whether a fit leaves more than half of the growth on the rail unexplained, in the root of the mean squares over the bands
 /// that have grown; one that decays in the model is explained by nothing.
 fn is_unexplained(bands: &[FittedBand]) -> bool {
     let grown = || bands.iter().filter(|band| band.has_grown());
     let sum = |value: fn(&FittedBand) -> f64| grown().map(|band| value(band).powi(2)).sum::<f64>();
     bands.iter().any(FittedBand::is_unexplained)
-        && sum(|band| band.measured - band.fitted.max(0.0)) > 0.5 * sum(|band| band.measured)
+        && sum(|band| band.measured - band.fitted.max(0.0)) > 0.25 * sum(|band| band.measured)
 }
 
 /// A band as lines of equal energy.

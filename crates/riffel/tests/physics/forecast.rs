@@ -8,8 +8,8 @@ use rand_xoshiro::rand_core::{Rng, SeedableRng};
 use riffel::contact::{MeanState, QuasiStatic};
 use riffel::feedback::OneWheel;
 use riffel::forecast::{
-    Forecast, GrowingSum, LINES_PER_BAND, MeanGrowth, MeasuredChange, Reach, SpeedDistribution,
-    TrafficGrowth, VehicleGrowth, WearFit, WearVerdict, band_lines,
+    Forecast, GrowingSum, LINES_PER_BAND, MeanGrowth, MeasuredChange, MeasuredGrowth, Reach,
+    SpeedDistribution, TrafficGrowth, VehicleGrowth, WearFit, WearVerdict, band_lines,
 };
 use riffel::growth::Bay;
 use riffel::receptance::{Beam, EulerBernoulliBeam, FreeBeam, Layer, PeriodicTrack, Support};
@@ -433,7 +433,7 @@ fn growth_that_the_model_does_not_explain_is_told() -> Result<(), Error> {
             spectrum.map(|band| band.level + 6.4 * f64::from(u8::from(band.band.index() >= -12)))
         })
         .collect::<Result<_, Error>>()?;
-    let change = MeasuredChange::paired(earlier, later.clone(), passages)?;
+    let change = MeasuredChange::paired(earlier.clone(), later.clone(), passages)?;
     let fit = WearFit::new(&change, &traffic)?;
     assert_eq!(fit.verdict, WearVerdict::Unexplained);
     let unexplained = fit.bands.iter().filter(|band| band.is_unexplained());
@@ -441,12 +441,9 @@ fn growth_that_the_model_does_not_explain_is_told() -> Result<(), Error> {
     assert_eq!(unexplained, [-12, -11]);
     let (low, high) = fit.bands.last().unwrap().interval.unwrap();
     assert!(low < 6.4 && 6.4 < high && high - low < 4.0, "{low} {high}");
-    let changes: Vec<(ThirdOctave, f64)> = fit
-        .bands
-        .iter()
-        .map(|band| (band.band, band.measured))
-        .collect();
-    let forecast = Forecast::new(&later[0], traffic.as_measured(&changes, passages))?;
+    let dates = [(-passages, earlier), (0.0, later.clone())];
+    let growth = MeasuredGrowth::new(&dates, true)?;
+    let forecast = Forecast::new(&later[0], traffic.as_measured(&growth))?;
     let band = forecast.bands().last().unwrap();
     let grown = band.level(passages) - band.now.level;
     assert!((grown - fit.bands.last().unwrap().measured).abs() < 1e-9);

@@ -8,6 +8,7 @@ mod general_loop;
 mod geometric_creepage;
 mod growth;
 mod load_wear;
+mod measured_growth;
 mod moving_contact;
 mod normal_direction;
 mod passage;

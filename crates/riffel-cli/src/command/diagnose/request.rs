@@ -42,6 +42,7 @@ pub(crate) fn diagnosis(
     check_dates(arguments)?;
     let files: Vec<RoughnessFile> = arguments
         .earlier
+        .files
         .iter()
         .map(|path| read(path, &arguments.layout))
         .collect::<miette::Result<_>>()?;
@@ -50,18 +51,19 @@ pub(crate) fn diagnosis(
     }
     let earlier: Vec<RailRecord<'_>> = arguments
         .earlier
+        .files
         .iter()
         .zip(&files)
         .enumerate()
         .map(|(place, (name, file))| RailRecord {
             name,
-            date: arguments.dates.get(place).copied(),
+            date: arguments.earlier.dates.get(place).copied(),
             roughness: file.into(),
         })
         .collect();
     let present = RailRecord {
         name: path,
-        date: arguments.dates.last().copied(),
+        date: arguments.earlier.dates.last().copied(),
         roughness: file.into(),
     };
     let mut diagnosis = Diagnosis::new(case, &present, &earlier, &settings)?;
@@ -81,7 +83,7 @@ fn modes(
 
 /// A date for each record, or none at all.
 fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
-    let (dates, records) = (&arguments.dates, arguments.earlier.len() + 1);
+    let (dates, records) = (&arguments.earlier.dates, arguments.earlier.files.len() + 1);
     if dates.is_empty() || dates.len() == records {
         return Ok(());
     }

@@ -17,6 +17,7 @@ use riffel_rail::Survey;
 use wear::wear_report;
 
 use crate::arguments::{Forecast as Arguments, Ground, Horizon};
+use crate::command::history::History;
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
@@ -74,10 +75,13 @@ pub(super) fn forecast(
     )?;
     let (table, limit) = level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
-    let dated = match (&ground, survey) {
-        (None, Some(survey)) => Some(Dated::new(&arguments.spectra, survey)?),
-        _ => None,
-    };
+    History::check_now(
+        &arguments.spectra.earlier,
+        arguments.spectra.spectrum.as_deref(),
+    )?;
+    let dated = survey
+        .map(|survey| Dated::new(&arguments.spectra, survey))
+        .transpose()?;
     let progress = Progress::new("growth under traffic", traffic.file.vehicle.len());
     let measured_on = dated.as_ref().and_then(|dated| dated.date);
     let request = ForecastRequest {

@@ -1,7 +1,5 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
-use std::path::PathBuf;
-
 use riffel_answers::forecast::WearReport;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::CaseError;
@@ -9,7 +7,6 @@ use riffel_rail::Survey;
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
-use crate::command::roughness::places_of_both;
 use crate::error::CliError;
 use crate::messages::language;
 use crate::output::table;
@@ -33,25 +30,26 @@ pub(super) fn wear_report(
         return Ok(None);
     };
     let by_date = dated.days.and_then(|days| on.passages_in(days));
-    let passages =
-        spectra.passages_between.or(by_date).ok_or_else(|| {
-            CliError::Argument {
-        argument: "--passages-between",
-        value: "left out".to_owned(),
-        rule: "given, or else --date-column and a traffic file that says how much traffic there is"
-            .to_owned(),
-    }
-        })?;
-    let oldest = spectra.earlier.first().map(PathBuf::as_path);
-    let files = oldest.zip(spectra.spectrum.as_deref());
+    // A table of several dates is fitted by itself, if it can be.
+    let is_asked = spectra.date_column.is_some()
+        || !spectra.earlier.files.is_empty()
+        || !spectra.earlier_choose.is_empty();
     let measured = Measured {
         surveys: [earlier, &dated.now],
-        places: match files {
-            Some((earlier, now)) => places_of_both(earlier, now, &spectra.layout)?,
-            None => None,
-        },
+        places: dated.places.clone(),
     };
-    Ok(Some(measured.fit(on, passages)?))
+    match spectra.passages_between.or(by_date) {
+        Some(passages) if is_asked => Ok(Some(measured.fit(on, passages)?)),
+        Some(passages) => Ok(measured.fit(on, passages).ok()),
+        None if is_asked => Err(CliError::Argument {
+            argument: "--passages-between",
+            value: "left out".to_owned(),
+            rule: "given, or else --date-column and a traffic file that says how much traffic there is"
+                .to_owned(),
+        }
+        .into()),
+        None => Ok(None),
+    }
 }
 
 /// A rail as it was measured before and now.

@@ -12,7 +12,7 @@ use riffel_rail::Survey;
 use super::Now;
 use crate::arguments::Report;
 use crate::command::forecast::Measured;
-use crate::command::roughness::{places_of_both, survey};
+use crate::command::history::History;
 use crate::error::CliError;
 use crate::output::Progress;
 
@@ -20,23 +20,30 @@ use crate::output::Progress;
 #[derive(Clone)]
 pub(super) struct Before {
     survey: Survey,
+    places: Option<[Survey; 2]>,
     date: Option<Date>,
 }
 
 impl Before {
-    /// The last earlier record of the command line.
-    pub(super) fn of_arguments(arguments: &Report) -> miette::Result<Option<Self>> {
+    /// The oldest of the earlier records of the command line; with all of them the rail of now has a history.
+    pub(super) fn of_arguments(
+        arguments: &Report,
+        now: Option<&mut Now<'_>>,
+    ) -> miette::Result<Option<Self>> {
         let record = &arguments.record;
-        let Some(path) = record.earlier.last() else {
+        let path = arguments.roughness.as_deref();
+        let history = History::read(&record.earlier, path, &record.layout, &record.choose)?;
+        let Some(oldest) = history.surveys.first() else {
             return Ok(None);
         };
-        let survey = survey(path, &record.layout)?.choose(&record.choose)?;
-        let (survey, written) = survey.latest();
-        // One for each record, that of now last.
-        let date = record.dates.iter().rev().nth(1).copied();
+        let (survey, written) = oldest.clone().latest();
+        if let Some(now) = now {
+            now.survey = history.before(now.survey.clone(), arguments.passages_between);
+        }
         Ok(Some(Self {
             survey,
-            date: date.or(written),
+            places: history.places,
+            date: record.earlier.dates.first().copied().or(written),
         }))
     }
 
@@ -46,6 +53,7 @@ impl Before {
         let (date, survey) = dates.into_iter().next()?;
         Some(Self {
             survey,
+            places: None,
             date: Some(date),
         })
     }
@@ -72,13 +80,9 @@ pub(super) fn fit(
     let Some(passages) = arguments.passages_between.or(by_date) else {
         return Ok(Err(say!(not_fitted_without_passages)));
     };
-    let record = &arguments.record;
     let measured = Measured {
         surveys: [&before.survey, &now.survey],
-        places: match record.earlier.last() {
-            Some(earlier) => places_of_both(earlier, now.path, &record.layout)?,
-            None => None,
-        },
+        places: before.places.clone(),
     };
     let report = measured.fit(&on, passages);
     Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))

@@ -20,7 +20,7 @@ pub(super) fn inputs(
     let record = &arguments.record;
     if let (Some(path), Some(understood)) = (&arguments.roughness, understood) {
         add(&mut inputs, say!(input_roughness), path, understood)?;
-        for earlier in &record.earlier {
+        for earlier in &record.earlier.files {
             let origin = say!(input_of_the_same_rail);
             add(&mut inputs, say!(input_earlier_record), earlier, origin)?;
         }

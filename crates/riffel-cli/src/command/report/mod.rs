@@ -25,8 +25,8 @@ use riffel_keys::{Message, number, say};
 use riffel_rail::{Limit, LimitTable, RoughnessFile, Survey};
 
 use crate::arguments::{
-    CaseArguments, Compare, DiagnosisArguments, Forecast, Horizon, Layout, Posterior, Report,
-    ResultsArguments, Spectra, Statistics,
+    CaseArguments, Compare, DiagnosisArguments, Earlier, Forecast, Horizon, Layout, Posterior,
+    Report, ResultsArguments, Spectra, Statistics,
 };
 use crate::command::compare::compare;
 use crate::command::diagnose::diagnosis;
@@ -109,10 +109,10 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     let limits = limits(&arguments.limit)?;
     let record = &arguments.record;
     let rail = measured_rail(arguments, given.as_ref().map(|given| &given.case), &limits)?;
-    let now = rail
+    let mut now = rail
         .as_ref()
         .and_then(|(path, rail)| now(path, rail, record));
-    let before = match Before::of_arguments(arguments)? {
+    let before = match Before::of_arguments(arguments, now.as_mut())? {
         Some(before) => Some(before),
         None => rail.as_ref().and_then(|(_, rail)| rail.before.clone()),
     };
@@ -325,7 +325,7 @@ fn now<'a>(path: &'a Path, rail: &Measured, record: &DiagnosisArguments) -> Opti
     Some(Now {
         path,
         survey: rail.survey.clone(),
-        date: rail.date.or_else(|| record.dates.last().copied()),
+        date: rail.date.or_else(|| record.earlier.dates.last().copied()),
         speed: diagnosis.speeds.mean(),
     })
 }
@@ -351,8 +351,7 @@ fn outlook(
             layout: Layout::default(),
             choose: Vec::new(),
             date_column: None,
-            earlier: Vec::new(),
-            dates: Vec::new(),
+            earlier: Earlier::default(),
             earlier_choose: Vec::new(),
             passages_between: None,
         },
@@ -396,6 +395,7 @@ fn heard(
         rails: now.survey.rails(),
         wheel_roughness: arguments.wheel_roughness.clone().map(RoughWheels::Named),
         wheel_modes: arguments.wheel_modes.clone(),
+        history: now.survey.history.clone(),
         ..NoiseQuestion::of_a_coach(now.speed, now.survey.mean(), limit)
     };
     // A case whose track does not radiate, and bands that do not meet, leave the rest of the report as it is.
@@ -436,6 +436,7 @@ fn what_if(
         },
         hold: arguments.hold,
         spectrum: now.map(|now| now.path.to_owned()),
+        earlier: Earlier::default(),
         ground: arguments.ground.clone(),
         layout: Layout::default(),
         choose: Vec::new(),

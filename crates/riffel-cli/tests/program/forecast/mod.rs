@@ -382,8 +382,8 @@ fn bad_input_is_answered_with_a_sentence() {
         ),
         (format!("{forecast} --ground none.csv"), "none.csv"),
         (
-            format!("{forecast} --spectrum one.csv --from-limit -6"),
-            "cannot be used with",
+            format!("{forecast} --earlier one.csv --from-limit -6"),
+            "give --spectrum",
         ),
         (forecast.to_owned(), "--spectrum"),
         (

@@ -13,7 +13,7 @@ from riffel import _diagnosis, _riffel
 from riffel._axlebox import AxleBoxRun, checked_place, checked_run
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import OR_ZERO, Quantities, Quantity, scalar
-from riffel._records import Date, RailRecord
+from riffel._records import Date, RailRecord, dated_levels
 from riffel._spectra import levels_of
 from riffel._speeds import Speeds
 from riffel._traffic import Traffic, file_or_keys
@@ -238,6 +238,8 @@ class MeasuredOnCase(KeysOfCase):
         rail_foot: Quantity = 0.15,
         sleeper_area: Quantity = 0.33,
         limit: str = "iso-3095-2013",
+        earlier: Sequence[xr.DataArray] = (),
+        dates: Sequence[Date] = (),
         traffic: Traffic | None = None,
         months: float = 12.0,
         limit_dba: float | None = None,
@@ -268,6 +270,10 @@ class MeasuredOnCase(KeysOfCase):
             Breadth of the rail foot, and the face of a sleeper that belongs to one rail.
         limit : str
             Limit of the levels of roughness to which the rail may be ground, by name or as a TOML file.
+        earlier : sequence of DataArray, optional
+            Levels of the same rail before, the oldest first, by which it goes on growing under `traffic`.
+        dates : sequence of date or str, optional
+            Dates of `earlier` and, last, of `spectrum`.
         traffic : path or mapping, optional
             A traffic file or its keys, for the level in months to come.
         months : float
@@ -309,7 +315,7 @@ class MeasuredOnCase(KeysOfCase):
             raise ValueError("limit_dba needs traffic, under which the level changes")
         return _riffel.noise(
             self._case,
-            levels_of(spectrum, "spectrum"),
+            dated_levels(spectrum, earlier, dates),
             scalar(speed, "speed", "speed"),
             train,
             levels_of(wheel_roughness, "wheel_roughness")

@@ -11,8 +11,7 @@ import xarray as xr
 from riffel import _forecast, _riffel
 from riffel._case.keys import KeysOfCase
 from riffel._quantities import Quantity, scalar
-from riffel._records import Levels, checked_levels
-from riffel._spectra import levels_of
+from riffel._records import Date, Levels, checked_levels, dated_levels
 from riffel._traffic import Traffic, file_or_keys, traffic_or_speed
 
 
@@ -25,6 +24,8 @@ class OutlookOfCase(KeysOfCase):
         self,
         spectrum: xr.DataArray | None = None,
         *,
+        earlier: Sequence[xr.DataArray] = (),
+        dates: Sequence[Date] = (),
         traffic: Traffic | None = None,
         speed: Quantity | None = None,
         speed_deviation: Quantity | None = None,
@@ -41,6 +42,10 @@ class OutlookOfCase(KeysOfCase):
         ----------
         spectrum : DataArray, optional
             One-third-octave levels in dB re 1 µm over ``wavelength``, as `riffel.roughness.spectrum` gives them.
+        earlier : sequence of DataArray, optional
+            Levels of the same rail before, the oldest first, by which it goes on growing where the amount of traffic is known.
+        dates : sequence of date or str, optional
+            Dates of `earlier` and, last, of `spectrum`.
         traffic : path or mapping, optional
             A traffic file or its keys; without it, the wheel of the case at `speed`, or else at the usual speeds of its line,
             whose amount of traffic is not assumed.
@@ -49,7 +54,8 @@ class OutlookOfCase(KeysOfCase):
         passages, mgt, months : number or array, optional
             How far to look ahead, in one of the three.
         ground : str, optional
-            Begin with the levels of a limit table that grinding meets, by name or file, in place of `spectrum`.
+            Begin with the levels of a limit table that grinding meets, by name or file, in place of `spectrum`; with `earlier` the
+            rail goes on growing as it was measured.
         from_limit : str or float, optional
             Begin so many decibels below the limit, as in ``"-6 dB"``, in place of `spectrum`.
         limit : str
@@ -93,7 +99,7 @@ class OutlookOfCase(KeysOfCase):
         horizon = _forecast.horizon(passages, mgt, months, traffic is not None)
         found = _riffel.forecast(
             self._case,
-            None if spectrum is None else levels_of(spectrum, "spectrum"),
+            None if spectrum is None else dated_levels(spectrum, earlier, dates),
             _forecast.ground_in_words(ground, from_limit),
             traffic_or_speed(traffic, speed, speed_deviation),
             horizon.get("passages"),
@@ -170,6 +176,8 @@ class OutlookOfCase(KeysOfCase):
         speed: Quantity | None = None,
         speed_deviation: Quantity | None = None,
         spectrum: xr.DataArray | None = None,
+        earlier: Sequence[xr.DataArray] = (),
+        dates: Sequence[Date] = (),
         ground: str | None = None,
         from_limit: str | float | None = None,
         hold: str | None = None,
@@ -181,7 +189,7 @@ class OutlookOfCase(KeysOfCase):
         ----------
         variants : sequence of paths or mappings
             Files of changes or their keys: ``{"title": ..., "track": {...}, "speed": {"factor": 0.8}}``.
-        traffic, speed, speed_deviation, ground, from_limit, limit
+        traffic, speed, speed_deviation, earlier, dates, ground, from_limit, limit
             As of `forecast`; without a traffic and a speed under all of the usual traffic of the line, with its axles a day.
         spectrum : DataArray, optional
             Measured levels, to say when each variant reaches the limit.
@@ -214,7 +222,7 @@ class OutlookOfCase(KeysOfCase):
         ratio longer
         force shorter
         """
-        measured = None if spectrum is None else levels_of(spectrum, "spectrum")
+        measured = None if spectrum is None else dated_levels(spectrum, earlier, dates)
         changes = [file_or_keys(variant) for variant in variants]
         wavelengths, nominal, outcomes = _riffel.compare(
             self._case,

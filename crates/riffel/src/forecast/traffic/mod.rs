@@ -5,7 +5,7 @@ mod vehicle_growth;
 use super::cracks::WavePhase;
 use super::hardening_wheel::HardeningWheel;
 use super::marched::RatesByAmplitude;
-use super::{LINES_PER_BAND, band_lines};
+use super::{LINES_PER_BAND, MeasuredGrowth, band_lines};
 use crate::growth::GrowthCourse;
 use crate::roughness::ThirdOctave;
 use crate::{Error, MeanWear};
@@ -78,14 +78,14 @@ impl TrafficGrowth {
         })
     }
 
-    /// The same traffic where a band grows as it was measured to, in place of what the model says: by a change of level
-    /// \[dB\] over some axle passages. Every vehicle has its share in it.
-    pub fn as_measured(mut self, changes: &[(ThirdOctave, f64)], passages: f64) -> Self {
+    /// The traffic where each band that was measured grows as it did, in place of what the model says; times of the growth are axle
+    /// passages. Every vehicle has its share in it.
+    pub fn as_measured(mut self, growth: &MeasuredGrowth) -> Self {
         for (place, band) in self.bands.iter().enumerate() {
-            let Some((_, change)) = changes.iter().find(|(own, _)| own == band) else {
+            let Some(measured) = growth.band(*band) else {
                 continue;
             };
-            let rate = change * std::f64::consts::LN_10 / 20.0 / passages;
+            let rate = measured.slope * std::f64::consts::LN_10 / 20.0;
             self.rates[lines_of(place)].fill(rate);
             self.measured.push(place);
             for vehicle in &mut self.vehicles {
@@ -141,6 +141,13 @@ impl TrafficGrowth {
         let (wavelength, rate) = rates.max_by(|a, b| a.1.total_cmp(&b.1))?;
         let at_edge = [places.first(), places.last()].contains(&Some(&wavelength));
         Some((wavelength, rate, at_edge))
+    }
+
+    /// The fastest growth rate per axle passage \[-\] within a tenth of a wavelength \[m\]; none where there is no line.
+    pub fn fastest_near(&self, wavelength: f64) -> Option<f64> {
+        let lines = self.wavelengths().into_iter().zip(&self.rates);
+        let near = lines.filter(|(own, _)| (own / wavelength - 1.0).abs() <= 0.1);
+        near.map(|(_, rate)| *rate).reduce(f64::max)
     }
 
     /// Growth rates of the lines of a band \[-\], by its place among the bands.
