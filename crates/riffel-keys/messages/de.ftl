@@ -449,7 +449,7 @@ grew-in-a-million-within = { $wavelength } mm ist um { $rate } dB je 10⁶ Über
 
 ## Abschnitte einer Schiene gegen Grenzwerte
 
-section-within = innerhalb der Grenzwerte, nichts zu schleifen
+section-within = innerhalb der Grenzwerte; nichts zu schleifen, denn der gleitende Effektivwert liegt nirgends über seinem Grenzwert
 section-within-levels = innerhalb des Grenzwerts der Pegel; kein Grenzwert sagt, was zu schleifen ist
 section-over-levels = { $excess } dB über dem Grenzwert der Pegel bei { $wavelength } mm
 section-over-rms = auf { $share } % der Länge über dem Grenzwert des Effektivwerts bei { $band } mm, bis zum { $ratio }-Fachen, wo { $allowed } % erlaubt sind
@@ -971,7 +971,7 @@ length-over-the-limit = Länge über der Grenze
 limit-of-bands = Grenze: { $edition } ({ $source })
 how-bands-are-filtered = Profil ohne Spitzen, Bandpass ohne Phasendrehung, jede Schiene für sich, die schlechteste zuerst
 needs-a-limit-of-rms = nötig ist eine Tabelle von Grenzen des Effektivwerts ({ KEY("--limit") })
-no-band-over-its-limit = nichts: kein Band liegt irgendwo über seiner Grenze
+no-band-over-its-limit = nichts zu schleifen: kein Band liegt irgendwo über seiner Grenze des gleitenden Effektivwerts ({ $edition })
 section-head = Abschnitt
 from-in-metres = von [m]
 to-in-metres = bis [m]
@@ -1008,7 +1008,7 @@ moving-rms-axis = gleitender Effektivwert [µm]
 caption-of-means = { $file }: Mittel über die Spektren jeder Gruppe.
 mean-of-energies = Mittel der Energien
 mean-of-levels = Pegelmittel
-worst-within = am schlechtesten ist { $rail }; jede Schiene hält die Grenzen ein
+worst-within = jede Schiene hält die Grenzen ein; am nächsten liegt ihnen { $rail }
 worst-over = am schlechtesten ist { $rail }, über { $count } von { $all } Grenzen
 window-shorter-than-wave = ein Fenster von { $window } m ist kürzer als Wellen von { $band }: ein gleitender Effektivwert über weniger als eine Welle geht mit ihr auf und ab und sagt nichts
 stretches-too-short-for-band = keine Statistik für { $band } mm: kein Abschnitt ist vier seiner längsten Wellen lang, { $length } m
@@ -1018,7 +1018,7 @@ group-and-rail = { $group }, { $rail }
 peak-falls = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, fällt jedes Mal: eine feste Wellenlänge, die abklingt, wie es eine Schleifspur tut, und keine wachsende Riffel
 peak-rises = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt jedes Mal: sie wächst unter Verkehr
 peak-stays = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt und fällt nicht jedes Mal
-sections-over-levels = für sich liegen { $over } von { $all } Abschnitten von { $length } m darüber, am meisten { $from }–{ $to } m um { $decibels } dB bei { $wavelength } mm
+sections-over-levels = für sich liegen { $over } von { $all } Abschnitten von { $length } m darüber, am meisten { $place } um { $decibels } dB bei { $wavelength } mm
 rail-named = Schiene { $name }
 verdict-within = { $edition }: innerhalb der Grenze, { $rest }
 verdict-over = { $edition }: über der Grenze, { $rest }
@@ -1028,8 +1028,12 @@ bands-over = { $count } von { $all } Bändern, am meisten um { $decibels } dB be
 measured-bands-over = { $count } von { $measured } gemessenen Bändern von { $all }, am meisten um { $decibels } dB bei { $wavelength } mm
 share-of-band = { $band } mm { $share } %
 length-may-be-over = auf { $allowed } % der Länge darf sie überschritten sein
+rail-on-stretch = { $rail }, Teil { $stretch }
+stretch-named = Teil { $stretch }
+place-on-stretch = { $from }–{ $to } m auf Teil { $stretch }
+place-from-to = { $from }–{ $to } m
 no-section-over = auf { $allowed } % von je { $length } m darf sie überschritten sein, und auf mehr ist sie es in keinem von { $all } Abschnitten
-sections-over = auf { $allowed } % von je { $length } m darf sie überschritten sein, und auf mehr ist sie es in { $over } von { $all } Abschnitten, am meisten von { $from } bis { $to } m mit { $share } % bei { $band } mm, bis zum { $ratio }-Fachen der Grenze
+sections-over = auf { $allowed } % von je { $length } m darf sie überschritten sein, und auf mehr ist sie es in { $over } von { $all } Abschnitten, am meisten { $place } mit { $share } % bei { $band } mm, bis zum { $ratio }-Fachen der Grenze
 no-header = kein Kopf
 header-of-one-line = ein Kopf von einer Zeile
 header-of-lines = ein Kopf von { $count } Zeilen
@@ -1137,8 +1141,8 @@ rows-after-jump = { $count ->
        *[other] { $count } Zeilen nach einer längeren Lücke oder einem Sprung, zusammen { $length } m, wo die Messung geteilt ist
     }
 rows-go-back = { $count ->
-        [one] 1 Zeile, in der der Ort zurückspringt: dort ist die Messung geteilt
-       *[other] { $count } Zeilen, in denen der Ort zurückspringt: dort ist die Messung geteilt
+        [one] 1 Zeile, in der der Ort zurückspringt: dort ist die Messung in zwei Teile geteilt
+       *[other] { $count } Zeilen, in denen der Ort zurückspringt: dort beginnt jeweils der nächste Teil der Messung
     }
 rows-behind = { $count ->
         [one] 1 Zeile hinter der Zeile davor weggelassen
@@ -1186,6 +1190,7 @@ it-is-empty = sie ist leer
 it-is-no-signal = sie ist weder Beschleunigung noch Geschwindigkeit, Weg oder Zeit
 it-is-text = sie ist Text
 it-is-second = eine davor ist von derselben Art
+speed-tells-the-place = Orte folgen aus { KEY("--speed") }
 channel-left-out = { $channel } bleibt weg: { $reason }
 it-is-geometry = das ist Gleisgeometrie
 it-is-a-statistic = das ist eine Grenze oder eine Statistik, keine gemessene Schiene
@@ -1486,6 +1491,7 @@ rate-in-per-cent = { $rate } %
 rate-of-interest = mindestens null und kleiner als 100 %
 is-with-thousands-apart = ist { $value }, mit getrennten Tausendern: nur Ziffern und einen Dezimalpunkt schreiben, etwa 9000 oder 9000.5
 is-perhaps-in-thousands = ist { $value }, was { $thousands } oder { $plain } sein kann: eines von beiden so schreiben
+is-with-a-multiple = ist { $value }, muss aber alle Ziffern haben: { $plain }
 is-with-a-comma = ist { $value }, mit einem Komma: einen Dezimalpunkt schreiben, etwa { $plain }
 number-of-a-sum = eine Zahl wie 9000
 sum-of-zero-or-more = eine Summe von null oder mehr in { $currency } wie cost.grinding
@@ -1532,12 +1538,13 @@ repeats-line = sagt, was schon in Zeile { $line } steht: eine doppelte Zeile zä
 two-errors-of-a-rate = hat `standard_error_ln` und `standard_error_db_per_m`, darf aber nur eines davon haben
 too-few-passages = `passages` reicht vom ersten bis zum letzten Zeitpunkt über { $passages }, muss aber mindestens { $least } umfassen: mit weniger ändert sich keine Schiene; sind es Millionen?
 lines-are-taken-together = die { $lines } Linien von { $file } sind zu { $bands } Mitteln benachbarter zusammengefasst, eng dort, wo sich der Frequenzgang biegt
-ground-between-dates = vor dem Zeitpunkt mit { $passages } Überrollungen in { $file } fallen alle Bänder um mehr als { $fall } dB: die Schiene wurde geschliffen, und das Wachstum beginnt dort neu; frühere Zeitpunkte bleiben weg
-only-ground = vor dem Zeitpunkt mit { $passages } Überrollungen wurde die Schiene geschliffen, denn alle Bänder fallen um mehr als { $fall } dB, und kein späterer sagt etwas vom Wachstum; noch einmal messen oder diesen Zeitpunkt weglassen
+ground-between-dates = vor dem Zeitpunkt mit { $passages } Überrollungen in { $file } fallen die Bänder um mehr als { $fall } dB: die Schiene wurde geschliffen, und das Wachstum beginnt dort neu; frühere Zeitpunkte bleiben weg
+only-ground = vor dem Zeitpunkt mit { $passages } Überrollungen wurde die Schiene geschliffen, denn ihre Bänder fallen um mehr als { $fall } dB, und kein späterer sagt etwas vom Wachstum; noch einmal messen oder diesen Zeitpunkt weglassen
 no-coherence = { $file } hat keine Spalte `coherence`: jede Linie gilt als auf 5 % genau
 is-kind-but-decay-rates-take-bands = ist "{ $kind }", aber für Abklingraten gilt "band": ihre Bänder sind unabhängig
 give-the-speed-of-the-run = die Geschwindigkeit der Fahrt angeben, wie in speed = "100 km/h"
-date-of-a-run = "first", "last" oder die Zahl der Überrollungen seit dem ersten Zeitpunkt
+date-of-a-run = "first", "last" oder die Zahl der Überrollungen seit dem ersten Zeitpunkt der Pegel
+run-since-first-date = at_date gilt als { $since } Überrollungen seit dem ersten Zeitpunkt der Pegel, { $counted } nach der Zählung ihrer Tabelle
 date-that-is-there = "first", "last" oder einer der Zeitpunkte, { $dates } Überrollungen nach dem ersten,
 is-date-of-too-few = ist { $date }, aber der Plan hat keine Pegel von drei Zeitpunkten oder mehr: ohne einen von zweien sagt nichts etwas über das Wachstum
 is-place-of-too-few = ist { $place }, aber der Plan hat keine Frequenzgänge an zwei Stellen oder mehr

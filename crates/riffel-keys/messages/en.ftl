@@ -456,7 +456,7 @@ grew-in-a-million-within = { $wavelength } mm has grown by { $rate } dB per 10�
 
 ## Sections of a rail against limits
 
-section-within = within the limits, nothing to grind
+section-within = within the limits; nothing to grind, for the moving RMS is nowhere over its limit
 section-within-levels = within the limit of levels; no limit says what to grind
 section-over-levels = over the limit of levels by { $excess } dB at { $wavelength } mm
 section-over-rms = over the limit of RMS on { $share } % of it at { $band } mm, up to { $ratio } times, where { $allowed } % are allowed
@@ -978,7 +978,7 @@ length-over-the-limit = length over the limit
 limit-of-bands = limit: { $edition } ({ $source })
 how-bands-are-filtered = profile without spikes, zero-phase band-pass, each rail on its own, the worst first
 needs-a-limit-of-rms = it needs a table of RMS limits ({ KEY("--limit") })
-no-band-over-its-limit = nothing: no band is over its limit anywhere
+no-band-over-its-limit = nothing to grind: no band is over its limit of the moving RMS ({ $edition }) anywhere
 section-head = section
 from-in-metres = from [m]
 to-in-metres = to [m]
@@ -1015,7 +1015,7 @@ moving-rms-axis = moving RMS [µm]
 caption-of-means = { $file }: means over the spectra of each group.
 mean-of-energies = mean of energies
 mean-of-levels = mean of levels
-worst-within = worst is { $rail }; every rail is within the limits
+worst-within = every rail is within the limits; nearest to them is { $rail }
 worst-over = worst is { $rail }, over { $count } of { $all } limits
 window-shorter-than-wave = a window of { $window } m is shorter than waves of { $band }: a moving RMS over less than a wave goes up and down with it and tells nothing
 stretches-too-short-for-band = no statistics of { $band } mm: no stretch is four of its longest waves long, { $length } m
@@ -1025,7 +1025,7 @@ group-and-rail = { $group }, { $rail }
 peak-falls = the peak at { $wavelength } mm, { $levels } dB re 1 µm, falls every time: a fixed wavelength that fades, as a grinding mark does, and not growing corrugation
 peak-rises = the peak at { $wavelength } mm, { $levels } dB re 1 µm, rises every time: it grows under traffic
 peak-stays = the peak at { $wavelength } mm, { $levels } dB re 1 µm, neither rises nor falls every time
-sections-over-levels = by themselves { $over } of { $all } sections of { $length } m are over it, at worst { $from }–{ $to } m by { $decibels } dB at { $wavelength } mm
+sections-over-levels = by themselves { $over } of { $all } sections of { $length } m are over it, at worst { $place } by { $decibels } dB at { $wavelength } mm
 rail-named = rail { $name }
 verdict-within = { $edition }: within the limit, { $rest }
 verdict-over = { $edition }: over the limit, { $rest }
@@ -1035,8 +1035,12 @@ bands-over = { $count } of { $all } bands, at worst by { $decibels } dB at { $wa
 measured-bands-over = { $count } of { $measured } bands that were measured, of { $all }, at worst by { $decibels } dB at { $wavelength } mm
 share-of-band = { $band } mm { $share } %
 length-may-be-over = { $allowed } % of the length may be over
+rail-on-stretch = { $rail }, stretch { $stretch }
+stretch-named = stretch { $stretch }
+place-on-stretch = { $from }–{ $to } m on stretch { $stretch }
+place-from-to = { $from }–{ $to } m
 no-section-over = { $allowed } % of any { $length } m may be over, and none of { $all } sections is more
-sections-over = { $allowed } % of any { $length } m may be over, and { $over } of { $all } sections are more, at worst { $from }–{ $to } m with { $share } % at { $band } mm, up to { $ratio } times the limit
+sections-over = { $allowed } % of any { $length } m may be over, and { $over } of { $all } sections are more, at worst { $place } with { $share } % at { $band } mm, up to { $ratio } times the limit
 no-header = no header
 header-of-one-line = a header of one line
 header-of-lines = a header of { $count } lines
@@ -1144,8 +1148,8 @@ rows-after-jump = { $count ->
        *[other] { $count } rows after a longer gap or jump, { $length } m in all, where the record is divided
     }
 rows-go-back = { $count ->
-        [one] 1 row where the position goes back, at which the record is divided
-       *[other] { $count } rows where the position goes back, at which the record is divided
+        [one] 1 row where the position goes back, at which the record is divided into two stretches
+       *[other] { $count } rows where the position goes back, at each of which the next stretch of the record begins
     }
 rows-behind = { $count ->
         [one] 1 row behind the row before left out
@@ -1193,6 +1197,7 @@ it-is-empty = it is empty
 it-is-no-signal = it is no acceleration, speed, odometer or time
 it-is-text = it is text
 it-is-second = one before it is of the same kind
+speed-tells-the-place = places follow from { KEY("--speed") }
 channel-left-out = { $channel } is left out: { $reason }
 it-is-geometry = it is geometry of the track
 it-is-a-statistic = it is a limit or a statistic, no measured rail
@@ -1493,6 +1498,7 @@ rate-in-per-cent = { $rate } %
 rate-of-interest = zero or more and below 100 %
 is-with-thousands-apart = is { $value }, with its thousands apart: write digits alone and a decimal point, as in 9000 or 9000.5
 is-perhaps-in-thousands = is { $value }, which may be { $thousands } or { $plain }: write it as one of the two
+is-with-a-multiple = is { $value }, but must have all its digits: write { $plain }
 is-with-a-comma = is { $value }, with a comma: write a decimal point, as in { $plain }
 number-of-a-sum = a number such as 9000
 sum-of-zero-or-more = a sum of zero or more in { $currency }, as cost.grinding is
@@ -1535,16 +1541,17 @@ give-traffic-of-the-program = give { KEY("--traffic") } TRAFFIC
 errors-are-zero = the errors of the data are zero within rounding
 is-set-but-belongs-to-kinds = is set, but belongs to { $kinds }, not to { $kind }
 unused-columns = { $file } has columns that are not used: { $columns }
-repeats-line = says what line { $line } says already: a row that is there twice would count twice
+repeats-line = repeats line { $line }: a row that is there twice would count twice
 two-errors-of-a-rate = has both `standard_error_ln` and `standard_error_db_per_m`, but an error must have one
-too-few-passages = `passages` has { $passages } from the first date to the last, but must have { $least } or more: in fewer no rail changes; are they millions?
+too-few-passages = `passages` rises by { $passages } in all, but must rise by { $least } or more: in fewer no rail changes; are they millions?
 lines-are-taken-together = the { $lines } lines of { $file } are taken together to { $bands } means of neighbours, narrow where the response bends
-ground-between-dates = before the date of { $passages } passages in { $file } all bands fall by more than { $fall } dB: the rail was ground, and growth begins anew there; earlier dates are left out
-only-ground = the rail was ground before the date of { $passages } passages, for all bands fall by more than { $fall } dB, and no later date tells of growth; measure once more, or leave this date out
+ground-between-dates = before the date of { $passages } passages in { $file } the bands fall by more than { $fall } dB: the rail was ground, and growth begins anew there; earlier dates are left out
+only-ground = the rail was ground before the date of { $passages } passages, for its bands fall by more than { $fall } dB, and no later date tells of growth; measure once more, or leave this date out
 no-coherence = { $file } has no column `coherence`: every line is taken as good to 5 %
 is-kind-but-decay-rates-take-bands = is "{ $kind }", but decay rates take "band": their bands are independent
 give-the-speed-of-the-run = give the speed of the run, as in speed = "100 km/h"
-date-of-a-run = "first", "last" or the passages since the first date
+date-of-a-run = "first", "last" or the passages since the first date of the levels
+run-since-first-date = at_date is taken as { $since } passages since the first date of the levels, { $counted } as their table counts
 date-that-is-there = "first", "last" or one of the dates, { $dates } passages since the first
 is-date-of-too-few = is { $date }, but the plan has no dated levels of three dates or more: without one of two nothing tells of growth
 is-place-of-too-few = is { $place }, but the plan has no frequency responses at two places or more

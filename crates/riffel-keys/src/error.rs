@@ -2,7 +2,7 @@
 
 use std::fmt::{self, Display};
 use std::io;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use miette::{Diagnostic, LabeledSpan, NamedSource, SourceCode, SourceSpan};
@@ -142,6 +142,11 @@ impl Diagnostic for CaseError {
     }
 }
 
+/// A path without the folder that is meant anyway: `millions.csv` for `./millions.csv`.
+fn shown(path: &Path) -> std::path::Display<'_> {
+    path.strip_prefix(".").unwrap_or(path).display()
+}
+
 impl CaseError {
     /// What is wrong.
     pub fn message(&self) -> Message {
@@ -179,7 +184,7 @@ impl CaseError {
                 ..
             } => say!(
                 place_and_fault,
-                place = path.display(),
+                place = shown(path),
                 fault = message.clone()
             ),
             Self::Data {
@@ -189,7 +194,7 @@ impl CaseError {
                 ..
             } => say!(
                 line_and_fault,
-                path = path.display(),
+                path = shown(path),
                 line = *line,
                 fault = message.clone()
             ),

@@ -6,7 +6,7 @@ use crate::{Message, say};
 ///
 /// # Errors
 /// What is wrong with the number, a rule that goes on after the name of the sum: it may be thousands (`9.000`, `9,000`), its
-/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, or it is none.
+/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, it counts thousands or millions (`9 k EUR`), or it is none.
 pub fn read(text: &str) -> Result<(f64, &str), Message> {
     let text = text.trim();
     let (number, behind) = text.split_at(end_of_number(text));
@@ -46,13 +46,44 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
         ));
     }
     match number.parse() {
-        Ok(sum) if f64::is_finite(sum) => Ok((sum, behind.trim_start())),
+        Ok(sum) if f64::is_finite(sum) => match multiple(behind.trim_start()) {
+            None => Ok((sum, behind.trim_start())),
+            Some((times, currency)) => Err(say!(
+                is_with_a_multiple,
+                value = value(),
+                plain = format!("{} {currency}", times * sum).trim_end()
+            )),
+        },
         _ => Err(say!(
             is_but_must_be,
             value = value(),
             rule = say!(number_of_a_sum)
         )),
     }
+}
+
+/// How much a word before a currency multiplies a sum by, and the currency: `k EUR`, `TEUR`, `Mio. €`.
+fn multiple(behind: &str) -> Option<(f64, &str)> {
+    const CURRENCIES: [&str; 12] = [
+        "EUR", "€", "CHF", "GBP", "£", "USD", "$", "SEK", "NOK", "DKK", "PLN", "CZK",
+    ];
+    const WORDS: [(f64, &[&str]); 2] = [
+        (1e3, &["k", "K", "T", "Tsd", "tsd", "thousand"]),
+        (
+            1e6,
+            &["M", "Mio", "mio", "Mill", "mn", "million", "millions"],
+        ),
+    ];
+    WORDS.into_iter().find_map(|(times, words)| {
+        words.iter().find_map(|word| {
+            let rest = behind.strip_prefix(word)?;
+            let rest = rest.strip_prefix('.').unwrap_or(rest);
+            let is_word = rest.is_empty() || rest.starts_with(char::is_whitespace);
+            let rest = rest.trim_start();
+            let is_joined = CURRENCIES.iter().any(|own| rest.starts_with(own));
+            (is_word || is_joined).then_some((times, rest))
+        })
+    })
 }
 
 /// True for what stands between thousands alone: blanks of any width, apostrophes and underscores.
@@ -101,6 +132,24 @@ mod tests {
             ("60000EUR", 60e3, "EUR"),
         ] {
             assert_eq!(read(text), Ok((sum, currency)), "{text}");
+        }
+    }
+
+    #[test]
+    fn thousands_and_millions_are_no_currency() {
+        for (text, plain) in [
+            ("9 k EUR", "9000 EUR"),
+            ("9kEUR", "9000 EUR"),
+            ("9.5 TEUR", "9500 EUR"),
+            ("1.2 Mio. €", "1200000 €"),
+            ("2 million", "2000000"),
+            ("9 k", "9000"),
+        ] {
+            let rule = read(text).unwrap_err().to_string();
+            assert!(rule.contains(plain), "{text}: {rule}");
+        }
+        for text in ["9 kr", "9 MXN", "9 TRY", "9 Kč", "9 EUR/m"] {
+            assert!(read(text).is_ok(), "{text}");
         }
     }
 

@@ -21,7 +21,7 @@ const PART: &str = "year|jahr|messjahr|année|annee|año|anno|jaar|år|rok|month
 /// Words for one of several measurements, which may be called by its date.
 const OCCASION: &str = "survey|surveys|campaign|kampagne|campagne|campaña|campagna|measured|measurement|gemessen|messung|mesuré|\
                         mesure|medido|misurato|when|wann|quand|cuando|quando|recorded|recording|aufgenommen|aufnahme|inspection|\
-                        befahrung|inspektion|zeitpunkt";
+                        befahrung|inspektion|zeitpunkt|run|runs|fahrt|messfahrt|lauf|messlauf";
 /// Words for what has a date besides the measurement.
 const OTHER: &str = "built|build|installed|installation|laid|commissioned|renewed|renewal|ground|grinding|manufactured|\
                      calibrated|calibration|processed|exported|printed|einbau|einbaudatum|verlegt|baujahr|schliff|geschliffen|\

@@ -10,7 +10,8 @@ use crate::{LabelledSpectrum, Survey};
 
 /// Words for an instrument at the head of a column.
 const DEVICE: &str = "device|instrument|trolley|gerät|geraet|messgerät|messgeraet|messsystem|appareil|équipement|equipo|aparato|\
-                      dispositivo|strumento|apparecchio|toestel|serial|seriennummer";
+                      dispositivo|strumento|apparecchio|toestel|serial|seriennummer|operator|bediener|opérateur|operador|operatore|\
+                      probe|sonde|sonda|sensor|taster";
 
 impl Survey {
     /// The column of the instruments.

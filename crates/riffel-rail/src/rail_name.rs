@@ -19,7 +19,8 @@ pub fn name_in_words(name: &str) -> Message {
 
 /// A rail in a sentence.
 pub fn rail_in_words(name: &str) -> Message {
-    match name.starts_with("rail") || name.starts_with("column") {
+    let names_itself = |word: &String| is_one_of(word, "rail|rails|schiene|column");
+    match name.starts_with("rail") || words(name).iter().any(names_itself) {
         true => Message::verbatim(name),
         false => say!(rail_named, name = name_in_words(name)),
     }

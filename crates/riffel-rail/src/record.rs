@@ -353,7 +353,12 @@ impl RailReader<'_> {
         let spacing = self.chainage.spacing;
         let (mut profiles, mut dropped) = (Vec::new(), 0.0);
         let longest_fill = (LONGEST_FILLED / spacing).round() as usize;
-        for stretch in &self.chainage.stretches {
+        // By rising position, but for places that go back.
+        let mut stretches: Vec<&Stretch> = self.chainage.stretches.iter().collect();
+        if self.chainage.falling {
+            stretches.reverse();
+        }
+        for stretch in stretches {
             let (start, heights) = self.assemble(stretch);
             for (first, heights) in filled(heights, longest_fill) {
                 let length = heights.len() as f64 * spacing;
@@ -389,7 +394,6 @@ impl RailReader<'_> {
             remarks.push(self.about(said));
         }
         self.remark_missing(longest_fill, &mut remarks);
-        profiles.sort_by(|a, b| a.start().total_cmp(&b.start()));
         Ok((profiles, remarks))
     }
 

@@ -1,6 +1,6 @@
 //! Roughness felt by axle boxes as data.
 
-use riffel::roughness::{GrindSection, line_length};
+use riffel::roughness::{GrindSection, RailAnalysis, line_length};
 use serde::Serialize;
 
 use super::{AxleBoxAnswer, AxleBoxRail, WheelMark};
@@ -53,16 +53,20 @@ struct Section {
     band_from_m: f64,
     band_to_m: f64,
     rms_over_limit: f64,
+    /// Which of the stretches that lie over each other, where places go back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<usize>,
 }
 
-impl From<&GrindSection> for Section {
-    fn from(section: &GrindSection) -> Self {
+impl Section {
+    fn new(section: &GrindSection, analysis: &RailAnalysis) -> Self {
         Self {
             from_m: section.from,
             to_m: section.to,
             band_from_m: section.band.from(),
             band_to_m: section.band.to(),
             rms_over_limit: section.ratio,
+            stretch: analysis.stretch_to_name(section.stretch),
         }
     }
 }
@@ -105,7 +109,9 @@ fn rail(answer: &AxleBoxRail) -> RailDocument<'_> {
         bands: bands(&rail.name, &analysis.bands),
         verdicts: &rail.verdicts,
         defects: DefectDocument::all(&rail.name, &analysis.defects),
-        grind: rail.sections.iter().map(Section::from).collect(),
+        grind: (rail.sections.iter())
+            .map(|section| Section::new(section, analysis))
+            .collect(),
         grind_share_of_length: line_length(analysis.measured_within(&rail.sections))
             / analysis.length(),
     }

@@ -7,7 +7,7 @@ use riffel_keys::{Language, Message, Value, fixed, number, say};
 use riffel_plot::{Arrangement, ChainageUnit, LineFigure, LinePanel, OKABE_ITO, PlotError, Series};
 use riffel_rail::{Limit, LimitTable, Record, name_in_words};
 
-use super::page::{Section, figure, list, said, sentence, table, texts};
+use super::page::{Section, escape, figure, list, said, sentence, table, texts};
 use crate::roughness::figure::position_axis;
 use crate::roughness::{ProfileAnswer, SpectraAnswer, Verdict, band_row, grind_row};
 
@@ -248,14 +248,15 @@ pub(super) fn grind(report: &ProfileAnswer, language: Language) -> Section {
     }
     let sections = report.sections();
     if sections.is_empty() {
-        let nothing = sentence(&say!(no_band_over_its_limit), language);
+        let nothing = sentence(&report.nothing_to_grind(), language);
         return Section::There(heading, format!("<p>{nothing}</p>\n"));
     }
     let rows = sections.iter().take(GRIND_ROWS).enumerate();
     let rows: Vec<Vec<String>> = rows
         .map(|(index, (rail, section))| {
-            let name = said(&name_in_words(&rail.name), language);
-            numbers(&name, grind_row(index, "", section), 1, language)
+            let row = grind_row(index, rail, section, language);
+            let name = escape(&row[1]);
+            numbers(&name, row, 1, language)
         })
         .collect();
     let heads = [

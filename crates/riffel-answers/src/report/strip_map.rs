@@ -52,8 +52,8 @@ pub(super) fn strip_map(
         for stretch in &rail.analysis.stretches {
             bar(&mut svg, top + 16.0, 12.0, *stretch, "fill=\"#cfd6dd\"");
         }
-        for part in rail.analysis.measured_within(&rail.sections) {
-            bar(&mut svg, top + 16.0, 12.0, part, "fill=\"#c8442c\"");
+        for (_, from, to) in rail.analysis.measured_within(&rail.sections) {
+            bar(&mut svg, top + 16.0, 12.0, (from, to), "fill=\"#c8442c\"");
         }
         for defect in &rail.analysis.defects {
             let part = (defect.from, defect.to);

@@ -94,6 +94,9 @@ struct Section {
     band_from_m: f64,
     band_to_m: f64,
     rms_over_limit: f64,
+    /// Which of the stretches that lie over each other, where places go back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<usize>,
 }
 
 #[derive(Serialize)]
@@ -181,6 +184,7 @@ impl Grind {
                     band_from_m: section.band.from(),
                     band_to_m: section.band.to(),
                     rms_over_limit: section.ratio,
+                    stretch: rail.analysis.stretch_to_name(section.stretch),
                 })
                 .collect(),
             total_m: total,

@@ -231,10 +231,11 @@ impl ProfileAnswer {
     /// Length of line where a rail is to be ground \[m\], and its share of the line that was measured.
     pub(crate) fn line_to_grind(&self) -> (f64, f64) {
         let sections = self.rails.iter().flat_map(|rail| &rail.sections);
-        let total = line_length(sections.map(|section| (section.from, section.to)));
+        let total =
+            line_length(sections.map(|section| (section.stretch, section.from, section.to)));
         let rails = || self.rails.iter();
         let ground = rails().flat_map(|rail| rail.analysis.measured_within(&rail.sections));
-        let measured = rails().flat_map(|rail| rail.analysis.stretches.iter().copied());
+        let measured = rails().flat_map(|rail| rail.analysis.numbered_stretches());
         (total, line_length(ground) / line_length(measured))
     }
 
@@ -242,6 +243,15 @@ impl ProfileAnswer {
     pub fn knows_what_to_grind(&self) -> bool {
         let mut bands = self.rails.iter().flat_map(|rail| &rail.analysis.bands);
         bands.any(|band| band.limit.is_some())
+    }
+
+    /// That nothing is to be ground, with the limit from which that follows.
+    pub fn nothing_to_grind(&self) -> Message {
+        let edition = self.verdicts().find_map(Verdict::edition_of_rms);
+        say!(
+            no_band_over_its_limit,
+            edition = edition.unwrap_or_default()
+        )
     }
 
     /// What was taken out of all rails.

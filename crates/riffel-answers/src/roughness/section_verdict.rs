@@ -19,6 +19,9 @@ pub struct SectionVerdict {
     rail: String,
     from_m: f64,
     to_m: f64,
+    /// Which of the stretches that lie over each other, where places go back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<usize>,
     /// Whether it is within every limit.
     within: bool,
     /// How far its worst band is above its limit of levels, and that band.
@@ -61,36 +64,40 @@ impl SectionVerdict {
         });
         let judged = analysis.judged_sections();
         let spectra = analysis.section_spectra.iter();
-        let mut ends: Vec<[f64; 2]> = spectra
-            .map(|section| [section.from, section.to])
-            .chain(judged.iter().map(|section| [section.from, section.to]))
+        let mut ends: Vec<(usize, f64, f64)> = spectra
+            .map(|section| (section.stretch, section.from, section.to))
+            .chain((judged.iter()).map(|section| (section.stretch, section.from, section.to)))
             .collect();
-        ends.sort_by(|one, other| one[0].total_cmp(&other[0]));
+        ends.sort_by(|one, other| one.0.cmp(&other.0).then(one.1.total_cmp(&other.1)));
         ends.dedup();
         if let ([], Some(first), Some(last)) = (
             &ends[..],
             analysis.stretches.first(),
             analysis.stretches.last(),
         ) {
-            ends.push([first.0, last.1]);
+            ends.push((1, first.0, last.1));
         }
         let is_only = ends.len() == 1;
         ends.into_iter()
-            .map(|[from, to]| {
+            .map(|(stretch, from, to)| {
                 let spectra = analysis.section_spectra.iter();
-                let own = spectra.map(|section| (section.from, &section.spectrum));
+                let own = spectra.map(|section| (section.stretch, section.from, &section.spectrum));
                 // The levels of a record of one section are those of the section.
-                let own = own.chain(is_only.then_some((from, &analysis.spectrum)));
-                let spectrum = own.into_iter().find(|(begin, _)| *begin == from);
-                let judged = judged.iter().find(|section| section.from == from);
+                let own = own.chain(is_only.then_some((stretch, from, &analysis.spectrum)));
+                let spectrum = own
+                    .into_iter()
+                    .find(|(number, begin, _)| (*number, *begin) == (stretch, from));
+                let judged = (judged.iter())
+                    .find(|section| (section.stretch, section.from) == (stretch, from));
                 let ground = analysis.measured_within(grind).into_iter();
-                let ground = ground.map(|(low, high)| (high.min(to) - low.max(from)).max(0.0));
+                let ground = ground.filter(|(number, ..)| *number == stretch);
+                let ground = ground.map(|(_, low, high)| (high.min(to) - low.max(from)).max(0.0));
                 let known = Judged {
-                    levels: spectrum.and_then(|(_, spectrum)| excess(spectrum, limits)),
+                    levels: spectrum.and_then(|(.., spectrum)| excess(spectrum, limits)),
                     rms: judged.zip(rms),
                     grind: ground.sum(),
                 };
-                Self::new(rail, [from, to], &known)
+                Self::new(rail, [from, to], &known).on(analysis.stretch_to_name(stretch))
             })
             .collect()
     }
@@ -105,6 +112,7 @@ impl SectionVerdict {
             rail: rail.to_owned(),
             from_m: from,
             to_m: to,
+            stretch: None,
             within: over == 0,
             excess_db: known.levels.map(|(excess, _)| excess),
             wavelength_m: known.levels.map(|(_, band)| band.wavelength()),
@@ -116,6 +124,15 @@ impl SectionVerdict {
             sentence: sentence.unwrap_or_else(|| "".into()),
             over,
         }
+    }
+
+    /// The same, with the stretch named where there are several at the same places.
+    fn on(mut self, stretch: Option<usize>) -> Self {
+        if let Some(stretch) = stretch {
+            let named = say!(stretch_named, stretch = number(stretch));
+            self.sentence = self.sentence.about(named);
+        }
+        Self { stretch, ..self }
     }
 
     /// Sort the worst first: over the most limits, then the furthest above its limit of levels, then on the largest share
@@ -293,7 +310,11 @@ mod tests {
                 .starts_with("within the limits, but 10.0 m to grind:")
         );
         assert!(
-            within.within && within.sentence.to_string() == "within the limits, nothing to grind"
+            within.within
+                && within
+                    .sentence
+                    .to_string()
+                    .starts_with("within the limits; nothing")
         );
     }
 

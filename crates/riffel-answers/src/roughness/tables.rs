@@ -86,11 +86,25 @@ pub(crate) fn grind_csv<'a>(
     file: &mut impl Write,
 ) -> io::Result<()> {
     let mut writer = csv::Writer::from_writer(file);
-    writer.write_record(["rail", "from_m", "to_m", "worst_band_mm", "rms_over_limit"])?;
+    writer.write_record([
+        "rail",
+        "from_m",
+        "to_m",
+        "worst_band_mm",
+        "rms_over_limit",
+        "stretch",
+    ])?;
     for rail in rails {
         for section in &rail.sections {
             let band = name(&section.band);
-            writer.serialize((&rail.name, section.from, section.to, band, section.ratio))?;
+            writer.serialize((
+                &rail.name,
+                section.from,
+                section.to,
+                band,
+                section.ratio,
+                section.stretch,
+            ))?;
         }
     }
     writer.flush()

@@ -8,7 +8,7 @@ use riffel_keys::{Message, Value, fixed, number, say};
 use riffel_rail::{Limit, LimitTable};
 use serde::Serialize;
 
-use super::words::name;
+use super::words::{name, place_in_words};
 
 /// What a limit table says of a record.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -50,6 +50,9 @@ pub(crate) struct SectionOver {
     band_m: [f64; 2],
     share_over_limit: f64,
     rms_over_limit: f64,
+    /// Which of the stretches that lie over each other, where places go back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<usize>,
 }
 
 /// A section whose levels are over a limit.
@@ -60,6 +63,9 @@ pub(crate) struct SectionOverLevels {
     excess_db: f64,
     /// Of the band that is farthest over it.
     wavelength_m: f64,
+    /// Which of the stretches that lie over each other, where places go back.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    stretch: Option<usize>,
 }
 
 impl SectionOverLevels {
@@ -73,6 +79,7 @@ impl SectionOverLevels {
                 to_m: section.to,
                 excess_db: worst.excess(),
                 wavelength_m: worst.band.wavelength(),
+                stretch: analysis.stretch_to_name(section.stretch),
             })
         });
         let mut sections: Vec<Self> = sections.collect();
@@ -92,8 +99,7 @@ impl SectionOverLevels {
             over = number(over.len()),
             all = number(all),
             length = fixed(JUDGED_LENGTH, 0),
-            from = fixed(worst.from_m, 0),
-            to = fixed(worst.to_m, 0),
+            place = place_in_words(worst.from_m, worst.to_m, worst.stretch),
             decibels = fixed(worst.excess_db, 1),
             wavelength = number(wavelength.map_or(0.0, ThirdOctave::nominal_millimetres))
         );
@@ -107,14 +113,15 @@ pub(super) fn worst_band(compared: &[LevelExcess]) -> Option<&LevelExcess> {
     bands.max_by(|a, b| a.excess().total_cmp(&b.excess()))
 }
 
-impl From<&JudgedSection> for SectionOver {
-    fn from(section: &JudgedSection) -> Self {
+impl SectionOver {
+    fn new(section: &JudgedSection, analysis: &RailAnalysis) -> Self {
         Self {
             from_m: section.from,
             to_m: section.to,
             band_m: [section.band.from(), section.band.to()],
             share_over_limit: section.share,
             rms_over_limit: section.ratio,
+            stretch: analysis.stretch_to_name(section.stretch),
         }
     }
 }
@@ -163,6 +170,11 @@ impl Verdict {
                 false => say!(verdict_over, edition = edition, rest = rest),
             },
         }
+    }
+
+    /// The edition of a table of RMS.
+    pub(crate) fn edition_of_rms(&self) -> Option<&str> {
+        self.share_over_limit.map(|_| &*self.edition)
     }
 
     /// The verdict with the name of what it is on in front, where that is named.
@@ -277,8 +289,11 @@ impl Verdict {
                 length = length,
                 over = number(over.len()),
                 all = all,
-                from = fixed(worst.from, 0),
-                to = fixed(worst.to, 0),
+                place = place_in_words(
+                    worst.from,
+                    worst.to,
+                    analysis.stretch_to_name(worst.stretch)
+                ),
                 share = fixed(100.0 * worst.share, 0),
                 band = name(&worst.band),
                 ratio = fixed(worst.ratio, 1)
@@ -292,7 +307,7 @@ impl Verdict {
             rms_over_limit: Some(ratios.fold(0.0, f64::max)),
             sections_over_limit: over
                 .iter()
-                .map(|section| SectionOver::from(*section))
+                .map(|section| SectionOver::new(section, analysis))
                 .collect(),
             ..Self::new(
                 table,

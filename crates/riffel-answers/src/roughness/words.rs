@@ -1,7 +1,7 @@
 //! What was computed of a profile, in words.
 
 use riffel::roughness::{BandSummary, GrindSection, WavelengthBand};
-use riffel_keys::{Message, Value, decimal, fixed, number, say};
+use riffel_keys::{Language, Message, Value, decimal, fixed, number, say};
 use riffel_rail::name_in_words;
 
 use super::{ProfileAnswer, RailAnswer};
@@ -94,17 +94,49 @@ pub fn band_row(rail: &str, band: &BandSummary) -> [String; 8] {
     ]
 }
 
-/// A section in the table of a reader: number, rail, places and length \[m\], worst band and its ratio.
-pub fn grind_row(index: usize, rail: &str, section: &GrindSection) -> [String; 7] {
+/// A section in the table of a reader: number, rail and where places go back its stretch, places and length \[m\], worst band and its
+/// ratio.
+pub fn grind_row(
+    index: usize,
+    rail: &RailAnswer,
+    section: &GrindSection,
+    language: Language,
+) -> [String; 7] {
+    let place = name_and_stretch(rail, section.stretch, language);
     [
         format!("{}", index + 1),
-        rail.to_owned(),
+        place,
         decimal(section.from, 2),
         format!("{:.2}", section.to),
         format!("{:.2}", section.length()),
         name(&section.band),
         format!("{:.2}", section.ratio),
     ]
+}
+
+/// Name of a rail, and where places go back the number of a stretch of it.
+fn name_and_stretch(rail: &RailAnswer, stretch: usize, language: Language) -> String {
+    let name = name_in_words(&rail.name).text(language);
+    match rail.analysis.stretch_to_name(stretch) {
+        Some(stretch) => {
+            say!(rail_on_stretch, rail = name, stretch = number(stretch)).text(language)
+        }
+        None => name,
+    }
+}
+
+/// From where to where \[m\], and on which stretch where places go back.
+pub(super) fn place_in_words(from: f64, to: f64, stretch: Option<usize>) -> Message {
+    let (from, to) = (fixed(from, 0), fixed(to, 0));
+    match stretch {
+        Some(stretch) => say!(
+            place_on_stretch,
+            from = from,
+            to = to,
+            stretch = number(stretch)
+        ),
+        None => say!(place_from_to, from = from, to = to),
+    }
 }
 
 /// A band in millimetres.

@@ -4,7 +4,8 @@ use std::f64::consts::{LN_10, TAU};
 use std::path::{Component, Path, PathBuf};
 
 use riffel::Complex64;
-use riffel::roughness::{Profile, WaveGrowth, WaveGrowths};
+use riffel::diagnosis::{FALL_BY_GRINDING, fall_of_bands, first_since_ground};
+use riffel::roughness::{Profile, Spectrum, WaveGrowth, WaveGrowths};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message, say};
 use riffel_rail::{Layout, RoughnessFile};
@@ -61,9 +62,10 @@ struct Line {
     wave: WaveGrowth,
 }
 
-/// Profiles of a table: passages since the first date, file and profile, by date.
+/// Profiles of a table: passages since the first date and as they are counted, file and profile, by date.
 struct Dated {
     passages: f64,
+    counted: f64,
     path: PathBuf,
     profile: Profile,
 }
@@ -78,12 +80,13 @@ impl DatedProfiles {
         (view, case): (usize, &Case),
         comparison: &Comparison<'_>,
     ) -> Result<(Self, Vec<Message>, Vec<PathBuf>), CaseError> {
-        let dated = profiles(path, comparison.rail)?;
+        let window = [case.wavelength.min(), case.wavelength.max()];
+        let (dated, remark) = since_ground(path, profiles(path, comparison.rail)?, window[1])?;
         let [first, later @ ..] = &dated[..] else {
             return Err(CaseError::data(path, "has no rows"));
         };
-        let window = [case.wavelength.min(), case.wavelength.max()];
-        let (mut lines, mut remarks, mut seen) = (Vec::new(), Vec::new(), None);
+        let (mut lines, mut seen) = (Vec::new(), None);
+        let mut remarks: Vec<Message> = remark.into_iter().collect();
         for date in later {
             let found = WaveGrowths::between(&first.profile, &date.profile, window);
             let found = found.map_err(|error| CaseError::data(&date.path, error.to_string()))?;
@@ -224,6 +227,7 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
         let profile = profile(&path, rail)?;
         dated.push(Dated {
             passages,
+            counted: passages + begins,
             path,
             profile,
         });
@@ -235,6 +239,43 @@ fn profiles(path: &Path, rail: Option<&str>) -> Result<Vec<Dated>, CaseError> {
         return Err(CaseError::data(path, rule));
     }
     Ok(dated)
+}
+
+/// The profiles since the rail was last ground, with passages since the first of them, and what to say of it.
+fn since_ground(
+    table: &Path,
+    mut dated: Vec<Dated>,
+    longest: f64,
+) -> Result<(Vec<Dated>, Option<Message>), CaseError> {
+    let spectrum = |date: &Dated| {
+        let levels = Spectrum::of_record(std::slice::from_ref(&date.profile), longest);
+        levels.map_err(|error| CaseError::data(&date.path, error.to_string()))
+    };
+    let spectra: Vec<Spectrum> = dated.iter().map(spectrum).collect::<Result<_, _>>()?;
+    let falls = spectra.windows(2).map(|pair| {
+        let bands = pair[0].levels().iter();
+        fall_of_bands(bands.filter_map(|before| Some(before.level - pair[1].level(before.band)?)))
+    });
+    let since = first_since_ground(falls);
+    if since == 0 {
+        return Ok((dated, None));
+    }
+    let last = since + 1 == dated.len();
+    dated.drain(..since);
+    let before = dated[0].passages;
+    let counted = dated[0].counted;
+    if last {
+        let ground = say!(only_ground, passages = counted, fall = FALL_BY_GRINDING);
+        return Err(CaseError::data(table, ground));
+    }
+    dated.iter_mut().for_each(|date| date.passages -= before);
+    let said = say!(
+        ground_between_dates,
+        file = table.display().to_string(),
+        passages = counted,
+        fall = FALL_BY_GRINDING
+    );
+    Ok((dated, Some(said)))
 }
 
 /// The longest stretch without gaps of a rail in a file.

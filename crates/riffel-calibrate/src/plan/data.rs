@@ -432,6 +432,12 @@ impl Reading<'_> {
                 return Err(self.invalid(index, "at_date", rule, ""));
             }
         };
+        let begins = dated.begins - dated.before;
+        if let (Some(Value::Integer(_) | Value::Float(_)), true) = (&data.at_date, begins != 0.0) {
+            let (since, counted) = (passages + dated.before, passages + dated.begins);
+            let said = say!(run_since_first_date, since = since, counted = counted);
+            self.remarks.push(said.about(&data.file));
+        }
         let common_error = self.decibels(index, 0.5)?;
         let missed = self.discrepancy(index)?;
         let view = self.view(index)?;

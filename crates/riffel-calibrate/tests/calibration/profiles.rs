@@ -151,6 +151,46 @@ fn the_direction_of_travel_turns_the_drift() {
     assert_eq!(2 * count(&alone), count(&rising));
 }
 
+/// A rail that was ground before the second date, to a third: growth is that since then; before the third nothing is known of it.
+#[test]
+fn growth_of_profiles_begins_anew_where_the_rail_was_ground() {
+    let grown = rail(&truth(), 3, 0.1);
+    let ground = |from: usize| -> Vec<Vec<f64>> {
+        let cut = |(date, heights): (usize, &Vec<f64>)| {
+            let factor = if date >= from { 1.0 / 3.0 } else { 1.0 };
+            heights.iter().map(|height| factor * height).collect()
+        };
+        grown.iter().enumerate().map(cut).collect()
+    };
+    let to = TempDir::new().unwrap();
+    let since = plan(to.path(), &ground(1), "").unwrap();
+    let told: Vec<String> = since.remarks.iter().map(ToString::to_string).collect();
+    let told = told.join("\n");
+    assert!(
+        told.contains("before the date of 3000000 passages") && told.contains("was ground"),
+        "{told}"
+    );
+    let all = plan(to.path(), &grown, "").unwrap();
+    let count = |plan: &Plan| plan.posterior.observed()[0].len();
+    assert!(
+        3 * count(&since) < 2 * count(&all),
+        "{} {}",
+        count(&since),
+        count(&all)
+    );
+    // A wear coefficient of the truth is likelier than none.
+    let at = |coefficient: f64| {
+        let likelihood = since.posterior.log_likelihood(&[240e6, coefficient, 1e-6]);
+        likelihood.unwrap()[0].1
+    };
+    assert!(at(2.5e-9) > at(2.5e-12) + 5.0);
+    let refusal = plan(to.path(), &ground(2), "").map(|_| ()).unwrap_err();
+    assert!(
+        refusal.contains("no later date tells of growth"),
+        "{refusal}"
+    );
+}
+
 #[test]
 fn profiles_that_cannot_be_used_are_said() {
     let rails = rail(&truth(), 5, 0.1);

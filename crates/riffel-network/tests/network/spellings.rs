@@ -65,7 +65,7 @@ const DATES: [([&str; 2], Option<&str>); 36] = [
 ];
 
 /// Heads of a column of dates, besides `date`, with how it is written there.
-const HEADS_OF_DATES: [(&str, [&str; 2], Option<&str>); 14] = [
+const HEADS_OF_DATES: [(&str, [&str; 2], Option<&str>); 17] = [
     ("Datum", ["45809", "46174"], Some("2026-06-01")),
     (
         "Messdatum",
@@ -84,6 +84,9 @@ const HEADS_OF_DATES: [(&str, [&str; 2], Option<&str>); 14] = [
     ("year", ["2025", "2026"], None),
     ("Jahr", ["2025", "2026"], None),
     ("KW", ["22", "23"], None),
+    ("run", ["2025", "2026"], None),
+    ("run", ["45809", "46174"], Some("2026-06-01")),
+    ("Messfahrt", ["2025.42", "2026.42"], None),
 ];
 
 /// The last date of a table of levels, of profiles below each other, and of blocks; or what is said of the column.

@@ -162,10 +162,6 @@ impl<T> Signals<T> {
         let why = why_no_rail(&names);
         let mut kept = why.iter().map(Option::is_none);
         self.channels.retain(|_| kept.next().unwrap_or(true));
-        let left_out = |name: &str, reason: Message| {
-            let channel = format!("`{name}`");
-            say!(channel_left_out, channel = channel, reason = reason).to_string()
-        };
         let others = names.iter().zip(why);
         let others = others.filter_map(|(name, why)| Some(left_out(name, why?)));
         let seconds = self.seconds.drain(..);
@@ -177,9 +173,21 @@ impl<T> Signals<T> {
         }
     }
 
-    /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any.
-    pub(super) fn place(&mut self, given: Option<f64>) -> Option<Places<T>> {
+    /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any. `remarks` are told of
+    /// signals that a given speed takes the place of, by `name`.
+    pub(super) fn place(
+        &mut self,
+        given: Option<f64>,
+        name: impl Fn(&T) -> String,
+        remarks: &mut Vec<String>,
+    ) -> Option<Places<T>> {
         let (odometer, speed) = (self.odometer.take(), self.speed.take());
+        if given.is_some() {
+            let told = odometer.iter().chain(&speed);
+            remarks.extend(
+                told.map(|(signal, _)| left_out(&name(signal), say!(speed_tells_the_place))),
+            );
+        }
         let odometer = odometer.map(|signal| (signal, PlaceBy::Odometer));
         let speed = speed.map(|signal| (signal, PlaceBy::Speed));
         let mut told = match given {
@@ -200,6 +208,12 @@ impl<T> Signals<T> {
             witness_by,
         })
     }
+}
+
+/// That a channel is left out, and why.
+pub(super) fn left_out(name: &str, reason: Message) -> String {
+    let channel = format!("`{name}`");
+    say!(channel_left_out, channel = channel, reason = reason).to_string()
 }
 
 /// What tells the place, and what else does, each with the SI units in one of its own.

@@ -203,7 +203,8 @@ impl AxleBoxTable {
         let at_head = |message| Refusal::new(Some(table.header_lines), message);
         let mut remarks = remarks.map_err(at_head)?;
         remarks.append(&mut others);
-        let places = signals.place(layout.speed);
+        let name = |&column: &usize| written[column].clone();
+        let places = signals.place(layout.speed, name, &mut remarks);
         if let Some(Places {
             signal: Some((column, _)),
             ..

@@ -8,11 +8,11 @@ use riffel_keys::universal_file::{
     ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY,
     unit_size,
 };
-use riffel_keys::{CaseError, Exponents, Unit};
+use riffel_keys::{CaseError, Exponents, Unit, say};
 
 use super::columns::Content;
 use super::head::Signals as Found;
-use super::head::{AxleBoxHead, AxleBoxLayout, Row, unreadable};
+use super::head::{AxleBoxHead, AxleBoxLayout, Row, left_out, unreadable};
 use crate::refusal::Refusal;
 
 /// Share by which steps of signals may differ that are one: they are printed with six digits.
@@ -59,7 +59,7 @@ impl AxleBoxUniversal {
         let found = Signals::find(BufReader::with_capacity(1 << 20, file));
         let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
         let refuse = |message: String| Err(CaseError::data(path, message));
-        let mut found = Found::default();
+        let (mut found, mut others) = (Found::default(), Vec::new());
         for signal in signals {
             let function = &signal.function;
             if function.abscissa_axis.kind != TIME && function.function_type != 1 {
@@ -70,7 +70,10 @@ impl AxleBoxUniversal {
                 ACCELERATION => (Exponents::new(0, 1, -2), "an acceleration"),
                 VELOCITY => (Exponents::new(0, 1, -1), "a speed"),
                 DISPLACEMENT => (Exponents::new(0, 1, 0), "an odometer"),
-                _ => continue,
+                _ => {
+                    others.push(left_out(&function.title, say!(it_is_no_signal)));
+                    continue;
+                }
             };
             let unit =
                 unit_of(&signal, exponents, units, what).map_err(|refusal| refusal.of(path))?;
@@ -85,8 +88,10 @@ impl AxleBoxUniversal {
             found.push(signal, content);
         }
         let remarks = found.leave_out_others(|signal| signal.function.title.clone());
-        let remarks = remarks.map_err(|message| CaseError::data(path, message))?;
-        let places = found.place(layout.speed);
+        let mut remarks = remarks.map_err(|message| CaseError::data(path, message))?;
+        remarks.append(&mut others);
+        let title = |signal: &Signal| signal.function.title.clone();
+        let places = found.place(layout.speed, title, &mut remarks);
         let channels = found.channels;
         let Some((first, _)) = channels.first() else {
             return refuse(

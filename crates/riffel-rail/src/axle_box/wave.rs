@@ -2,11 +2,11 @@
 
 use std::path::Path;
 
-use riffel_keys::CaseError;
 use riffel_keys::table::Heading;
+use riffel_keys::{CaseError, say};
 
 use super::columns::{channel_name, content};
-use super::head::{AxleBoxHead, AxleBoxLayout, Row, Signals};
+use super::head::{AxleBoxHead, AxleBoxLayout, Row, Signals, left_out};
 use super::riff::{Wave, WaveError};
 use crate::refusal::Refusal;
 
@@ -51,7 +51,7 @@ impl AxleBoxWave {
                 layout.channels.len()
             )));
         }
-        let mut signals = Signals::default();
+        let (mut signals, mut others) = (Signals::default(), Vec::new());
         for (channel, said) in layout.channels.iter().enumerate() {
             let (name, scale) = said.split_once('=').unwrap_or((said, ""));
             let scale = scale.trim().parse::<f64>().ok();
@@ -64,8 +64,9 @@ impl AxleBoxWave {
             let heading = Heading::of_name(name.trim());
             let found =
                 content(&heading, 0).map_err(|message| refuse(format!("--channels: {message}")))?;
-            if let Some(content) = found {
-                signals.push(channel, content.scaled(scale));
+            match found {
+                Some(content) => signals.push(channel, content.scaled(scale)),
+                None => others.push(left_out(name.trim(), say!(it_is_no_signal))),
             }
         }
         if signals.channels.is_empty() {
@@ -79,9 +80,9 @@ impl AxleBoxWave {
                 .next()
                 .unwrap_or_default()
         };
-        let remarks = signals
-            .leave_out_others(|&channel| said(channel).trim().to_owned())
-            .map_err(refuse)?;
+        let own_name = |channel: &usize| said(*channel).trim().to_owned();
+        let mut remarks = signals.leave_out_others(own_name).map_err(refuse)?;
+        remarks.append(&mut others);
         let name = |channel: usize| match channel_name(&Heading::of_name(said(channel).trim()), 0) {
             name if name.starts_with("column ") => format!("channel {}", channel + 1),
             name => name,
@@ -91,7 +92,7 @@ impl AxleBoxWave {
             .iter()
             .map(|&(channel, _)| name(channel))
             .collect();
-        let Some(places) = signals.place(layout.speed) else {
+        let Some(places) = signals.place(layout.speed, own_name, &mut remarks) else {
             return Err(refuse(
                 "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
                  --speed where it was constant"
@@ -319,6 +320,34 @@ mod tests {
         ] {
             let refusal = refused.values().unwrap_err();
             assert!(refusal.contains(says), "{refusal}");
+        }
+    }
+
+    /// A channel that is no signal, and an odometer beside a speed that is given, are named.
+    #[test]
+    fn channels_that_are_left_out_are_named() {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("run.wav");
+        let samples = [0u8; 600];
+        let mut bytes = b"RIFF\x80\x02\0\0WAVEfmt \x10\0\0\0\x01\0\x03\0".to_vec();
+        bytes.extend([1000u32, 6000].iter().flat_map(|value| value.to_le_bytes()));
+        bytes.extend(*b"\x06\0\x10\0data");
+        bytes.extend((samples.len() as u32).to_le_bytes());
+        bytes.extend(samples);
+        fs::write(&path, bytes).unwrap();
+        let named = ["acceleration_left_g=50", "pantograph=1", "odometer_m=9"];
+        let layout = AxleBoxLayout {
+            channels: named.map(str::to_owned).to_vec(),
+            speed: Some(20.0),
+            ..AxleBoxLayout::default()
+        };
+        let (_, head) = AxleBoxWave::find(&path, &layout).unwrap();
+        let said = head.remarks.join("; ");
+        for part in [
+            "`pantograph` is left out: it is no",
+            "`odometer_m` is left out: places follow",
+        ] {
+            assert!(said.contains(part), "{part} not in: {said}");
         }
     }
 }

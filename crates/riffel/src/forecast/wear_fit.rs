@@ -3,6 +3,7 @@
 use super::jackknife::Variance;
 use super::{GrowingSum, TrafficGrowth};
 use crate::Error;
+use crate::diagnosis::{FALL_BY_GRINDING, fall_of_bands};
 use crate::roughness::{Spectrum, ThirdOctave, level, mean_square};
 
 /// Fewest records on a side of which an interval is told: two have one degree of freedom, and t is 13.
@@ -290,6 +291,9 @@ impl WearFit {
             });
         let bands: Vec<FittedBand> = fitted.collect();
         let verdict = match interval {
+            _ if fall_of_bands(bands.iter().map(|band| -band.measured)) > FALL_BY_GRINDING => {
+                WearVerdict::Against
+            }
             _ if is_unexplained(&bands) => WearVerdict::Unexplained,
             _ if bands.iter().all(|band| !band.grows) => WearVerdict::NothingGrows,
             None if factor > 0.0 => WearVerdict::WithoutInterval,

@@ -11,6 +11,8 @@ pub struct GrindSection {
     pub from: f64,
     /// Where it ends \[m\].
     pub to: f64,
+    /// On which of the [stretches that lie over each other](stretch_numbers) it is, from 1.
+    pub stretch: usize,
     /// The band that is worst against its limit.
     pub band: WavelengthBand,
     /// Moving RMS of that band over its limit, at worst \[-\].
@@ -45,32 +47,55 @@ impl Default for GrindSettings {
     }
 }
 
+/// How far \[m\] a stretch may begin before the end of the one before it: what rounded places and the last step leave.
+const ROUNDED: f64 = 0.1;
+
+/// The number of each stretch, from 1, in the order of travel \[m\].
+///
+/// Where places go back, as at a long kilometre, the rail has two stretches at the same places, and the next number begins. A gap does
+/// not begin one.
+#[must_use]
+pub fn stretch_numbers(stretches: &[(f64, f64)]) -> Vec<usize> {
+    let (mut number, mut reached) = (1, f64::NEG_INFINITY);
+    let numbers = stretches.iter().map(|&(from, to)| {
+        if from < reached - ROUNDED {
+            number += 1;
+        }
+        reached = to;
+        number
+    });
+    numbers.collect()
+}
+
 /// What to grind of one rail, given where its bands are over their limits and where its stretches without
-/// gaps begin and end \[m\].
+/// gaps begin and end \[m\], in the order of travel.
 ///
 /// A section shorter than the shortest is widened to either side, at the end of a stretch to one side; it
 /// never reaches beyond its stretch. Sections that then overlap or lie no further apart than the good length to be
 /// merged become one, whatever their bands, and also across a gap of the record: the worst band gives its
-/// name.
+/// name. Sections of two [numbers](stretch_numbers) are two pieces of rail and stay apart.
 pub fn grind_sections(
     mut sections: Vec<GrindSection>,
     stretches: &[(f64, f64)],
     settings: &GrindSettings,
 ) -> Vec<GrindSection> {
+    let numbers = stretch_numbers(stretches);
     for section in &mut sections {
         let middle = 0.5 * (section.from + section.to);
-        let own = stretches
-            .iter()
-            .find(|(from, to)| (*from..=*to).contains(&middle));
-        if let Some(&(from, to)) = own {
+        let own = stretches.iter().zip(&numbers).find(|((from, to), number)| {
+            **number == section.stretch && (*from..=*to).contains(&middle)
+        });
+        if let Some((&(from, to), _)) = own {
             widen(section, settings.shortest.min(to - from), from, to);
         }
     }
-    sections.sort_by(|a, b| a.from.total_cmp(&b.from));
+    sections.sort_by(|a, b| (a.stretch.cmp(&b.stretch)).then(a.from.total_cmp(&b.from)));
     let mut joined: Vec<GrindSection> = Vec::new();
     for section in sections {
         match joined.last_mut() {
-            Some(last) if section.from - last.to <= settings.merge => {
+            Some(last)
+                if section.stretch == last.stretch && section.from - last.to <= settings.merge =>
+            {
                 last.to = last.to.max(section.to);
                 if section.ratio > last.ratio {
                     last.ratio = section.ratio;
@@ -93,12 +118,16 @@ fn widen(section: &mut GrindSection, shortest: f64, from: f64, to: f64) {
     }
 }
 
-/// Length of line \[m\] that some lengths cover, given by their ends; what two rails share counts once.
-pub fn line_length(ends: impl IntoIterator<Item = (f64, f64)>) -> f64 {
-    let mut ends: Vec<(f64, f64)> = ends.into_iter().collect();
-    ends.sort_by(|a, b| a.0.total_cmp(&b.0));
-    let (mut length, mut reached) = (0.0, f64::NEG_INFINITY);
-    for (from, to) in ends {
+/// Length of line \[m\] that some lengths cover, given by the [number of their stretch](stretch_numbers) and their ends; what two rails
+/// share counts once, and each of two stretches at the same places counts.
+pub fn line_length(ends: impl IntoIterator<Item = (usize, f64, f64)>) -> f64 {
+    let mut ends: Vec<(usize, f64, f64)> = ends.into_iter().collect();
+    ends.sort_by(|a, b| a.0.cmp(&b.0).then(a.1.total_cmp(&b.1)));
+    let (mut length, mut own, mut reached) = (0.0, 0, f64::NEG_INFINITY);
+    for (stretch, from, to) in ends {
+        if stretch != own {
+            (own, reached) = (stretch, f64::NEG_INFINITY);
+        }
         length += (to - from.max(reached)).max(0.0);
         reached = reached.max(to);
     }
@@ -117,6 +146,7 @@ mod tests {
         GrindSection {
             from,
             to,
+            stretch: 1,
             band,
             ratio,
         }
@@ -166,8 +196,27 @@ mod tests {
 
     #[test]
     fn line_counts_once_what_two_rails_need() {
-        assert_eq!(line_length([(50.0, 60.0), (0.0, 20.0), (10.0, 30.0)]), 40.0);
+        let both_rails = [(1, 50.0, 60.0), (1, 0.0, 20.0), (1, 10.0, 30.0)];
+        assert_eq!(line_length(both_rails), 40.0);
+        assert_eq!(line_length([(1, 0.0, 20.0), (2, 10.0, 30.0)]), 40.0);
         assert_eq!(line_length([]), 0.0);
+    }
+
+    /// From 40 m back to 20 m, a gap, and back by rounding alone.
+    #[test]
+    fn stretches_at_the_same_places_are_two_pieces_of_rail() {
+        let stretches = [(0.0, 40.0), (20.0, 60.0), (65.0, 90.0), (89.99, 99.0)];
+        assert_eq!(stretch_numbers(&stretches), [1, 2, 2, 2]);
+        let second = GrindSection {
+            stretch: 2,
+            ..section(21.0, 24.0, LONG, 2.0)
+        };
+        let over = vec![second, section(36.0, 40.0, LONG, 1.5)];
+        let ground = grind_sections(over, &stretches, &settings(10.0, 10.0));
+        let found: Vec<_> = (ground.iter())
+            .map(|one| (one.stretch, one.from, one.to, one.ratio))
+            .collect();
+        assert_eq!(found, [(1, 30.0, 40.0, 1.5), (2, 20.0, 30.0, 2.0)]);
     }
 
     proptest! {

@@ -1,6 +1,6 @@
 //! A rail judged piece by piece.
 
-use super::{GrindSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand};
+use super::{GrindSection, RailAnalysis, RmsLimit, Spectrum, WavelengthBand, stretch_numbers};
 
 /// Length on which a rail is judged \[m\]: the verdict on a place does not depend on how far the record goes on.
 ///
@@ -12,6 +12,8 @@ pub const JUDGED_LENGTH: f64 = 100.0;
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[must_use]
 pub struct JudgedSection {
+    /// On which of the [stretches that lie over each other](stretch_numbers) it is, from 1.
+    pub stretch: usize,
     /// First place \[m\].
     pub from: f64,
     /// Last place \[m\].
@@ -28,6 +30,8 @@ pub struct JudgedSection {
 #[derive(Debug, Clone, PartialEq)]
 #[must_use]
 pub struct SectionSpectrum {
+    /// On which of the [stretches that lie over each other](stretch_numbers) it is, from 1.
+    pub stretch: usize,
     /// First place \[m\].
     pub from: f64,
     /// Last place \[m\].
@@ -48,7 +52,7 @@ impl RailAnalysis {
     #[must_use]
     pub fn judged_sections(&self) -> Vec<JudgedSection> {
         let pieces = pieces(&self.stretches);
-        // Those of a band do not overlap.
+        // Those of a band on a stretch do not overlap.
         let with_limit = self.bands.iter().filter(|band| band.limit.is_some());
         let bands: Vec<(WavelengthBand, Vec<&GrindSection>)> = with_limit
             .map(|summary| {
@@ -57,15 +61,20 @@ impl RailAnalysis {
                     .iter()
                     .filter(|one| one.band == summary.band);
                 let mut own: Vec<&GrindSection> = own.collect();
-                own.sort_by(|one, other| one.from.total_cmp(&other.from));
+                own.sort_by(|one, other| {
+                    (one.stretch.cmp(&other.stretch)).then(one.from.total_cmp(&other.from))
+                });
                 (summary.band, own)
             })
             .collect();
-        let judged = pieces.iter().filter_map(|&[from, to]| {
-            let length = measured(&self.stretches, from, to);
+        let judged = pieces.iter().filter_map(|piece| {
+            let &Piece {
+                stretch, from, to, ..
+            } = piece;
             let of_band = bands.iter().map(|(band, over)| {
-                let first = over.partition_point(|one| one.to <= from);
-                let over = over[first..].iter().take_while(|one| one.from < to);
+                let first = over.partition_point(|one| (one.stretch, one.to) <= (stretch, from));
+                let over = over[first..].iter();
+                let over = over.take_while(|one| one.stretch == stretch && one.from < to);
                 let (sum, ratio) = over.fold((0.0, 1.0f64), |(sum, ratio), one| {
                     (
                         sum + one.to.min(to) - one.from.max(from),
@@ -73,10 +82,11 @@ impl RailAnalysis {
                     )
                 });
                 JudgedSection {
+                    stretch,
                     from,
                     to,
                     band: *band,
-                    share: sum / length,
+                    share: sum / piece.measured,
                     ratio,
                 }
             });
@@ -88,33 +98,60 @@ impl RailAnalysis {
     }
 }
 
-/// Length of the stretches between two places \[m\].
-fn measured(stretches: &[(f64, f64)], from: f64, to: f64) -> f64 {
-    let own = |&(low, high): &(f64, f64)| (high.min(to) - low.max(from)).max(0.0);
-    stretches.iter().map(own).sum()
+/// A section to be judged.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Piece {
+    /// On which of the stretches that lie over each other it is.
+    pub(super) stretch: usize,
+    /// Where it begins and ends \[m\].
+    pub(super) from: f64,
+    pub(super) to: f64,
+    /// Length of it that was measured \[m\].
+    measured: f64,
 }
 
-/// Where sections begin and end \[m\].
+/// Where sections begin and end.
 ///
 /// They begin at whole hundreds of metres, as the posts beside a line do. One of which less than half was measured is judged with the
-/// one before it, the first with the one behind.
-pub(super) fn pieces(stretches: &[(f64, f64)]) -> Vec<[f64; 2]> {
-    let ends = stretches.iter().copied();
-    let ends = ends.reduce(|one, other| (one.0.min(other.0), one.1.max(other.1)));
-    let Some((first, last)) = ends else {
+/// one before it, the first with the one behind. Where places go back, a section ends and another begins.
+pub(super) fn pieces(stretches: &[(f64, f64)]) -> Vec<Piece> {
+    let numbered: Vec<_> = stretch_numbers(stretches)
+        .into_iter()
+        .zip(stretches)
+        .collect();
+    let parts = numbered.chunk_by(|one, other| one.0 == other.0);
+    parts.flat_map(pieces_of).collect()
+}
+
+/// The sections of stretches of one number.
+fn pieces_of(stretches: &[(usize, &(f64, f64))]) -> Vec<Piece> {
+    let ends = stretches.iter().map(|(number, ends)| (*number, **ends));
+    let ends =
+        ends.reduce(|(number, one), (_, other)| (number, (one.0.min(other.0), one.1.max(other.1))));
+    let Some((stretch, (first, last))) = ends else {
         return Vec::new();
     };
-    let mut pieces: Vec<[f64; 2]> = Vec::new();
+    let measured = |from: f64, to: f64| -> f64 {
+        let own = |(_, (low, high)): &(usize, &(f64, f64))| (high.min(to) - low.max(from)).max(0.0);
+        stretches.iter().map(own).sum()
+    };
+    let mut pieces: Vec<Piece> = Vec::new();
     let mut from = first;
     while from < last {
         let to = ((from / JUDGED_LENGTH + 1e-9).floor() + 1.0) * JUDGED_LENGTH;
         let to = to.min(last);
-        let is_enough = |from: f64, to: f64| measured(stretches, from, to) >= 0.5 * JUDGED_LENGTH;
+        let own = measured(from, to);
         match pieces.last_mut() {
-            Some(piece) if !is_enough(from, to) || !is_enough(piece[0], piece[1]) => {
-                piece[1] = to;
+            Some(piece) if own < 0.5 * JUDGED_LENGTH || piece.measured < 0.5 * JUDGED_LENGTH => {
+                piece.to = to;
+                piece.measured += own;
             }
-            _ => pieces.push([from, to]),
+            _ => pieces.push(Piece {
+                stretch,
+                from,
+                to,
+                measured: own,
+            }),
         }
         from = to;
     }
@@ -151,6 +188,7 @@ mod tests {
         let sections = over.iter().map(|&(from, to)| GrindSection {
             from,
             to,
+            stretch: 1,
             band: BAND,
             ratio: 4.9,
         });
@@ -190,5 +228,25 @@ mod tests {
         let short = rail(13.0, 27.0, &[(13.0, 14.0)]).judged_sections();
         assert_eq!(short.len(), 1);
         assert!((short[0].share - 1.0 / 14.0).abs() < 1e-12);
+    }
+
+    /// A long kilometre from 150 m back to 90 m: the wave behind it is judged on its own stretch alone.
+    #[test]
+    fn stretches_at_the_same_places_are_judged_apart() {
+        let mut long = rail(0.0, 150.0, &[(100.0, 130.0)]);
+        long.stretches.push((90.0, 300.0));
+        long.over_limit[0].stretch = 2;
+        let mut found = long.judged_sections();
+        found.sort_by(|one, other| one.from.total_cmp(&other.from));
+        let found: Vec<_> = (found.iter())
+            .map(|one| (one.stretch, one.from, one.to, one.share))
+            .collect();
+        let expected = [
+            (1, 0.0, 100.0, 0.0),
+            (2, 90.0, 200.0, 30.0 / 110.0),
+            (1, 100.0, 150.0, 0.0),
+            (2, 200.0, 300.0, 0.0),
+        ];
+        assert_eq!(found, expected);
     }
 }

@@ -47,7 +47,7 @@ pub use band_pass::BandPass;
 pub use band_statistics::{BandSettings, BandStatistics, Exceedance};
 pub use curvature::{PIT_DEPTH, WHEEL_RADIUS};
 pub use defect::RailDefect;
-pub use grinding::{GrindSection, GrindSettings, grind_sections, line_length};
+pub use grinding::{GrindSection, GrindSettings, grind_sections, line_length, stretch_numbers};
 pub use judged_section::{JUDGED_LENGTH, JudgedSection, SectionSpectrum};
 pub use level::{REFERENCE_ROUGHNESS, level, mean_square};
 pub use limit::{LevelExcess, LevelLimit, RmsLimit};

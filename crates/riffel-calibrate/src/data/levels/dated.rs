@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use riffel::diagnosis::{FALL_BY_GRINDING, first_since_ground};
+use riffel::diagnosis::{FALL_BY_GRINDING, fall_of_bands, first_since_ground};
 use riffel::roughness::ThirdOctave;
 use riffel_case::Case;
 use riffel_keys::{CaseError, say};
@@ -35,14 +35,14 @@ pub(crate) struct SinceGround {
     pub(crate) before: f64,
 }
 
-/// By how much every band falls from one date to another that has it \[dB\]; below zero where they have none in common.
+/// By how much the rail falls from one date to another, by the bands that both have \[dB\].
 fn fall(rows: &[Row], dates: &[f64]) -> f64 {
     let of = |date: f64| rows.iter().filter(move |row| row.passages == date);
     let falls = of(dates[0]).flat_map(|one| {
         let same = of(dates[1]).filter(|other| other.band == one.band);
         same.map(|other| one.level - other.level)
     });
-    falls.reduce(f64::min).unwrap_or(f64::NEG_INFINITY)
+    fall_of_bands(falls)
 }
 
 impl DatedLevels {

@@ -83,6 +83,12 @@ fn cells_of(line: &str) -> Vec<String> {
     cells
 }
 
+/// Words for the lateral coordinate, but for x and y, which has two meanings.
+const ACROSS: &str = "x|lateral|across|quer|querlage|querposition|querkoordinate|horizontal|transverse|transversal|breite|width|\
+                      latéral|largeur|abszisse|abscissa";
+/// Words for the height, but for y.
+const UPWARD: &str = "z|h|height|höhe|hoehe|höhenlage|hoehenlage|elevation|vertical|vertikal|hauteur|altura|altezza|ordinate";
+
 /// What a head says.
 struct Head {
     /// Of the lateral coordinate and of the height.
@@ -120,11 +126,18 @@ impl Head {
             let mut found = columns.iter().copied().filter(|column| is(*column, known));
             found.next().filter(|_| found.next().is_none())
         };
-        let (x, y) = (of("x|lateral|across|quer"), of("y"));
-        let z = of("z|h|height|höhe|hoehe|elevation|vertical");
+        let (x, y) = (of(ACROSS), of("y"));
+        let z = of(UPWARD);
         let by_name = match (x, y, z) {
             (Some(x), Some(height), None) | (Some(x), None, Some(height)) => Some([x, height]),
             (None, Some(y), Some(z)) => Some([y, z]),
+            // Of two columns the other, in whatever language.
+            (None, None, Some(z)) if columns.len() == 2 => {
+                Some([columns[usize::from(columns[0] == z)], z])
+            }
+            (Some(x), None, None) if columns.len() == 2 => {
+                Some([x, columns[usize::from(columns[0] == x)]])
+            }
             _ => None,
         };
         let columns = match (by_name, &columns[..]) {

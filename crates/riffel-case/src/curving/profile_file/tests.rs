@@ -527,12 +527,18 @@ fn columns_are_found_by_their_names() {
     let numbered = |index: usize, across: f64, up: f64| format!("{index},{across},{up}");
     let twice = |_: usize, across: f64, up: f64| format!("{across},{up},{across},{up}");
     type Row<'a> = &'a dyn Fn(usize, f64, f64) -> String;
-    let cases: [(&str, Row<'_>); 9] = [
+    let cases: [(&str, Row<'_>); 15] = [
         ("y_mm,z_mm", &there),
         ("z_mm,y_mm", &back),
         ("Y [mm];Z [mm]", &|i, x, h| there(i, x, h).replace(',', ";")),
         ("y_mm,x_mm", &back),
         ("height_mm,lateral_mm", &back),
+        ("Höhe [mm],Querlage [mm]", &back),
+        ("Querlage_mm,Höhe_mm", &there),
+        ("vertical,horizontal", &back),
+        ("horizontal,vertical", &there),
+        ("Höhe,Ort", &back),
+        ("korkeus,leveys", &there),
         (",y_mm,z_mm", &numbered),
         ("Nr,x_mm,y_mm", &numbered),
         (",z_mm,y_mm", &|i, x, h| numbered(i, h, x)),

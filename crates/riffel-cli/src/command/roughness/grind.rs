@@ -3,6 +3,7 @@
 use riffel::roughness::GrindSection;
 use riffel_answers::roughness::{RailAnswer, grind_row};
 
+use crate::messages::language;
 use crate::output::table;
 
 /// Sections that a terminal shows; the file has all.
@@ -20,7 +21,7 @@ pub(crate) fn grind_table(sections: &[(&RailAnswer, &GrindSection)]) -> (String,
         "rms/limit",
     ]);
     for (index, (rail, section)) in sections.iter().take(SHOWN).enumerate() {
-        rows.add_row(grind_row(index, &rail.name, section));
+        rows.add_row(grind_row(index, rail, section, language()));
     }
     let more = sections.len().saturating_sub(SHOWN);
     (

@@ -97,7 +97,7 @@ fn grind_in_words(profile: &ProfileAnswer) -> String {
     }
     let sections = profile.sections();
     if sections.is_empty() {
-        return "nothing to grind: no band is over its limit anywhere\n".to_owned();
+        return format!("{}\n", profile.nothing_to_grind().text(language()));
     }
     let (rows, more) = grind_table(&sections);
     let more = more.map_or_else(String::new, |more| format!("{more}; "));

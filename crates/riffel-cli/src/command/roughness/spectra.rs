@@ -1,7 +1,7 @@
 //! A table of spectra on the command line.
 
 use riffel_answers::roughness::SpectraAnswer;
-use riffel_keys::Language;
+use riffel_keys::{Language, say};
 use riffel_rail::{LimitTable, Survey};
 
 use super::folder;
@@ -62,7 +62,8 @@ pub(super) fn run(
     let files = staging.publish()?;
     if !arguments.json {
         let mut text = format!("{}\n", path.display());
-        text += &format!("read as: {} one-third-octave spectra", answer.count());
+        let count = say!(one_third_octave_spectra, count = answer.count());
+        text += &format!("read as: {}", count.text(language()));
         if let (None, Some(column)) = (&arguments.by, dates) {
             text += &format!(
                 " of {} dates, told apart by column {column}",

@@ -194,6 +194,56 @@ fn grinding_is_a_list_of_what_a_train_can_do() {
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
 }
 
+/// At a long kilometre the places go back from 400 m to 380 m, and 12 m of the second stretch are bad: these are named, told as a share of
+/// all 820 m, and kept by a network.
+#[test]
+fn a_stretch_of_a_long_kilometre_is_named() {
+    let sandbox = Sandbox::new();
+    let mut text = "position [m],left [µm]\n".to_owned();
+    for (from, to, bad) in [(0, 80_000, 0.0..0.0), (76_000, 160_000, 384.0..396.0)] {
+        for row in from..to {
+            let x = 5e-3 * f64::from(row);
+            let wave = (TAU * x / 0.05).sin();
+            let factor = if bad.contains(&x) { 20.0 } else { 1.0 };
+            writeln!(text, "{x:.3},{:.4}", factor * wave).unwrap();
+        }
+    }
+    fs::write(sandbox.path("long.csv"), text).unwrap();
+    let document = sandbox.json("roughness long.csv --json -o out");
+    let grind = &document["grind"];
+    let [section] = &list(grind, "sections")[..] else {
+        panic!("{grind}");
+    };
+    let length = number(&section["to_m"]) - number(&section["from_m"]);
+    assert!((length - 12.0).abs() < 1.0, "{grind}");
+    assert_eq!(section["stretch"], 2, "{grind}");
+    assert!((number(&grind["total_m"]) - length).abs() < 1e-9);
+    let share = length / 820.0;
+    for told in [
+        &grind["share_of_length"],
+        &document["rails"][0]["grind_share_of_length"],
+    ] {
+        assert!((number(told) - share).abs() < 1e-4, "{told} {share}");
+    }
+    let csv = fs::read_to_string(sandbox.path("out/grind.csv")).unwrap();
+    let (head, row) = csv.trim_end().split_once('\n').unwrap();
+    assert!(head.ends_with(",stretch") && row.ends_with(",2"), "{csv}");
+    let worst = &list(&document, "sections")[0];
+    assert_eq!(
+        (number(&worst["from_m"]), &worst["stretch"]),
+        (380.0, &2.into())
+    );
+    let said = sandbox.riffel("roughness long.csv -o again").text;
+    assert!(said.contains("left, stretch 2"), "{said}");
+    assert!(said.contains("at worst 380–500 m on stretch 2"), "{said}");
+    assert!(
+        said.contains("in all 12.") && said.contains(" m of line to grind, 1.5 % of"),
+        "{said}"
+    );
+    let kept = sandbox.riffel("network ingest store out/blocks.csv --line A --date 2026-01-31");
+    assert_eq!(kept.status, Some(0), "{}", kept.text);
+}
+
 /// A report draws the moving RMS of each rail with its limits.
 #[test]
 fn a_report_shows_the_moving_rms_of_each_rail() {

@@ -5,12 +5,12 @@ mod tests;
 
 use rayon::prelude::*;
 
-use super::judged_section::pieces;
+use super::judged_section::{Piece, pieces};
 use super::method_a::RecordLevels;
 use super::{
     BandPass, BandSettings, BandStatistics, GrindSection, GrindSettings, PIT_DEPTH, Profile,
     RailDefect, RmsLimit, SectionSpectrum, Spectrum, SpikeCriterion, ThirdOctave, WHEEL_RADIUS,
-    WavelengthBand, grind_sections, level, mean_square,
+    WavelengthBand, grind_sections, level, mean_square, stretch_numbers,
 };
 use crate::Error;
 
@@ -78,7 +78,7 @@ pub struct RailAnalysis {
     pub blocks: Vec<BlockRms>,
     /// Where a band is over its limit, each on its own.
     pub over_limit: Vec<GrindSection>,
-    /// Where each stretch without gaps begins and ends \[m\].
+    /// Where each stretch without gaps begins and ends \[m\], in the order of travel.
     pub stretches: Vec<(f64, f64)>,
 }
 
@@ -143,7 +143,7 @@ impl RailAnalysis {
             .iter()
             .map(|stretch| (stretch.start(), end(stretch)))
             .collect();
-        for stretch in &mut stretches {
+        for (stretch, number) in stretches.iter_mut().zip(stretch_numbers(&ends)) {
             if settings.felt.is_none() {
                 spikes += stretch.remove_spikes(SpikeCriterion::EN_15610).len();
             }
@@ -153,7 +153,7 @@ impl RailAnalysis {
             blocks.extend(block_rows(stretch, settings, &found));
             for (index, (band, found)) in settings.bands.iter().zip(found).enumerate() {
                 let Some(found) = found else { continue };
-                over_limit.extend(sections(stretch, *band, &found, settings));
+                over_limit.extend(sections((stretch, number), *band, &found, settings));
                 statistics[index].push(found);
             }
             if settings.felt.is_none() {
@@ -216,11 +216,25 @@ impl RailAnalysis {
             stretches: Vec::new(),
         };
         for part in parts {
-            joined.section_spectra.extend(part.section_spectra);
             joined.defects.extend(part.defects);
             joined.blocks.extend(part.blocks);
-            joined.over_limit.extend(part.over_limit);
+            // The numbers of the part go on from those of the parts before it.
+            let first = joined.stretches.len();
             joined.stretches.extend(part.stretches);
+            let number = stretch_numbers(&joined.stretches).get(first).copied();
+            let shift = number.unwrap_or(1) - 1;
+            joined
+                .section_spectra
+                .extend(part.section_spectra.into_iter().map(|section| {
+                    let stretch = section.stretch + shift;
+                    SectionSpectrum { stretch, ..section }
+                }));
+            joined
+                .over_limit
+                .extend(part.over_limit.into_iter().map(|over| {
+                    let stretch = over.stretch + shift;
+                    GrindSection { stretch, ..over }
+                }));
         }
         Some(joined)
     }
@@ -235,13 +249,28 @@ impl RailAnalysis {
         self.stretches.iter().map(|(from, to)| to - from).sum()
     }
 
-    /// The parts of some sections that were measured \[m\]: gaps of the record are no part of them.
-    pub fn measured_within(&self, sections: &[GrindSection]) -> Vec<(f64, f64)> {
+    /// Where each stretch without gaps begins and ends \[m\], behind its [number](stretch_numbers).
+    pub fn numbered_stretches(&self) -> impl Iterator<Item = (usize, f64, f64)> {
+        let numbers = stretch_numbers(&self.stretches).into_iter();
+        let numbered = numbers.zip(&self.stretches);
+        numbered.map(|(number, &(from, to))| (number, from, to))
+    }
+
+    /// The number of a stretch where places go back, so that a place alone does not say which of two pieces of rail is meant.
+    pub fn stretch_to_name(&self, number: usize) -> Option<usize> {
+        let goes_back = self.numbered_stretches().any(|(number, ..)| number > 1);
+        goes_back.then_some(number)
+    }
+
+    /// The parts of some sections that were measured \[m\], behind the [number of their stretch](stretch_numbers): gaps of the record
+    /// are no part of them.
+    pub fn measured_within(&self, sections: &[GrindSection]) -> Vec<(usize, f64, f64)> {
         let parts = sections.iter().flat_map(|section| {
-            let stretches = self.stretches.iter();
-            stretches.map(|(from, to)| (section.from.max(*from), section.to.min(*to)))
+            let own = self.numbered_stretches();
+            let own = own.filter(|(number, ..)| *number == section.stretch);
+            own.map(|(number, from, to)| (number, section.from.max(from), section.to.min(to)))
         });
-        parts.filter(|(from, to)| from < to).collect()
+        parts.filter(|(_, from, to)| from < to).collect()
     }
 
     /// How often [`new`](Self::new) calls its progress.
@@ -269,13 +298,18 @@ fn section_spectra(
     if pieces.len() < 2 {
         return Vec::new();
     }
-    let levels = |&[from, to]: &[f64; 2]| {
-        let parts = stretches
-            .iter()
-            .filter_map(|stretch| stretch.between(from, to));
+    let numbers = stretch_numbers(ends);
+    let levels = |piece: &Piece| {
+        let &Piece {
+            stretch, from, to, ..
+        } = piece;
+        let own = stretches.iter().zip(&numbers);
+        let own = own.filter(|(_, number)| **number == stretch);
+        let parts = own.filter_map(|(stretch, _)| stretch.between(from, to));
         let parts: Vec<Profile> = parts.collect();
         let levels = record_levels(&parts, settings).ok()?;
         Some(SectionSpectrum {
+            stretch,
             from,
             to,
             spectrum: known(levels.spectrum, settings).ok()?,
@@ -396,7 +430,7 @@ fn block_rows<'a>(
 }
 
 fn sections(
-    stretch: &Profile,
+    (stretch, number): (&Profile, usize),
     band: WavelengthBand,
     statistics: &BandStatistics,
     settings: &AnalysisSettings,
@@ -408,6 +442,7 @@ fn sections(
         .exceedances
         .iter()
         .map(|over| GrindSection {
+            stretch: number,
             from: stretch.position(over.samples.start),
             to: stretch.position(over.samples.end),
             band,

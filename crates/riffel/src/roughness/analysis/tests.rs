@@ -46,6 +46,7 @@ fn corrugation_is_found_where_it_is() -> Result<(), Error> {
     torn.stretches = vec![(100.0, 130.0), (132.0, 200.0)];
     torn.over_limit = [(129.5, 130.0), (132.0, 132.5)]
         .map(|(from, to)| GrindSection {
+            stretch: 1,
             from,
             to,
             ..over.clone()
@@ -55,7 +56,7 @@ fn corrugation_is_found_where_it_is() -> Result<(), Error> {
     assert_eq!(ground.len(), 1);
     assert_eq!((ground[0].from, ground[0].to), (120.0, 142.0));
     let measured = torn.measured_within(&ground);
-    assert_eq!(measured, [(120.0, 130.0), (132.0, 142.0)]);
+    assert_eq!(measured, [(1, 120.0, 130.0), (1, 132.0, 142.0)]);
     assert_eq!(torn.length(), 98.0);
     assert_eq!(analysis.blocks.len(), 10);
     let highest = |block: usize| analysis.blocks[block].moving_rms_max[1].unwrap();
