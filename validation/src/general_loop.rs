@@ -47,12 +47,7 @@ fn compare(file: &str, wanted: impl Fn(&str) -> bool) -> WorstError {
         if !wanted(&reference.name) {
             continue;
         }
-        // Those who wrote it left out the coefficient of dry discs.
-        let dry = match reference.case_toml.contains("[wear]") {
-            true => Vec::new(),
-            false => vec!["wear.coefficient=2.5e-9".to_owned()],
-        };
-        let case = Case::parse(&reference.name, &reference.case_toml, &dry).expect("a case");
+        let case = Case::parse(&reference.name, &reference.case_toml, &[]).expect("a case");
         for point in reference.points {
             let state = case
                 .point(point.wavelength_m, point.speed_m_per_s)

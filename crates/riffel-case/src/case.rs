@@ -123,7 +123,7 @@ impl Case {
         // A vehicle and a variant keep the coefficient of their case; another case has its own.
         given.wear.take_if(|_| window == Window::Map);
         let keys = CheckedKeys::of_text(unfilled.clone(), folder, given, window)?;
-        Self::of_keys(keys, unfilled)?.as_measured()
+        Self::of_keys(keys, unfilled)?.with_measured_wear()
     }
 
     fn of_keys(keys: CheckedKeys, unfilled: CaseText) -> Result<Self, CaseError> {

@@ -34,7 +34,7 @@ impl CheckedKeys {
 
 impl Case {
     /// The case whose wear coefficient gives the wear that was measured, if one was: all wheels are like its own then.
-    pub(crate) fn as_measured(self) -> Result<Self, CaseError> {
+    pub(crate) fn with_measured_wear(self) -> Result<Self, CaseError> {
         if self.file.wear.measured.is_none() || self.keys.given.wear.is_some() {
             return Ok(self);
         }

@@ -82,7 +82,11 @@ const OF_CASE: [OfKey; 11] = [
     },
     of_key("contact.tractive_ratio", Some(0.15), 1.5),
     of_key("contact.transverse_radius", None, 1.3),
-    of_key("wear.coefficient", Some(0.3e-9), 2.36),
+    of_key(
+        "wear.coefficient",
+        Some(riffel::EnergyWear::SERVICE_COEFFICIENT),
+        2.36,
+    ),
 ];
 
 /// Of a vehicle that says it itself.
