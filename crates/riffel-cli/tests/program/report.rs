@@ -166,7 +166,7 @@ fn the_wear_coefficient_is_fitted_to_an_earlier_record() {
         let (_, table) = section.split_once("<table").unwrap();
         table.split_once("</table>").unwrap().0.to_owned()
     };
-    let uncertain = "uncertain by a factor of two";
+    let uncertain = "uncertain by a factor of three";
     let dated = report("--earlier before.csv --dates 2025-05-01,2026-05-01");
     let kept = report("--earlier before.csv --dates 2025-05-01,2026-05-01 --keep-coefficient");
     assert!(!kept.contains("growth goes by the wear coefficient of this rail"));

@@ -255,7 +255,7 @@ fn a_report_shows_the_moving_rms_of_each_rail() {
         ));
         assert_eq!(outcome.status, Some(0), "{}", outcome.text);
         let html = fs::read_to_string(sandbox.path("report.html")).unwrap();
-        assert!(html.contains("Worst is rail low"));
+        assert!(html.contains("nearest to them is rail low"));
         let (_, strip) = html.split_once("Moving RMS along the line").unwrap();
         strip
             .split_once("Spectrum and limits")
