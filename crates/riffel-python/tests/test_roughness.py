@@ -263,7 +263,13 @@ def test_a_rail_that_will_be_ground(nominal: riffel.Case, tmp_path: Path, progra
     with pytest.raises(ValueError, match="below the limit"):
         nominal.forecast(traffic="cases/traffic.toml", from_limit=6.0)
     with pytest.raises(ValueError, match="exclude each other"):
-        nominal.forecast(roughness.levels([0.04], [1.0]), traffic="cases/traffic.toml", from_limit=-6.0)
+        nominal.forecast(ground="iso-3095-2013", traffic="cases/traffic.toml", from_limit=-6.0)
+    # Levels of one date tell nothing of a rail that will be ground, and that is told.
+    beside = nominal.forecast(
+        roughness.levels([0.04], [1.0]), traffic="cases/traffic.toml", from_limit=-6.0, months=[1.0, 1200.0]
+    )
+    assert "of one date" in " ".join(beside.attrs["remarks"])
+    assert np.array_equal(beside["level"], found["level"], equal_nan=True)
     pads = {"title": "soft pads", "track": {"pad": {"stiffness": "80 MN/m"}}}
     less = {"title": "less friction", "contact": {"friction": 0.25}}
     compared = nominal.compare([pads, less], traffic="cases/traffic.toml", from_limit=-6.0)
