@@ -102,7 +102,7 @@ def test_two_dated_records_and_two_vehicles_are_answered_as_by_the_program(page,
         return json.loads(subprocess.run(words, cwd=tmp_path, capture_output=True, check=True, text=True).stdout)
 
     diagnosis = program("diagnose", "--roughness", "now.csv", "--dates", ",".join(DATES))
-    forecast = program("forecast", "--spectrum", "now.csv", "--months", "12", "--passages-between", str(365 * DAILY))
+    forecast = program("forecast", "--spectrum", "now.csv", "--months", "12", "--dates", ",".join(DATES))
     page.until(lambda: page.page.locator(".course").count() > 0)
     for own, there in [(given["diagnosis"], diagnosis), (given["forecast"], forecast)]:
         # Speeds come over the page in m/s, which costs a bit or two of the last digits.
