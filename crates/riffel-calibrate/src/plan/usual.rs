@@ -82,11 +82,7 @@ const OF_CASE: [OfKey; 11] = [
     },
     of_key("contact.tractive_ratio", Some(0.15), 1.5),
     of_key("contact.transverse_radius", None, 1.3),
-    of_key(
-        "wear.coefficient",
-        Some(riffel::EnergyWear::SERVICE_COEFFICIENT),
-        2.36,
-    ),
+    of_key("wear.coefficient", None, 2.36),
 ];
 
 /// Of a vehicle that says it itself.

@@ -78,7 +78,7 @@ fn data_make_uncertain_what_they_touch() {
     assert!(!names(&growth).contains(&"preload_stiffening"));
 }
 
-/// Medians and 16 % quantiles are those of the table of usual priors; that of the pad is of the case.
+/// Medians and 16 % quantiles are those of the table of usual priors; those of the pad and of the wear coefficient are of the case.
 #[test]
 fn priors_are_the_usual_ones() {
     let to = TempDir::new().unwrap();
@@ -88,7 +88,7 @@ fn priors_are_the_usual_ones() {
         ("track.pad.stiffness", 300e6, 2.0),
         ("track.ballast.stiffness", 60e6, 1.8),
         ("track.sleeper.mass", 145.0, 1.05),
-        ("wear.coefficient", 0.3e-9, 2.36),
+        ("wear.coefficient", 2.5e-9, 2.36),
         ("vehicle.speed.standard_deviation", 8.0 / 3.6, 1.5),
         ("preload_stiffening", 1.2, 1.3),
     ] {
