@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use jiff::civil::Date;
+use numpy::PyReadonlyArray1;
 use pyo3::prelude::*;
 use riffel::roughness::LevelLimit;
 use riffel_answers::forecast::RailStart;
@@ -12,7 +13,9 @@ use riffel_rail::{Elapsed, GroundRail, LabelledSpectrum, RailDates, Survey, read
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
 use crate::errors::{of_case, wrong};
-use crate::forecast::GivenLevels;
+
+/// Wavelengths \[m\] and levels \[dB re 1 µm\].
+pub(crate) type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
 
 /// Levels of now, earlier ones, the oldest first, and the dates of all.
 pub(crate) type GivenDates<'py> = (GivenLevels<'py>, Vec<GivenLevels<'py>>, Vec<String>);

@@ -63,9 +63,6 @@ fn given_or_usual(case: &Case, given: Option<&GivenTraffic<'_>>) -> PyResult<Tra
 
 type Real<'py> = Bound<'py, PyArray1<f64>>;
 
-/// Wavelengths \[m\] and levels \[dB re 1 µm\].
-pub(crate) type GivenLevels<'py> = (PyReadonlyArray1<'py, f64>, PyReadonlyArray1<'py, f64>);
-
 /// Messages as English sentences.
 fn in_words(remarks: &[Message]) -> Vec<String> {
     remarks.iter().map(ToString::to_string).collect()

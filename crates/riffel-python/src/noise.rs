@@ -11,11 +11,11 @@ use riffel_rail::read_decay_rates;
 
 use crate::array::owned;
 use crate::arrays_of_rails::spectrum;
-use crate::begins::{GivenDates, survey};
+use crate::begins::{GivenDates, GivenLevels, survey};
 use crate::case::Case;
 use crate::document::document;
 use crate::errors::{of_answer, of_case};
-use crate::forecast::{GivenLevels, GivenTraffic};
+use crate::forecast::GivenTraffic;
 
 /// The train: wheels on one rail, its length \[m\], distance and height of the receiver \[m\].
 type GivenTrain = (u32, Option<f64>, f64, f64);

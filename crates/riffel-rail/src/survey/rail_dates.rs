@@ -69,7 +69,7 @@ impl RailDates {
 
 /// The spectra of surveys, and whether those of each are of the same places in the same order: told by the columns that hold the same
 /// values in all, if these tell the records of each apart; a number of the spectrum or a date does not count, for its values differ.
-pub(crate) fn in_step(surveys: &[&Survey]) -> (Vec<Vec<Spectrum>>, bool) {
+pub(super) fn in_step(surveys: &[&Survey]) -> (Vec<Vec<Spectrum>>, bool) {
     let apart = || surveys.iter().map(|survey| survey.spectra()).collect();
     let Some((first, others)) = surveys.split_first() else {
         return (apart(), false);

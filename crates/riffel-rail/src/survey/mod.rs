@@ -1,5 +1,7 @@
 //! Measurements of one rail or several, as one-third-octave spectra with what is known of each.
 
+mod rail_dates;
+
 use std::path::{Path, PathBuf};
 
 use jiff::civil::Date;
@@ -7,8 +9,10 @@ use riffel::forecast::MeasuredChange;
 use riffel::roughness::{AnalysisSettings, Profile, RailAnalysis, Spectrum};
 use riffel_keys::{CaseError, Message, number, say};
 
+use rail_dates::in_step;
+pub use rail_dates::{Elapsed, RailDates};
+
 use crate::date::{read_date, read_dates};
-use crate::rail_dates::{Elapsed, RailDates, in_step};
 use crate::rail_name::{is_rail_column, name_alike};
 use crate::rail_spectrum::RailSpectrum;
 use crate::{LabelledSpectrum, Layout, RoughnessFile, date_column, find_rail};
