@@ -79,15 +79,10 @@ pub(super) fn compare(
     let (table, limit) = riffel_answers::level_limit(&arguments.limit)?;
     let ground = ground_rail(&arguments.ground, &table, &limit)?;
     History::check_now(&arguments.earlier, arguments.spectrum.as_deref())?;
-    let (path, choose) = (arguments.spectrum.as_deref(), &arguments.choose);
-    let survey = match survey {
-        Some(survey) => {
-            let (survey, _) = survey.choose(choose)?.latest();
-            let history = History::read(&arguments.earlier, path, &arguments.layout, choose)?;
-            Some(history.before(survey, None))
-        }
-        None => None,
-    };
+    let (path, layout) = (arguments.spectrum.as_deref(), &arguments.layout);
+    let dated =
+        |survey| History::of_dates(survey, &arguments.earlier, path, layout, &arguments.choose);
+    let survey = survey.map(dated).transpose()?;
     let steps = (1 + variants.len()) * traffic.file.vehicle.len();
     let request = CompareRequest {
         variants,

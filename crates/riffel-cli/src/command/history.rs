@@ -39,6 +39,26 @@ impl History {
         })
     }
 
+    /// The latest of a survey as it is chosen, with the records that are named beside it, each with its date.
+    pub(crate) fn of_dates(
+        survey: Survey,
+        earlier: &Earlier,
+        now: Option<&Path>,
+        layout: &Layout,
+        choose: &[String],
+    ) -> miette::Result<Survey> {
+        if !earlier.files.is_empty() && earlier.dates.is_empty() {
+            Err(CliError::Argument {
+                argument: "--dates",
+                value: "left out".to_owned(),
+                rule: "given beside --earlier: the date of each record, that of now last"
+                    .to_owned(),
+            })?;
+        }
+        let (survey, _) = survey.choose(choose)?.latest();
+        Ok(Self::read(earlier, now, layout, choose)?.before(survey, None))
+    }
+
     /// `Ok` if there is a record of now, or none before it.
     pub(crate) fn check_now(earlier: &Earlier, now: Option<&Path>) -> Result<(), CliError> {
         match (earlier.files.first(), now) {

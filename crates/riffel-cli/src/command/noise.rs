@@ -16,9 +16,8 @@ use crate::results::Results;
 
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     let (path, layout, choose) = (&arguments.roughness, &arguments.layout, &arguments.choose);
-    let (survey, _) = survey(path, layout)?.choose(choose)?.latest();
-    let survey =
-        History::read(&arguments.earlier, Some(path), layout, choose)?.before(survey, None);
+    let survey = survey(path, layout)?;
+    let survey = History::of_dates(survey, &arguments.earlier, Some(path), layout, choose)?;
     let before = match &arguments.before {
         Some(path) => {
             let before = super::roughness::survey(path, &arguments.layout)?;

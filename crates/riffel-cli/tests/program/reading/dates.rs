@@ -282,22 +282,29 @@ fn an_earlier_record_is_refused_beside_a_ground_rail() {
     )
     .unwrap();
     let forecast = "forecast cases/nominal.toml --traffic cases/traffic.toml";
-    for ground in ["--from-limit=-6"] {
-        for option in [
-            "--earlier rail.csv",
-            "--earlier rail.csv --dates 2024-06-01,2025-06-01",
-            "--date-column date",
-            "--where date=2024-06-01",
-            "--earlier-where date=2024-06-01",
-            "--passages-between 1e6",
-        ] {
-            let outcome = sandbox.riffel(&format!("{forecast} {ground} {option}"));
-            assert_eq!(outcome.status, Some(2), "{}", outcome.text);
-            assert!(
-                outcome.sentence().contains("--spectrum"),
-                "{}",
-                outcome.text
-            );
-        }
+    for option in [
+        "--earlier rail.csv",
+        "--earlier rail.csv --dates 2024-06-01,2025-06-01",
+        "--date-column date",
+        "--where date=2024-06-01",
+        "--earlier-where date=2024-06-01",
+        "--passages-between 1e6",
+    ] {
+        let outcome = sandbox.riffel(&format!("{forecast} --from-limit=-6 {option}"));
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(
+            outcome.sentence().contains("--spectrum"),
+            "{}",
+            outcome.text
+        );
+    }
+    // Nor is a record taken of which nobody says when it was.
+    for command in [
+        "noise cases/main-line.toml --roughness rail.csv --speed \"100 km/h\"",
+        "compare cases/nominal.toml --traffic cases/traffic.toml --with cases/soft-pads.toml --spectrum rail.csv",
+    ] {
+        let outcome = sandbox.riffel(&format!("{command} --earlier rail.csv"));
+        assert_eq!(outcome.status, Some(2), "{}", outcome.text);
+        assert!(outcome.sentence().contains("--dates"), "{}", outcome.text);
     }
 }
