@@ -25,7 +25,7 @@ impl Banded {
         }
     }
 
-    /// The same in a unit of which the present one has so many.
+    /// Bands in a unit of which the present one has so many.
     pub(crate) fn times(self, factor: f64) -> Self {
         Self {
             median: factor * self.median,

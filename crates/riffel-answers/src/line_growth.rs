@@ -33,7 +33,7 @@ pub struct LineGrowth {
     /// Wavelengths \[m\] with their growth rates per passage.
     #[serde(skip)]
     pub curve: Vec<[f64; 2]>,
-    /// Of the rail under the traffic.
+    /// Mean wear of the rail under the traffic.
     #[serde(skip)]
     mean_wear: MeanWear,
 }

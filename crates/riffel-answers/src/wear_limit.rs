@@ -26,13 +26,13 @@ pub struct WearLimitDocument {
 }
 
 impl WearLimitDocument {
-    /// Of a growth rate per passage of the wheels of a case, the fastest of a document.
+    /// What limits a growth rate per passage of the wheels of a case, the fastest of a document.
     pub fn new(case: &Case, growth_rate: Option<f64>) -> Self {
         let coefficient = case.file.wear.coefficient.si();
         Self::under(case, case.feedback.mean_wear(), coefficient, growth_rate)
     }
 
-    /// Of one under a traffic, with the wear coefficient that growth goes by there.
+    /// What limits one under a traffic, with the wear coefficient that growth goes by there.
     pub fn under(case: &Case, wear: MeanWear, coefficient: f64, growth_rate: Option<f64>) -> Self {
         let by_energy = case.file.wear.law == WearLaw::Energy;
         let spread = wear_spread(case).filter(|_| by_energy);

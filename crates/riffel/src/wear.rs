@@ -10,7 +10,8 @@ use crate::{Error, STEEL_DENSITY};
 ///
 /// How uncertain: growth rates are proportional to k_w. Clean dry discs have 2.5e-9 kg/J (in most studies of corrugation) to
 /// 5.3e-9 kg/J (R8T wheel on 900A rail, Lewis & Dwyer-Joyce 2004), severe wear far more. Rails in service wear some ten times
-/// less, see [`SERVICE_COEFFICIENT`](Self::SERVICE_COEFFICIENT). Treat a growth rate per passage as an order of magnitude until
+/// less, about 0.3e-9 kg/J within a factor of 3 (80 %): then the low rail of a tight curve loses about 1 mm under 100 million gross
+/// tonnes, as profiles over years have it. Treat a growth rate per passage as an order of magnitude until
 /// the wear of the rail or two dated spectra are measured; its sign and its dependence on wavelength do not depend on k_w.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyWear {
@@ -33,13 +34,8 @@ pub(crate) struct WearRegime {
 }
 
 impl EnergyWear {
-    /// Wear coefficient of clean dry discs \[kg/J\], which models of corrugation take, of a case that says nothing of wear. Rails in
-    /// service have a tenth of it, [`SERVICE_COEFFICIENT`](Self::SERVICE_COEFFICIENT), which cases in use say.
+    /// Wear coefficient of clean dry discs \[kg/J\], which models of corrugation take, of a case that says nothing of wear.
     pub const DEFAULT_COEFFICIENT: f64 = 2.5e-9;
-    /// Wear coefficient of rails in service \[kg/J\], where nothing better is known: chosen so that the low rail of a tight curve
-    /// loses about 1 mm under 100 million gross tonnes, as profiles over years have it (0.8 mm on straight track of a whole network,
-    /// 1.4 mm in 500 m, at most 3.4 mm in 349 m). Oxides, humidity and grease are in it; within a factor of 3 (80 %).
-    pub const SERVICE_COEFFICIENT: f64 = 0.3e-9;
     /// Density of rail steel \[kg/m³\].
     pub const DEFAULT_DENSITY: f64 = STEEL_DENSITY;
 

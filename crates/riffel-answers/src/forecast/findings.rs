@@ -54,7 +54,7 @@ impl ForecastAnswer {
         Some([self.months(early)?, self.months(late)?])
     }
 
-    /// The same in words.
+    /// Sentence on the months between which the leading rail reaches its limit.
     pub(crate) fn months_within(&self) -> Option<Message> {
         let rail = self.leading();
         let crossings = self.crossings(rail);

@@ -171,7 +171,7 @@ impl ForecastAnswer {
         })
     }
 
-    /// The same with what the model makes of the growth between two dates.
+    /// Forecast with what the model makes of the growth between two dates.
     #[must_use]
     pub fn with_wear(mut self, wear: WearReport) -> Self {
         self.wear = Some(wear);

@@ -126,7 +126,7 @@ impl SectionVerdict {
         }
     }
 
-    /// The same, with the stretch named where there are several at the same places.
+    /// Verdict with its stretch named where there are several at the same places.
     fn on(mut self, stretch: Option<usize>) -> Self {
         if let Some(stretch) = stretch {
             let named = say!(stretch_named, stretch = number(stretch));

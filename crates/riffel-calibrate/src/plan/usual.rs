@@ -288,17 +288,10 @@ fn candidates(case: &Case, vehicles: &[Vehicle], tables: &[Table]) -> Vec<Candid
         let is_known = of_key.key == "track.pad.stiffness"
             && (case.file.track.preset.is_some() || pad.is_some_and(|pad| pad.preset.is_some()));
         let factor = if is_known { KNOWN_PAD } else { of_key.factor };
-        let wear = case.file.wear.measured.as_ref();
-        let (of_key, factor) = match wear.filter(|_| of_key.key == "wear.coefficient") {
-            // Of its wear 80 % lies within that factor; of a lognormal within 1.28 standard deviations.
-            Some(measured) => (
-                &OfKey {
-                    median: None,
-                    ..*of_key
-                },
-                measured.factor.si().powf(1.0 / 1.281_552).max(1.001),
-            ),
-            None => (of_key, factor),
+        let is_wear = of_key.key == "wear.coefficient" && case.file.wear.measured.is_some();
+        let factor = match is_wear {
+            true => case.wear_spread().factor().max(1.001),
+            false => factor,
         };
         candidates.push(Candidate {
             name: of_key.key.to_owned(),

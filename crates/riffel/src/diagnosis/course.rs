@@ -17,8 +17,8 @@ pub fn first_since_ground(falls: impl IntoIterator<Item = f64>) -> usize {
 /// By how much a rail fell from one record to the next, of the falls of its bands \[dB\]: their median over the bands that moved.
 ///
 /// Bands that moved by 1 dB or less say nothing: stones do not reach waves that are too long, and the floor of an instrument stays. Where
-/// fewer than three bands moved, but not all, it is zero: a mark of grinding that fades is one or two bands wide. Of 100 made-up rails that were
-/// ground and 100 that were not, 95 or more are told right (a test). Riffel's choice.
+/// fewer than three bands moved, but not all, it is zero: a mark of grinding that fades is one or two bands wide. Of 1000 made-up rails
+/// that were ground and 1000 that were not, 95 % or more are told right (a test). Riffel's choice.
 pub fn fall_of_bands(falls: impl IntoIterator<Item = f64>) -> f64 {
     const MOVED: f64 = 1.0;
     const LEAST: usize = 3;

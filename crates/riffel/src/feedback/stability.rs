@@ -52,7 +52,7 @@ pub struct UnstableRoot {
 }
 
 impl Stability {
-    /// The same where the loop is known up to a frequency \[Hz\]: an oscillation beyond it does not count, and
+    /// Stability where the loop is known up to a frequency \[Hz\]: an oscillation beyond it does not count, and
     /// [`frequency`](Self::frequency) and [`growth_rate`](Self::growth_rate) are those of the highest that does.
     pub fn known_to(mut self, frequency: f64) -> Self {
         for root in &mut self.roots {

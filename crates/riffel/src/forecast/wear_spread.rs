@@ -37,6 +37,11 @@ impl WearSpread {
         })
     }
 
+    /// Factor of one standard deviation either way \[-\].
+    pub fn factor(self) -> f64 {
+        self.deviation.exp()
+    }
+
     /// Between what a value in proportion to the coefficient, or in inverse proportion, lies by 80 %: a tenth below the first, a
     /// tenth above the second.
     pub fn band_80(self, value: f64) -> [f64; 2] {

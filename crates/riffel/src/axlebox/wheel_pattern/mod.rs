@@ -51,16 +51,16 @@ impl WheelPattern {
     /// or none for each; a pattern that is the wheel's is taken off its heights.
     ///
     /// Method: power is made even over octaves, so that long waves do not hide the rest; the distance is that at which the
-    /// autocorrelation at all multiples is the greatest, and then that of the highest lines of the orders that stand out. The pattern is
-    /// the mean of the heights a whole number of turns away, up to 24 to either side, in the bands of these orders; of all known ones where four or more stand out. Heights
-    /// themselves are not in their mean, so that a rail without a pattern has none but by chance. Of an order that
-    /// repeats half as strongly under most of the other wheels it is the rail that repeats. Where there is no other wheel, a pattern
-    /// of fewer than four orders may be a wave of the rail that keeps its phase: it stays in the heights; and what repeats by the
-    /// distance of supports \[m\], if there are any, is the track's.
+    /// autocorrelation at all multiples is the greatest, and then that of the highest lines of the orders that stand out. The pattern at a
+    /// place is the mean of the heights a whole number of turns away, up to 24 to either side and without the height of the place itself:
+    /// a rail without a pattern has none but by chance. It is taken in the bands of the orders that stand out, and in those of all known
+    /// orders where four or more do. An order that repeats half as strongly under most of the other wheels is the rail's. Where there is
+    /// no other wheel, a pattern of fewer than four orders may be a wave of the rail that keeps its phase, and stays in the heights; what
+    /// repeats by the distance of supports \[m\], if there are any, is the track's.
     ///
-    /// Range: 16 turns or more, wavelengths that are known. Accuracy, on 16 made-up rails of 300 m, half of them corrugated (tests of this module):
-    /// rails, waves of theirs and supports have none; flats of 60 to 155 µm and waves of 18 µm around the wheel are found on all, and what is left has the
-    /// rail's levels within 0.5 dB. Cost: two transforms, and two more where there is a pattern.
+    /// Range: 16 turns or more, wavelengths that are known. Accuracy, on 16 made-up rails of 300 m, half of them corrugated (tests of this
+    /// module): rails, their waves and supports have no pattern; flats of 60 to 155 µm and waves of 18 µm around the wheel are found on
+    /// all, and what is left has the rail's levels within 0.5 dB. Cost: two transforms, and two more where there is a pattern.
     ///
     /// # Errors
     /// None for heights that are finite.
