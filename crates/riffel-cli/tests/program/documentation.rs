@@ -88,9 +88,45 @@ fn run(sandbox: &Sandbox, block: &str, page: &Path) -> String {
             .action_env("SNAPBOX_DOCUMENTATION")
             .try_eq(None, printed.clone().into(), pattern.into())
             .is_ok();
-        written.push_str(if same { &shown } else { &printed });
+        if same {
+            written.push_str(&shown);
+        } else {
+            written.push_str(&keep_open_places(&shown, &printed));
+        }
     }
     written
+}
+
+/// Printed lines, with those of the page in place of the ones that its `[..]` stand for.
+fn keep_open_places(shown: &str, printed: &str) -> String {
+    let open: Vec<&str> = shown.lines().filter(|line| line.contains("[..]")).collect();
+    let stands_for = |pattern: &str, line: &str| {
+        let mut rest = line;
+        let begins = pattern.split("[..]").all(|part| match rest.find(part) {
+            Some(place) => {
+                rest = &rest[place + part.len()..];
+                true
+            }
+            None => false,
+        });
+        begins && (rest.is_empty() || pattern.ends_with("[..]"))
+    };
+    let kept = printed.lines().map(|line| {
+        let pattern = open.iter().find(|pattern| stands_for(pattern, line));
+        format!("{}\n", pattern.copied().unwrap_or(line))
+    });
+    kept.collect()
+}
+
+#[test]
+fn an_update_keeps_what_a_page_leaves_open() {
+    assert_eq!(
+        keep_open_places(
+            "old 1\n1024 samples in [..], [..] a second\n",
+            "new 2\n1024 samples in 4.3 s, 240 a second\n1024 other\n"
+        ),
+        "new 2\n1024 samples in [..], [..] a second\n1024 other\n"
+    );
 }
 
 #[test]
