@@ -163,6 +163,13 @@ impl LineGrowth {
                 wavelength = wavelength,
                 time = time
             ),
+            None if case.has_other_damage() => say!(
+                grows_fastest_by_damage,
+                traffic = traffic,
+                range = range,
+                wavelength = wavelength,
+                time = time
+            ),
             None => say!(
                 grows_fastest_under,
                 traffic = traffic,

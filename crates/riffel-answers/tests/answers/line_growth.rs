@@ -99,6 +99,25 @@ fn an_edge_is_told_as_an_edge() {
     }
 }
 
+/// Depths of flow are known from no measurement, so that a time by them holds for what the case says alone.
+#[test]
+fn a_time_by_flow_holds_for_its_depth() {
+    let flow = [
+        "damage.laws=['flow']",
+        "damage.grade='R260'",
+        "damage.flow.depth=1e-9",
+        "damage.flow.exponent=1",
+        "contact.friction=0.5",
+        "contact.wave_geometry=false",
+    ];
+    let case = coarse(NOMINAL_CASE, &flow);
+    let words = in_words(&LineGrowth::new(&case, None).unwrap());
+    let wear = in_words(&LineGrowth::new(&coarse(NOMINAL_CASE, &[]), None).unwrap());
+    let doubt = "if the depths of damage are as written, which no measurement has told";
+    assert!(words.contains(doubt), "{words}");
+    assert!(!wear.contains(doubt), "{wear}");
+}
+
 /// Wear a hundred times as fast is faster than any growth seen on a railway; wear of none lets nothing grow.
 #[test]
 fn growth_that_nobody_has_seen_is_remarked() {
