@@ -93,8 +93,14 @@ impl Traffic {
             return Err(source.missing("vehicle", say!(write_one_vehicle_or_more)));
         }
         let (mut speeds, mut spreads) = (Vec::new(), Vec::new());
-        let amounts = ["line.passages_per_day", "line.mgt_per_year"].into_iter();
-        let mut remarks = amounts
+        let of_line = [
+            "line.passages_per_day",
+            "line.mgt_per_year",
+            "line.friction_days.mean",
+            "line.friction_days.factor",
+        ];
+        let mut remarks = of_line
+            .into_iter()
             .filter_map(|key| source.judge(key).transpose())
             .collect::<Result<Vec<Message>, CaseError>>()?;
         for (index, vehicle) in file.vehicle.iter().enumerate() {
@@ -132,7 +138,7 @@ impl Traffic {
                 return Err(exclusive(&source, &key("creepage"), &key("tractive_ratio")));
             }
             speeds.push(distribution(&source, index, vehicle)?);
-            spreads.push(Spreads::of(&source, index, vehicle)?);
+            spreads.push(Spreads::of(&source, line.friction_days, index, vehicle)?);
         }
         let shares = file.vehicle.iter().map(|vehicle| vehicle.share.si());
         sums_to_one(&source, "vehicle", shares)?;

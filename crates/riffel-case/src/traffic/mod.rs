@@ -24,7 +24,9 @@ pub use reported_growth::{
 };
 pub use spread::{Spread, SpreadEnds, ValueShare};
 pub use spreads::SpreadEffect;
-pub use traffic_file::{CurveOfVehicle, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle};
+pub use traffic_file::{
+    CurveOfVehicle, FrictionDays, Line, NormalSpeed, SpeedShare, TrafficFile, Vehicle,
+};
 pub use usual::{LineKind, UsualTraffic, traffic_at_speeds};
 pub use vehicle_name::{WHEEL_OF_THE_CASE, vehicle_in_words};
 

@@ -4,8 +4,8 @@ use riffel::forecast::Distribution;
 use riffel_keys::{CaseError, KeyFile, say};
 use toml::Value;
 
-use super::Vehicle;
 use super::spread::{Values, names_of_key, of_key};
+use super::{FrictionDays, Vehicle};
 use crate::CaseKey;
 use crate::setting::{Setting, settings, settings_until};
 
@@ -127,8 +127,13 @@ impl PartValues {
 }
 
 impl Spreads {
-    /// Of a vehicle of a traffic file.
-    pub(super) fn of(source: &KeyFile, index: usize, vehicle: &Vehicle) -> Result<Self, CaseError> {
+    /// Of a vehicle of a traffic file, under the friction that its line has over the days.
+    pub(super) fn of(
+        source: &KeyFile,
+        days: Option<FrictionDays>,
+        index: usize,
+        vehicle: &Vehicle,
+    ) -> Result<Self, CaseError> {
         let at = |name: &str| format!("vehicle[{index}].{name}");
         let taken = [
             (
@@ -183,6 +188,15 @@ impl Spreads {
             );
         }
         let given = settings(&vehicle.set);
+        let says_friction = vehicle.friction.is_some()
+            || given.iter().any(|it| it.0 == FRICTION)
+            || settings(&vehicle.spread).iter().any(|it| it.0 == FRICTION);
+        if let Some(days) = days.filter(|_| !says_friction) {
+            let distribution = Distribution::log_normal(days.mean.si(), days.factor.si());
+            let distribution =
+                distribution.map_err(|error| source.invalid("line.friction_days", &error, ""))?;
+            shorthand("friction", FRICTION, distribution);
+        }
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");
             let Some(known) = CaseKey::find(&key) else {

@@ -153,7 +153,7 @@ fn one_wheel_without_spread_is_the_loop() -> Result<(), CaseError> {
     Ok(())
 }
 
-/// Means over normal loads and even friction, against the mean over 400 draws of equal probability of each, which is right to
+/// Means over normal loads, even friction and the friction of days, against the mean over 400 draws of equal probability of each, which is right to
 /// 1e-4: to 1 % of the largest rate, which is the tolerance of the rule.
 #[test]
 fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
@@ -166,15 +166,17 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
             "normal",
         ),
         ("friction = { min = 0.2, max = 0.5 }", "friction", "even"),
+        ("[line]\nfriction_days = {}", "friction", "days"),
     ];
     for (spread, key, kind) in cases {
-        let found = on(&case, &format!("{spread}\n{speed}"))?;
+        let found = on(&case, &format!("{speed}\n{spread}"))?;
         const DRAWS: usize = 400;
         let mut mean = vec![0.0; found.growth.rates().len()];
         for draw in 0..DRAWS {
             let share = (draw as f64 + 0.5) / DRAWS as f64;
             let value = match kind {
                 "normal" => 50e3 + 5e3 * quantile(share),
+                "days" => 0.4 * 1.4f64.powf(quantile(share)),
                 _ => 0.2 + 0.3 * share,
             };
             let set = match key {
@@ -194,6 +196,39 @@ fn spreads_are_means_over_their_values() -> Result<(), CaseError> {
         }
     }
     Ok(())
+}
+
+/// A vehicle that says its friction keeps it on all days; a factor below one and a friction of none are refused.
+#[test]
+fn friction_of_days_is_that_of_vehicles_that_say_none() {
+    let case = nominal(&[]);
+    let rates = |text: &str| {
+        let found = on(
+            &case,
+            &format!("speeds = [{{ speed = 30, share = 1 }}]\n{text}"),
+        );
+        found.map(|found| found.growth.rates().to_vec())
+    };
+    let days = "\n[line]\nfriction_days = { mean = 0.3 }";
+    for own in [
+        "set.contact.friction = 0.5",
+        "friction = [{ value = 0.5, share = 1 }]",
+        "spread.contact.friction = [{ value = 0.5, share = 1 }]",
+    ] {
+        let with_days = rates(&format!("{own}{days}")).unwrap();
+        assert_eq!(with_days, rates(own).unwrap(), "{own}");
+    }
+    assert_ne!(rates(days).unwrap(), rates("").unwrap());
+    let single = rates("[line]\nfriction_days = { mean = 0.3, factor = 1 }").unwrap();
+    assert_eq!(single, rates("set.contact.friction = 0.3").unwrap());
+    for (written, told) in [
+        ("{ factor = 0.9 }", "`line.friction_days.factor` is 0.9"),
+        ("{ mean = 0 }", "`line.friction_days.mean` is 0"),
+        ("{ median = 0.4 }", "line.friction_days.median"),
+    ] {
+        let error = rates(&format!("[line]\nfriction_days = {written}")).unwrap_err();
+        assert!(error.to_string().contains(told), "{error}");
+    }
 }
 
 /// Of the standard normal distribution, by bisection on a series of its integral.

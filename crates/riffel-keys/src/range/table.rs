@@ -273,6 +273,7 @@ pub static RANGES: &[PhysicalRange] = &[
             "contact.friction.left",
             "contact.friction.right",
             "opposite_contact.friction",
+            "line.friction_days.mean",
             "vehicle.friction.mean",
             "vehicle.friction.min",
             "vehicle.friction.max",
@@ -692,6 +693,12 @@ pub static RANGES: &[PhysicalRange] = &[
         [1.0, 100.0],
         [1.0, 3.0],
         "Surveys tell wear within a factor of 1.1 to 2.",
+    ),
+    row::<Ratio>(
+        &["line.friction_days.factor"],
+        [1.0, 4.0],
+        [1.0, 2.0],
+        "Two days of three lie within a factor of 1.2 to 1.6 of the middle of a dry rail.",
     ),
     row::<Ratio>(
         &["wear.natural_lubrication"],
