@@ -29,8 +29,8 @@ pub struct Column {
 pub enum Values {
     /// Words.
     Words(Vec<Message>),
-    /// Numbers as they are, such as nominal frequencies.
-    Plain(Vec<f64>),
+    /// Numbers as they are, such as nominal frequencies and rates of 10⁻⁷; none where there is nothing.
+    Plain(Vec<Option<f64>>),
     /// Numbers to so many digits after the point in a file and before a reader; none where there is nothing.
     Fixed {
         /// The numbers.
@@ -56,7 +56,7 @@ impl Values {
     fn in_file(&self, row: usize) -> String {
         match self {
             Self::Words(words) => words[row].to_string(),
-            Self::Plain(values) => values[row].to_string(),
+            Self::Plain(values) => values[row].map_or_else(String::new, |value| value.to_string()),
             Self::Fixed { values, file, .. } => {
                 values[row].map_or_else(String::new, |value| format!("{value:.file$}"))
             }
@@ -104,7 +104,7 @@ impl Column {
         Self {
             name: name.to_owned(),
             head: None,
-            values: Values::Plain(values.collect()),
+            values: Values::Plain(values.map(Some).collect()),
         }
     }
 
@@ -113,11 +113,12 @@ impl Column {
         Self::words("", head, words)
     }
 
-    /// Numbers for files alone; none where there is nothing.
+    /// Numbers for files alone, as they are; none where there is nothing.
     pub fn optional(name: &str, values: Vec<Option<f64>>) -> Self {
         Self {
+            name: name.to_owned(),
             head: None,
-            ..Self::fixed(name, Message::verbatim(""), values.into_iter(), 0)
+            values: Values::Plain(values),
         }
     }
 

@@ -41,7 +41,7 @@ fn bands(answer: &NoiseAnswer) -> Table {
     let mut columns = vec![Column {
         name: "frequency_hz".to_owned(),
         head: Some(say!(frequency_in_hertz)),
-        values: Values::Plain(answer.frequency_hz.clone()),
+        values: Values::Plain(answer.frequency_hz.iter().copied().map(Some).collect()),
     }];
     for part in Part::ALL {
         let (levels, _) = answer.level.of(part);

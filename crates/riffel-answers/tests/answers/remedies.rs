@@ -1,7 +1,7 @@
 //! Remedies: each is what the same change of the case does, and the ranking follows.
 
-use riffel_answers::LineGrowth;
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
+use riffel_answers::{Answer, LineGrowth};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, METRO_CASE, METRO_CURVE_CASE, NOMINAL_CASE};
 use serde_json::Value;
@@ -63,6 +63,16 @@ fn where_pads_decide_pads_lead() {
         direct.push(change);
     }
     assert!(direct.iter().all(|change| *change >= direct[0]) && direct[0] < -0.3);
+    // A file has the rate of 10⁻⁷ with all its digits.
+    let mut file = Vec::new();
+    answer.tables()[0].csv(&mut file).unwrap();
+    let file = String::from_utf8(file).unwrap();
+    let first = file.lines().nth(1).unwrap().rsplit(',').next().unwrap();
+    let written: f64 = first.parse().unwrap();
+    assert!(
+        (written / (before * (1.0 + direct[0])) - 1.0).abs() < 1e-9,
+        "{file}"
+    );
     assert_eq!(answer.remedies[0].changes.len(), 1);
     assert_eq!(answer.remedies[0].change_of_fastest_growth, direct[0]);
     let changes = answer.remedies.iter().map(|it| it.change_of_fastest_growth);
