@@ -286,8 +286,19 @@ impl Case {
         let window = &mut keys.file.map.wavelength;
         window.min = Quantity::new(shortest.min(from));
         window.max = Quantity::new(longest.max(to));
+        let built = keys.build()?;
+        if built.wavelength.min() > from {
+            return Err(self.keys.text.keys.invalid(
+                "map.wavelength.min",
+                say!(
+                    response_known_from,
+                    wavelength = fixed(1e3 * built.wavelength.min(), 1)
+                ),
+                say!(take_longer_waves_or_another_grid),
+            ));
+        }
         Ok(Self {
-            feedback: keys.build()?.closed.feedback,
+            feedback: built.closed.feedback,
             ..self.clone()
         })
     }

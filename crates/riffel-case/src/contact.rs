@@ -138,8 +138,10 @@ impl CaseContact {
     /// [`CaseError`] where the law of the case or the exact theory has no such state.
     pub fn exact(&self, half_space: &HalfSpace) -> Result<HalfSpaceRolling, CaseError> {
         let mean = match (self.steady_by_law()?, self.vector_creepage()) {
-            // At the tractive ratio of the law, so that creepages can be compared.
-            (Some(by_law), None) => MeanState::TractiveRatio(by_law.rolling.tractive_ratio()),
+            // At the tractive ratio of the law, so that creepages can be compared; full sliding has its creepage alone.
+            (Some(by_law), None) if by_law.rolling.tractive_ratio() < 1.0 => {
+                MeanState::TractiveRatio(by_law.rolling.tractive_ratio())
+            }
             _ => self.mean,
         };
         self.keys.exact_state(half_space, mean)

@@ -46,6 +46,9 @@ response-at-other-node = gemessen ist die Antwort am Knoten { $response } auf ei
 
 ## Ranges of validity
 
+response-known-from = liegt unter { $wavelength } mm: Die Tabelle des exakten Kontakts konvergiert auf kürzeren Wellen nicht
+take-longer-waves-or-another-grid = längere Wellen nehmen, oder ein anderes { KEY("contact.grid") }
+map-begins-where-contact-is-known = die Karte beginnt bei { $wavelength } mm: Auf kürzeren Wellen konvergiert die Tabelle des exakten Kontakts nicht; ein anderes { KEY("contact.grid") } hilft vielleicht
 rail-without-support = die Schiene liegt nirgends auf: unter etwa { $free_beam_from_hz } Hz ({ $window }: ab { $lowest } Hz) ändern Zwischenlagen, Schwellen und Schotter ihre Rezeptanz
 rail-without-shear = die Schiene biegt sich ohne Schub: ihre Rezeptanz weicht bei { $euler_beam_up_to_hz } Hz um etwa 9° ab, bei 1500 Hz um 24° und 14 % ({ $window }: bis { $highest } Hz)
 pinned-pinned-without-shear = die Schiene biegt sich ohne Schub: ihre Pinned-pinned-Frequenz ist um 20 bis 35 % oder mehr zu hoch und wird nicht genannt ({ KEY("rail.beam") } = "timoshenko" wählen)

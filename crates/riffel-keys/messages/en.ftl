@@ -45,6 +45,9 @@ response-at-other-node = the measured response is at node { $response } and its 
 
 ## Ranges of validity
 
+response-known-from = lies below { $wavelength } mm: the table of the exact contact does not converge on shorter waves
+take-longer-waves-or-another-grid = take longer waves, or another { KEY("contact.grid") }
+map-begins-where-contact-is-known = the map begins at { $wavelength } mm: on shorter waves the table of the exact contact does not converge; another { KEY("contact.grid") } may
 rail-without-support = the rail has no support: below about { $free_beam_from_hz } Hz (lowest of the { $window }: { $lowest } Hz) pads, sleepers and ballast change its receptance
     .short = the rail has no support: wrong below about { $free_beam_from_hz } Hz ({ $window } from { $lowest } Hz)
 rail-without-shear = the rail bends without shear: its receptance is some 9° off at { $euler_beam_up_to_hz } Hz, 24° and 14 % at 1500 Hz (highest of the { $window }: { $highest } Hz)

@@ -30,20 +30,12 @@ impl RollingTheories {
     /// All theories about the mean state of the case.
     ///
     /// # Errors
-    /// [`CaseError`] near full slip where a tractive ratio is asked for, for a grid of the contact that is too coarse, or where
-    /// the exact theory does not converge.
+    /// [`CaseError`] for a grid of the contact that is too coarse, or where the exact theory does not converge.
     pub fn new(contact: CaseContact) -> Result<Self, CaseError> {
         let (hertz, friction) = (contact.hertz, contact.friction());
         let by_law = contact.steady_by_law()?;
-        let vector = contact.vector_creepage().is_some();
-        if let Some(by_law) = by_law.filter(|_| !vector) {
-            slope_at(&contact, by_law.rolling.tractive_ratio())?;
-        }
         let half_space = contact.half_space()?;
         let state = contact.exact(&half_space)?;
-        if !vector {
-            slope_at(&contact, half_space.steady(&state).tractive_ratio())?;
-        }
         let laws = contact.creep_laws()?;
         let full_slip = || -> Result<f64, riffel::Error> {
             let ellipse = CreepEllipse::new(hertz, laws.kalker);

@@ -8,7 +8,7 @@ mod track;
 pub(crate) mod validity;
 mod wheelset;
 
-use riffel_keys::{CaseError, Message, say};
+use riffel_keys::{CaseError, Message, fixed, say};
 use std::sync::Arc;
 
 use riffel::contact::{CreepLaw, MeanRolling};
@@ -54,9 +54,20 @@ pub(crate) struct ClosedLoop {
 impl CheckedKeys {
     /// The loop of the case, and what goes with it.
     pub(crate) fn build(&self) -> Result<BuiltCase, CaseError> {
-        let (wavelength, speed) = self.window()?;
+        let (mut wavelength, speed) = self.window()?;
         let (track, closed) = self.close()?;
         let mut remarks = self.text.remarks.clone();
+        let contacts = closed.feedback.contacts().iter();
+        let known = contacts.map(|contact| contact.rolling.known_from());
+        let known = known.fold(0.0, f64::max);
+        if known > wavelength.min() {
+            let from = Axis::new(known, wavelength.max(), wavelength.points());
+            wavelength = self.physics("map.wavelength.max", from)?;
+            remarks.push(say!(
+                map_begins_where_contact_is_known,
+                wavelength = fixed(1e3 * known, 1)
+            ));
+        }
         remarks.extend(track.remarks.iter().cloned());
         remarks.extend(closed.remarks.iter().cloned());
         if self.window != Window::BesideAnother {

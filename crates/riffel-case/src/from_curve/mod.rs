@@ -150,7 +150,9 @@ impl CaseText {
         let mirrored = !has_wheelset && rail == Rail::Left;
         let radius_of_wheel = file.wheel.rolling_radius.si();
         self.fill_number("wheel.rolling_radius", radius_of_wheel, &mut instead);
-        if !self.keys.has("contact.creep_law") {
+        // A response that is late has the exact law by itself.
+        let is_late = self.keys.text_of("contact.response") == Some("non-steady");
+        if !is_late && !self.keys.has("contact.creep_law") {
             self.fill("contact.creep_law", "shen-hedrick-elkins");
         }
         let patch = from.patch.unwrap_or_default();

@@ -180,7 +180,7 @@ fn bad_contacts() {
         "contact.creep_law=polach; contact.polach.limit_friction_ratio=0.4; contact.polach.friction_decay=0.6; contact.polach.speed=20; contact.tractive_ratio=0.99 => `contact.tractive_ratio`: tractive ratio is 0.99, but must stay below the maximum of adhesion of the creep law at 0.9",
         "contact.response=non-steady; contact.creep_law=fastsim => exclude each other",
         "contact.creep_law=fastsim; contact.creepage=2 % => full slip begins at",
-        "contact.creep_law=half-space; contact.tractive_ratio=0.995 => nearer to full slip there is no slope",
+        "contact.creep_law=half-space; contact.tractive_ratio=1 => must be between 1e-6 and 0.999999",
         "contact.creep_law=half-space; contact.grid=17 => `contact.grid` is 17, but must be an even number from 16 to 200",
         "contact.creep_law=half-space; contact.grid=14 => `contact.grid` is 14, but must be an even number from 16 to 200",
         "contact.response=non-steady; map.wavelength.min=2 mm => `map.wavelength.min`: wavelength is 0.002 m, but must be at least six elements",

@@ -6,6 +6,7 @@ mod contact;
 mod damage;
 mod damage_in_loop;
 mod damage_stress;
+mod full_sliding;
 mod general_loop;
 mod measured_resonances;
 mod measured_tables;

@@ -33,6 +33,10 @@ impl RollingContact for LoadWear {
         self.contact.steady()
     }
 
+    fn known_from(&self) -> f64 {
+        self.contact.known_from()
+    }
+
     fn response(&self, wavelength: f64) -> ContactResponse {
         let ContactResponse {
             by_load,

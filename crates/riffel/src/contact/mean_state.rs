@@ -18,26 +18,19 @@ impl MeanState {
         Self::Creepages(Creepages::longitudinal(creepage))
     }
 
-    /// `Ok` if a tractive ratio lies between 0 and 1, or up to a largest one below.
+    /// `Ok` if a tractive ratio lies between 0 and 1.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] with the rule.
-    pub(super) fn check_tractive_ratio(
-        ratio: f64,
-        largest: Option<(f64, &'static str)>,
-    ) -> Result<(), Error> {
-        let (allowed, rule) = match largest {
-            None => (ratio < 1.0, "must lie between 0 and 1, both excluded"),
-            Some((largest, rule)) => (ratio <= largest, rule),
-        };
-        if ratio > 0.0 && allowed {
+    pub(super) fn check_tractive_ratio(ratio: f64) -> Result<(), Error> {
+        if ratio > 0.0 && ratio < 1.0 {
             return Ok(());
         }
         Err(Error::OutOfRange {
             quantity: "tractive ratio",
             value: ratio,
             unit: "",
-            rule,
+            rule: "must lie between 0 and 1, both excluded",
         })
     }
 }

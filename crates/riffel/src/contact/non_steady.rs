@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use num_complex::Complex64;
 
-use super::half_space::{FoundResponses, REMEDY};
+use super::half_space::{FoundResponses, REMEDY, ResponseSweep};
 use super::{
     ContactDerivative, ContactResponse, GridError, HalfSpace, HalfSpaceRolling, MeanRolling,
     Oscillating, OscillatingCreepages, RollingContact,
@@ -74,13 +74,18 @@ impl Node {
     }
 
     /// Largest error of other values, relative to the force and the energy of each input; energy that vanishes by
-    /// symmetry counts by the force and the mean creepage.
+    /// symmetry counts by the force and the mean creepage, and a force that vanishes in full sliding by a tenth of the energy over
+    /// that creepage: the iteration leaves a tenth of the tolerance.
     fn missed_by(&self, values: &[Complex64; DERIVATIVES], creepage: f64) -> f64 {
         let inputs = self.values.chunks_exact(OUTPUTS).zip(&self.errors);
         let inputs = inputs.zip(values.chunks_exact(OUTPUTS));
         let misses = inputs.flat_map(|((exact, error), got)| {
             let force = exact[0].norm().hypot(exact[1].norm());
             let energy = exact[2].norm().max(exact[3].norm());
+            let force = match creepage > 0.0 {
+                true => force.max(0.1 * energy / creepage),
+                false => force,
+            };
             let energy = energy.max(creepage * force).max(error.energy);
             let sizes = [force, force, energy, energy];
             let missed = move |output: usize| {
@@ -92,8 +97,8 @@ impl Node {
     }
 }
 
-/// The octaves up to an end of one, its response, and what that found.
-type End = (f64, Node, FoundResponses);
+/// The response at an end of an octave, and what that found.
+type End = (Node, FoundResponses);
 
 impl NonSteady {
     /// The tolerance of cases: a hundredth of the error of the half-space itself.
@@ -103,7 +108,8 @@ impl NonSteady {
     /// `longest` \[m\], each derivative to a relative `tolerance` \[-\]; below 1e-4 what the iteration of the response leaves, 1e-5, stands in the way.
     ///
     /// # Errors
-    /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of an octave do not do.
+    /// Those of [`HalfSpace::response`]; [`Error::NotConverged`] if 64 intervals of the longest octave do not do. Where those of
+    /// a shorter one do not, the table begins above it, [`known_from`](RollingContact::known_from).
     pub fn new(
         contact: &HalfSpace,
         state: &HalfSpaceRolling,
@@ -119,33 +125,44 @@ impl NonSteady {
         let below = (shortest / resolved).log2().floor();
         let above = (longest / resolved).log2().ceil().max(below + 1.0);
         let wavelength = |place: f64| resolved * place.exp2();
-        // The ends of the octaves from nothing, so that neither depends on the other octaves.
+        let creepage = steady.creepages.magnitude();
         let mut sweep = contact.sweep(state, oscillating);
-        let ends = (below as i32..=above as i32).map(|end| -> Result<_, Error> {
+        // The ends of the octaves from nothing, so that neither depends on the other octaves.
+        let end = |sweep: &mut ResponseSweep<'_>, place: f64| -> Result<End, Error> {
             sweep.begin_with(&[]);
-            let node = Node::new(sweep.at(wavelength(f64::from(end)))?);
-            Ok((f64::from(end), node, sweep.found()))
-        });
-        let ends = ends.collect::<Result<Vec<End>, _>>()?;
-        let octave = |((begin, shortest, first), (_, longest, last)): (&End, &End)| {
-            sweep.begin_with(&[first, last]);
-            let node = |t: f64| {
-                let response = sweep.at(wavelength(begin + 0.5 * (1.0 + t)));
-                response.map(Node::new)
-            };
-            let creepage = steady.creepages.magnitude();
-            Octave::new([*longest, *shortest], node, creepage, tolerance)
+            Ok((Node::new(sweep.at(wavelength(place))?), sweep.found()))
         };
-        let octaves = ends
-            .iter()
-            .zip(&ends[1..])
-            .map(octave)
-            .collect::<Result<_, _>>()?;
+        let mut last = end(&mut sweep, above)?;
+        let (mut first, mut octaves) = (above, Vec::new());
+        while first > below {
+            let begin = first - 1.0;
+            let octave = end(&mut sweep, begin).and_then(|end| {
+                sweep.begin_with(&[&end.1, &last.1]);
+                let node = |t: f64| {
+                    let response = sweep.at(wavelength(begin + 0.5 * (1.0 + t)));
+                    response.map(Node::new)
+                };
+                Ok((
+                    Octave::new([last.0, end.0], node, creepage, tolerance)?,
+                    end,
+                ))
+            });
+            match octave {
+                Ok((octave, end)) => {
+                    octaves.push(octave);
+                    (first, last) = (begin, end);
+                }
+                // What is longer holds.
+                Err(Error::NotConverged { .. }) if !octaves.is_empty() => break,
+                Err(error) => return Err(error),
+            }
+        }
+        octaves.reverse();
         Ok(Self {
             steady,
             oscillating,
             resolved,
-            first: below,
+            first,
             octaves,
         })
     }
@@ -237,6 +254,10 @@ impl Octave {
 impl RollingContact for NonSteady {
     fn steady(&self) -> MeanRolling {
         self.steady
+    }
+
+    fn known_from(&self) -> f64 {
+        self.resolved * self.first.exp2()
     }
 
     fn response(&self, wavelength: f64) -> ContactResponse {

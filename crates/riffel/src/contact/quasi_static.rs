@@ -33,9 +33,9 @@ impl<L: CreepLaw> QuasiStatic<L> {
     ///
     /// # Errors
     /// [`Error::OutOfRange`] unless P₀ > 0, 0 < τ < 1 and the creepage is not zero (longitudinal creepage alone: is
-    /// positive), if the law does not reach τ at any creepage up to one, and where a vector of creepages leaves no
-    /// stick; [`Error::BeyondAdhesion`] from the law's maximum of adhesion on, [`Error::FullSlip`] from its full slip on, in
-    /// longitudinal creepage alone. A law of full sliding takes every creepage but zero, and no tractive ratio.
+    /// positive), and if the law does not reach τ at any creepage up to one; [`Error::BeyondAdhesion`] from the law's maximum
+    /// of adhesion on, [`Error::FullSlip`] from its full slip on, in longitudinal creepage alone. A vector of creepages may
+    /// slide everywhere. A law of full sliding takes every creepage but zero, and no tractive ratio.
     pub fn new(law: L, normal_force: f64, mean: MeanState) -> Result<Self, Error> {
         Error::unless_positive("normal force", normal_force, "N")?;
         let creepages = match mean {
@@ -120,7 +120,7 @@ impl<L: CreepLaw> QuasiStatic<L> {
 
 /// The longitudinal creepage \[-\] of a tractive ratio.
 fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64, Error> {
-    MeanState::check_tractive_ratio(ratio, None)?;
+    MeanState::check_tractive_ratio(ratio)?;
     let most = law.friction() * normal_force;
     law.creepage(normal_force, ratio).ok_or_else(|| {
         let limit = law.limit(normal_force);
@@ -151,25 +151,10 @@ fn creepage_at(law: &impl CreepLaw, normal_force: f64, ratio: f64) -> Result<f64
 
 /// `Ok` if the law has slopes at the creepages.
 fn check(law: &impl CreepLaw, normal_force: f64, creepages: Creepages) -> Result<(), Error> {
-    /// Share of friction times load that is full slip to rounding: a law that saturates does so by a cubic, whose
-    /// last millionth is a hundredth of the creepage.
-    const FULL: f64 = 1.0 - 1e-6;
     let sliding = law.limit(normal_force) == ForceLimit::FullSlip(0.0);
     let alone = creepages == Creepages::longitudinal(creepages.longitudinal.abs());
     if sliding || !alone {
-        Error::unless_positive("magnitude of the creepage", creepages.magnitude(), "")?;
-        // The law itself says where a vector of creepages leaves no stick.
-        let force = law.forces(normal_force, creepages).magnitude();
-        if sliding || force < FULL * law.friction() * normal_force {
-            return Ok(());
-        }
-        return Err(Error::OutOfRange {
-            quantity: "magnitude of the creepage",
-            value: creepages.magnitude(),
-            unit: "",
-            rule: "must leave a region of stick: here the creep force reaches friction times load, which is for a law \
-                   of full sliding",
-        });
+        return Error::unless_positive("magnitude of the creepage", creepages.magnitude(), "");
     }
     let creepage = creepages.longitudinal;
     Error::unless_positive("creepage", creepage, "")?;

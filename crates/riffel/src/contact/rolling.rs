@@ -10,4 +10,9 @@ pub trait RollingContact: Send + Sync {
     /// Response to oscillations of normal force and creepages of the given wavelength \[m\],
     /// referred to the instant at which the wheel centre passes.
     fn response(&self, wavelength: f64) -> ContactResponse;
+
+    /// The wavelength \[m\] from which on the response is known.
+    fn known_from(&self) -> f64 {
+        0.0
+    }
 }

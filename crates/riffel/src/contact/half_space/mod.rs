@@ -36,8 +36,7 @@ use self::friction::Slip;
 use self::influence::Influence;
 use self::input::Input;
 use self::patch::{Field, Patch};
-pub(super) use self::response_sweep::FoundResponses;
-use self::response_sweep::ResponseSweep;
+pub(super) use self::response_sweep::{FoundResponses, ResponseSweep};
 use super::{
     Carter3d, ContactResponse, CreepForces, Creepages, HertzContact, MeanRolling, MeanState,
     Oscillating, OscillatingCreepages, QuasiStatic, RollingContact,
@@ -150,6 +149,12 @@ impl HalfSpaceRolling {
         self.forces
     }
 
+    /// Whether the patch slips everywhere.
+    fn slips(&self) -> bool {
+        let mut elements = self.fine.slips.iter().chain(&self.coarse.slips);
+        elements.all(|slips| *slips)
+    }
+
     /// Moment of the creep tractions about the normal \[Nm\]; its work per metre is φM.
     pub fn spin_moment(&self) -> f64 {
         self.spin_moment
@@ -175,7 +180,7 @@ impl HalfSpace {
     /// Elements over a diameter for a response within 2 %, by default of the case file.
     pub const DEFAULT_ELEMENTS: usize = 60;
 
-    /// Largest tractive ratio with a slope to go by: nearer to full slip it vanishes.
+    /// Largest tractive ratio with a slope to go by: nearer to full slip it vanishes, and the creepage is found by halves.
     pub const LARGEST_TRACTIVE_RATIO: f64 = 0.99;
 
     /// A contact with the coefficient of friction μ, cut into `across` elements over a diameter, an even
@@ -264,19 +269,57 @@ impl HalfSpace {
         })
     }
 
-    /// Steady rolling with the tractive ratio τ = Q/μP, 0 < τ ≤ 0.99 \[-\], to 1e-6.
+    /// Steady rolling with the tractive ratio τ = Q/μP, 0 < τ < 1 \[-\], to 1e-6.
     ///
     /// Method: Newton's on the creepage, with the slope of the frequency response at zero
-    /// frequency.
+    /// frequency. From 0.99 on the least creepage, to 1e-6, at which the force is reached or the patch slips everywhere, by
+    /// halving: so τ → 1 tends to the onset of full slip, where the force misses μP by the grid alone.
     ///
     /// # Errors
-    /// [`Error::OutOfRange`] if τ is out of range: nearer to full slip the slope vanishes;
-    /// [`Error::NotConverged`].
+    /// [`Error::OutOfRange`] if τ is out of range, [`Error::NotConverged`].
     pub fn roll_at_tractive_ratio(&self, ratio: f64) -> Result<HalfSpaceRolling, Error> {
+        MeanState::check_tractive_ratio(ratio)?;
+        match ratio <= Self::LARGEST_TRACTIVE_RATIO {
+            true => self.roll_by_slope(ratio),
+            false => self.roll_near_full_slip(ratio),
+        }
+    }
+
+    fn roll_near_full_slip(&self, ratio: f64) -> Result<HalfSpaceRolling, Error> {
+        const TOLERANCE: f64 = 1e-6;
+        /// In creepages at 0.99; full slip of the cubic of Johnson and Vermeulen begins at 1.3.
+        const FARTHEST: f64 = 4.0;
+        let force = ratio * self.friction * self.hertz.normal_force();
+        let reached = |state: &HalfSpaceRolling| state.slips() || state.tangential_force() >= force;
+        let mut near = self.roll_by_slope(Self::LARGEST_TRACTIVE_RATIO)?;
+        let first = near.creepage();
+        let (mut low, mut high) = (first, first);
+        while !reached(&near) {
+            if high > FARTHEST * first {
+                return Err(Error::NotConverged {
+                    problem: "creepage of full slip",
+                    residual: ratio - near.tangential_force() * ratio / force,
+                    tolerance: TOLERANCE,
+                    remedy: REMEDY,
+                });
+            }
+            (low, high) = (high, 1.1 * high);
+            near = self.roll_near(high, &near)?;
+        }
+        while high - low > TOLERANCE * high {
+            let middle = 0.5 * (low + high);
+            let state = self.roll_near(middle, &near)?;
+            match reached(&state) {
+                true => (high, near) = (middle, state),
+                false => low = middle,
+            }
+        }
+        Ok(near)
+    }
+
+    fn roll_by_slope(&self, ratio: f64) -> Result<HalfSpaceRolling, Error> {
         const TOLERANCE: f64 = 1e-6;
         const MOST_STEPS: usize = 20;
-        let rule = "must be above 0 and at most 0.99: nearer to full slip there is no slope";
-        MeanState::check_tractive_ratio(ratio, Some((Self::LARGEST_TRACTIVE_RATIO, rule)))?;
         let limit = self.friction * self.hertz.normal_force();
         let load = self.hertz.normal_force();
         let law = Carter3d::new(self.hertz, self.friction)?;

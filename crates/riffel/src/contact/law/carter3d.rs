@@ -164,7 +164,7 @@ mod tests {
     }
 
     #[test]
-    fn full_slip_is_refused_with_the_creepage_at_which_it_begins() {
+    fn full_slip_is_refused_along_the_rail_alone() {
         let law = law(50e3, 0.4);
         let error = QuasiStatic::new(law, 50e3, MeanState::creepage(0.008)).unwrap_err();
         assert!(error.to_string().contains("full slip begins at 0.7036 %"));
@@ -173,11 +173,16 @@ mod tests {
             lateral: 0.006,
             spin: 0.0,
         };
-        let error = QuasiStatic::new(law, 50e3, MeanState::Creepages(oblique)).unwrap_err();
-        assert!(
-            error.to_string().contains("reaches friction times load"),
-            "{error}"
-        );
+        // Beside its direction all slips: that is full sliding.
+        let contact = QuasiStatic::new(law, 50e3, MeanState::Creepages(oblique)).unwrap();
+        let sliding = crate::contact::FullSliding::new(0.4).unwrap();
+        let sliding = QuasiStatic::new(sliding, 50e3, MeanState::Creepages(oblique)).unwrap();
+        let [one, other] = [contact.response(0.1), sliding.response(0.1)];
+        assert_eq!(one.by_load, other.by_load);
+        for part in 0..2 {
+            let [one, other] = [one, other].map(|by| by.by_longitudinal.force[part].re);
+            assert!((one / other - 1.0).abs() < 1e-12, "{one} {other}");
+        }
     }
 
     #[test]

@@ -69,6 +69,32 @@ fn table_of_the_response() {
     assert!(crate::RollingContact::response(&table, 0.01).by_load.force[0].is_nan());
 }
 
+/// Where short waves do not converge, the longer ones are those of a table that never asked for them.
+#[test]
+fn table_begins_where_it_converges() {
+    let contact = contact(16);
+    let state = contact.roll_at_tractive_ratio(0.5).unwrap();
+    // Of the order of what the iteration leaves of short waves.
+    let from = |shortest| {
+        crate::contact::NonSteady::new(&contact, &state, ALONG, shortest, 0.5, 3e-6).unwrap()
+    };
+    let table = from(0.01);
+    let known = crate::RollingContact::known_from(&table);
+    assert!((0.011..0.1).contains(&known), "{known}");
+    let other = from(1.5 * known);
+    for wavelength in [1.5 * known, 0.2, 0.5] {
+        let [one, other] =
+            [&table, &other].map(|it| crate::RollingContact::response(it, wavelength));
+        assert_eq!(one, other);
+    }
+    assert!(
+        crate::RollingContact::response(&table, 0.9 * known)
+            .by_load
+            .force[0]
+            .is_nan()
+    );
+}
+
 /// Many wavelengths at once say what each says alone, but for the residual of 1e-5 that both leave, and cost less than
 /// a fifth of it.
 #[test]
