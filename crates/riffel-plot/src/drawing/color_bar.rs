@@ -23,16 +23,20 @@ impl Steps {
     }
 
     /// Value at the boundary `index` in words, with two significant digits of the smallest value at
-    /// least.
+    /// least, and one decimal more where a step is not a whole number of the last digit.
     pub(crate) fn label(&self, index: usize) -> String {
         let unit = 10f64.powi(self.exponent());
         let magnitude = (self.least.abs() / unit).log10().floor() as i32;
         if index == 0 {
             return "0".to_owned();
         }
+        let decimals = (1 - magnitude).clamp(0, 9);
+        let step = self.value(1).abs() / unit * 10f64.powi(decimals);
+        // Rounded, such steps would look unequal; those of ten digits and more do not.
+        let is_uneven = step < 10.0 && (step - step.round()).abs() > 1e-6 * step;
         text::fixed(
             self.value(index) / unit,
-            (1 - magnitude).clamp(0, 9) as usize,
+            (decimals + i32::from(is_uneven)) as usize,
         )
     }
 
@@ -138,13 +142,19 @@ mod tests {
         let steps = |least| Steps::new(Some(least), 10).unwrap();
         assert_eq!(
             (steps(-0.7345).label(10), steps(-0.7345).title("W")),
-            ("−0.73".to_owned(), "W".to_owned())
+            ("−0.735".to_owned(), "W".to_owned())
         );
         assert_eq!(
             (steps(-4.321e-7).label(10), steps(-4.321e-7).title("W")),
-            ("−4.3".to_owned(), "W  (×10⁻⁷)".to_owned())
+            ("−4.32".to_owned(), "W  (×10⁻⁷)".to_owned())
         );
         assert_eq!(steps(-432.1).label(5), "−216");
+        // One digit for each step of 1.5, none for steps of 1.
+        assert_eq!(
+            (steps(-15.0).label(9), steps(-15.0).label(8)),
+            ("−13.5".to_owned(), "−12.0".to_owned())
+        );
+        assert_eq!(steps(-10.0).label(9), "−9");
         assert_eq!(Steps::new(Some(-1.0), 0).unwrap().count, 1);
         assert!(Steps::new(None, 10).is_none());
     }
