@@ -106,14 +106,25 @@ export async function drawForce(place, { spectrum, state }, ghost) {
   await draw(place, [...before, trace], layout({ xaxis: hertz(), yaxis: axis('|P₁/P₀| [-]', { rangemode: 'tozero' }), shapes }));
 }
 
+/** Power of ten of the highest growth, or of the decay where nothing grows. */
+export function growthUnit(rates) {
+  const most = rates.reduce((high, rate) => Math.max(high, rate), 0) || rates.reduce((high, rate) => Math.max(high, Math.abs(rate)), 0) || 1;
+  return 10 ** Math.floor(Math.log10(most));
+}
+
+/** Range of an axis of growth rates, whose decay goes as far below zero as growth goes above it at most; none where nothing grows. */
+export function growthRange(rates) {
+  const [low, high] = rates.reduce(([low, high], rate) => [Math.min(low, rate), Math.max(high, rate)], [0, 0]);
+  return high > 0 ? { range: [1.05 * Math.max(low, -high), 1.05 * high] } : {};
+}
+
 export async function drawGrowth(place, { growth, state }, ghost) {
   const { warm, soft } = theme();
   const [, blue] = palette();
   const mm = growth.wavelength_m.map((value) => 1e3 * value);
   const lines = growth.lines.filter((line) => line.growth_rate_per_passage > 0);
   // One power of ten for the whole axis, in its title.
-  const most = growth.growth_rate_per_passage.reduce((most, rate) => Math.max(most, Math.abs(rate)), 0);
-  const unit = 10 ** Math.floor(Math.log10(most || 1));
+  const unit = growthUnit(growth.growth_rate_per_passage);
   const before = ghost ? [ghostly(ghost.growth.wavelength_m.map((value) => 1e3 * value), ghost.growth.growth_rate_per_passage.map((rate) => rate / unit))] : [];
   const traces = [
     ...before,
@@ -121,5 +132,5 @@ export async function drawGrowth(place, { growth, state }, ghost) {
     { type: 'scatter', mode: 'markers', x: lines.map((line) => 1e3 * line.wavelength_m), y: lines.map((line) => line.growth_rate_per_passage / unit), marker: { color: warm, size: 7 }, customdata: lines.map((line) => line.frequency_hz), hovertemplate: '%{x:.3~g} mm · %{customdata:.0f} Hz<extra></extra>' },
   ];
   const zero = { type: 'line', xref: 'paper', yref: 'y', x0: 0, x1: 1, y0: 0, y1: 0, line: { color: soft, width: 1 } };
-  await draw(place, traces, layout({ xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`), shapes: [zero, upright(1e3 * state.wavelength_m, soft)] }));
+  await draw(place, traces, layout({ xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`, growthRange([...before, ...traces.slice(-2)].flatMap(({ y }) => y))), shapes: [zero, upright(1e3 * state.wavelength_m, soft)] }));
 }

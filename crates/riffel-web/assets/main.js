@@ -12,7 +12,7 @@ import { element, lead } from './elements.js';
 import { startField } from './field.js';
 import { Form } from './form.js';
 import { inWords } from './german.js';
-import { get, pack, si, unpack } from './keys.js';
+import { get, pack, set, short, si, unpack } from './keys.js';
 import { MapView, drawBar, toMap } from './map-view.js';
 import { startMeasure } from './measure.js';
 import { startMotion } from './motion.js';
@@ -75,6 +75,9 @@ const points = new Line('/api/point', json);
 
 const onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
 maps.onCancel = points.onCancel = onCancel;
+
+/** How far beyond a place the map is widened to hold it. */
+const WIDER = 1.15;
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -541,10 +544,18 @@ $('speed-unit').addEventListener('change', (event) => {
   redraw();
 });
 
-/** The nearest place of the map: growth under the traffic is known a little beyond it. */
-function onMap(place) {
-  const within = (name) => Math.min(Math.max(place[name], state.map[name].min), state.map[name].max);
-  return { wavelength: within('wavelength'), speed: within('speed') };
+/** Put the cursor to a place; growth under the traffic is known beyond the map, which is widened to hold it, with a word. */
+function movePlace(place) {
+  const isBeyond = (name) => place[name] < state.map[name].min || place[name] > state.map[name].max;
+  const beyond = ['wavelength', 'speed'].filter(isBeyond);
+  if (!beyond.length) return movePoint(place, true);
+  const keys = structuredClone(state.keys);
+  for (const name of beyond) {
+    const [end, by] = place[name] > state.map[name].max ? ['max', WIDER] : ['min', 1 / WIDER];
+    const value = Number((place[name] * by).toPrecision(2));
+    set(keys, `map.${name}.${end}`, name === 'wavelength' ? `${short(1e3 * value)} mm` : `${short(value)} m/s`);
+  }
+  return replace({ case: keys, point: place, tab: 'explore' }, t('map_widened', `${number(1e3 * place.wavelength)} mm, ${inUnit(place.speed)}`));
 }
 
 /** Keep other variants beside the case at hand. */
@@ -562,7 +573,7 @@ const shared = {
   listen: (listener) => listeners.push(listener),
 };
 const outlook = new Outlook($('view-explore'), {
-  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: (place) => movePoint(onMap(place), true), onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
+  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: movePlace, onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
   question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }), likelihood: (remedies) => calibrate.likelihood(remedies),
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));

@@ -1,7 +1,7 @@
 // A sweep: growth over wavelength for six values of one quantity, everything else as in the case at hand.
 
 import { letterSize, orderedColor, theme } from './colors.js';
-import { axis, draw, layout } from './curves.js';
+import { axis, draw, growthRange, growthUnit, layout } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { set, si } from './keys.js';
@@ -23,8 +23,7 @@ const SWEEPS = {
 
 /** Growth over wavelength of several, each with its name, colour and width, in one power of ten. */
 export async function drawCurves(place, lines) {
-  const most = lines.flatMap((one) => one.growth_rate_per_passage).reduce((high, rate) => Math.max(high, Math.abs(rate)), 0);
-  const unit = 10 ** Math.floor(Math.log10(most || 1));
+  const unit = growthUnit(lines.flatMap((one) => one.growth_rate_per_passage));
   const traces = lines.map(({ wavelength_m: wavelength, growth_rate_per_passage: rate, name, color, width }) => ({
     // plotly.js would read marks in a name.
     type: 'scatter', mode: 'lines', name: name.replaceAll('<', '&lt;'), x: wavelength.map((value) => 1e3 * value), y: rate.map((value) => value / unit), line: { color, width },
@@ -32,7 +31,7 @@ export async function drawCurves(place, lines) {
   }));
   const zero = { type: 'line', xref: 'paper', yref: 'y', x0: 0, x1: 1, y0: 0, y1: 0, line: { color: theme().soft, width: 1 } };
   await draw(place, traces, layout({
-    xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`), shapes: [zero], showlegend: true,
+    xaxis: axis(`${t('wavelength')} λ [mm]`), yaxis: axis(`${t('rate')} [${power(unit, 1).replace('1·', '')}]`, growthRange(traces.flatMap(({ y }) => y))), shapes: [zero], showlegend: true,
     margin: { l: 4 * letterSize(), r: 10, t: 2.4 * letterSize(), b: 3 * letterSize() },
   }));
 }
@@ -109,7 +108,7 @@ export class Sweep {
     this.note.hidden = Boolean(answer) || (kind && !this.noPads);
     this.note.textContent = t(kind ? 'no_pads' : 'sweep_comes');
     this.keep.hidden = !answer || kind === 'speeds';
-    this.aside.textContent = answer && kind !== 'speeds' ? t('at_speed', inUnit(answer.steps[0].speed)) : '';
+    this.aside.textContent = answer && kind !== 'speeds' ? t('at_cursor', inUnit(answer.steps[0].speed)) : '';
     if (!answer) return;
     const { dark } = theme();
     const name = (k) => SWEEPS[kind].values ? answer.steps[k].name : inUnit(answer.steps[k].speed);

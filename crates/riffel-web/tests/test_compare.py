@@ -147,6 +147,10 @@ def test_sweeps_make_curves_and_variants(page):
     highest = [max(curve["y"]) for curve in page.page.evaluate(CURVES, "sweep-curves")]
     assert highest[5] / highest[0] == pytest.approx(36, rel=1e-6), "creepage times force, each as the friction"
     assert [row[0] for row in rows(page, "#sweep-table")[1:]] == [f"μ = 0.{k}" for k in range(1, 7)]
+    assert "at the speed of the cursor" in page.text("#sweep header")
+    # Decay takes no more of the axis than growth does.
+    low, high = page.page.evaluate("() => document.getElementById('sweep-curves').layout.yaxis.range")
+    assert 0 < -low <= high
     page.page.click("#sweep-speeds")
     page.until(lambda: "km/h" in page.text("#sweep-table"))
     page.until(lambda: len(page.page.evaluate(CURVES, "sweep-curves")) == 6)

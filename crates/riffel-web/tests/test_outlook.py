@@ -44,6 +44,10 @@ def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
     page.settle()
     speed = page.page.evaluate("() => window.riffel.state.point.speed")
     assert speed == pytest.approx(growth["cause"]["speed_m_per_s"])
+    # The map reaches as far as what grows fastest: it is not moved to the edge.
+    wavelength = page.page.evaluate("() => window.riffel.state.point.wavelength")
+    assert wavelength == pytest.approx(growth["cause"]["wavelength_m"])
+    assert page.page.evaluate("() => window.riffel.state.map.wavelength.max") > wavelength
     assert page.page.evaluate("() => document.activeElement.id") == "cause-panel"
     curve = page.page.evaluate("() => document.getElementById('traffic-curve').data[0].x.length")
     assert curve > 20
