@@ -44,7 +44,7 @@ struct WheelDocument<'a> {
     /// Of the normal forces of the wheel, on its other contact, which the loop leaves out.
     share_of_second_contact: f64,
     /// Why the loop has no mean state there; null where it has.
-    not_in_loop: Option<&'a str>,
+    not_in_loop: Option<&'a Message>,
     /// Null where the wheel is not in the loop.
     growth_rate_per_passage: Option<&'a [f64]>,
     /// Null where nothing grows.
@@ -85,7 +85,7 @@ fn of(wheel: &WheelAnswer) -> WheelDocument<'_> {
         contact_angle_rad: state.contact_angle,
         tractive_ratio: state.tractive_ratio,
         share_of_second_contact: state.share_of_second_contact(),
-        not_in_loop: growth.as_ref().err().map(String::as_str),
+        not_in_loop: growth.as_ref().err(),
         growth_rate_per_passage: known.map(|growth| growth.rates.as_slice()),
         highest: known.and_then(|growth| growth.highest).map(Into::into),
         wear_limit: known.map(|growth| {

@@ -46,7 +46,7 @@ pub struct WheelAnswer {
     /// Tread, or the flange of a wheel that stands on two points.
     pub contact: ContactOfWheel,
     /// Growth; where the loop has no mean state there, the sentence that says why.
-    pub growth: Result<WheelGrowth, String>,
+    pub growth: Result<WheelGrowth, Message>,
 }
 
 /// Growth under one wheel.
@@ -115,7 +115,7 @@ impl WheelsAnswer {
                 state,
                 rail,
                 contact,
-                growth: growth.map_err(|error| error.to_string()),
+                growth: growth.map_err(|error| error.message()),
             }
         });
         let mut wheels: Vec<WheelAnswer> = wheels.collect();

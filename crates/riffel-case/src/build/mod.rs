@@ -216,7 +216,7 @@ impl CheckedKeys {
         };
         match wear.band_width {
             Some(width)
-                if studied && self.file.contact.from.is_none()
+                if studied && !self.text.keys.has("contact.from")
                     || width.si() >= 2.0 * hertz.semi_axis_lateral() =>
             {
                 self.physics("wear.band_width", law.over_band(width.si()))

@@ -83,9 +83,9 @@ fn wheels_stand_side_by_side() {
     }
 }
 
-/// A wheel without a mean state in the loop is told in its row, and the others come.
+/// A wheel that slides as a whole has its loop by every law: the force keeps its direction, and a band narrower than its contact is told.
 #[test]
-fn a_wheel_that_slides_as_a_whole_is_told() {
+fn a_wheel_that_slides_as_a_whole_has_a_loop() {
     let sandbox = Sandbox::new();
     let command = format!(
         "map cases/metro-curve.toml --wheels {FEW} --set contact.creep_law=shen-hedrick-elkins \
@@ -93,18 +93,19 @@ fn a_wheel_that_slides_as_a_whole_is_told() {
     );
     let written = sandbox.riffel(&format!("{command} -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
-    let words =
-        "not in the loop: wheelset 1, low rail: `contact.creepage`: magnitude of the creepage";
+    assert!(
+        !written.text.contains("not in the loop"),
+        "{}",
+        written.text
+    );
+    let words = "wheelset 1, high rail: wear.band_width is 40 mm, but the contact is";
     assert!(written.text.contains(words), "{}", written.text);
     let document = sandbox.json(&format!("{command} --json"));
     let wheels = document["wheels"].as_array().unwrap();
-    let known: Vec<bool> = wheels
-        .iter()
-        .map(|wheel| wheel["not_in_loop"].is_null())
-        .collect();
-    assert_eq!(known, [false, false, false, true, true]);
-    for (wheel, known) in wheels.iter().zip(known) {
-        assert_eq!(wheel["growth_rate_per_passage"].is_array(), known);
+    assert_eq!(wheels.len(), 5);
+    for wheel in wheels {
+        assert!(wheel["not_in_loop"].is_null(), "{wheel}");
+        assert!(wheel["growth_rate_per_passage"].is_array());
     }
 }
 

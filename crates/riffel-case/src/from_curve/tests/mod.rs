@@ -68,14 +68,28 @@ fn numbers_are_those_of_the_curve() {
 #[test]
 fn a_patch_wider_than_the_band_is_told() {
     let high = "contact.from={wheelset=1, rail=\"high\"}";
-    let case = case(&[high]).unwrap();
-    let contact = &case.feedback.contacts()[0];
-    assert_eq!(contact.wear.width(), 2.0 * case.hertz.semi_axis_lateral());
-    let told = case
-        .remarks
-        .iter()
-        .any(|remark| remark.id() == "band-narrower-than-contact");
-    assert!(told, "{:?}", case.remarks);
+    let own = case(&[high]).unwrap();
+    // The curve of a lone wheel stands in another file.
+    let place = tempfile::tempdir().unwrap();
+    std::fs::write(place.path().join("curve.toml"), CURVE).unwrap();
+    std::fs::write(place.path().join("metro.toml"), crate::METRO_CASE).unwrap();
+    let keys = [
+        "contact.from={curve=\"curve.toml\", wheelset=1, rail=\"high\"}",
+        "contact.creep_law=fastsim",
+        "wear.band_width=5 mm",
+    ];
+    let keys = keys.map(str::to_owned);
+    let other = Case::read(&place.path().join("metro.toml"), &keys).unwrap();
+    for case in [own, other] {
+        let contact = &case.feedback.contacts()[0];
+        assert_eq!(contact.wear.width(), 2.0 * case.hertz.semi_axis_lateral());
+        let told = case
+            .remarks
+            .iter()
+            .any(|remark| remark.id() == "band-narrower-than-contact");
+        assert!(told, "{:?}", case.remarks);
+        case.sensitivities(0.06, 12.5).unwrap();
+    }
 }
 
 /// The place on the rail is where the upright profile, turned by the inclination, has the contact angle; its curvature goes where the
