@@ -6,7 +6,7 @@ use riffel::passage::PassingWheel;
 use riffel::roughness::ThirdOctave;
 use riffel_keys::{CaseError, Message, say, shown_speed};
 
-use super::spreads::PartValues;
+use super::spreads::{PartValues, place_of};
 use super::wheel_on_case::settings_of;
 use super::{Traffic, bands_of};
 use crate::file::ContactDynamics;
@@ -120,7 +120,7 @@ impl Traffic {
         } else {
             return Ok(());
         };
-        let key = format!("vehicle[{index}].{key}");
+        let key = place_of(index, key);
         let rule = "is given, but a simulation in time follows one wheel of each vehicle, at each of its speeds";
         let help = "leave it out; `riffel forecast` takes it";
         Err(self.source.invalid(&key, rule, help))

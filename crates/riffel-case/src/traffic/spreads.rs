@@ -86,7 +86,10 @@ impl SpreadOfKey {
 
     /// `friction`, or a key of the case.
     pub(super) fn name(&self) -> &str {
-        self.own.strip_prefix("spread.").unwrap_or(&self.own)
+        match self.own.as_str() {
+            FRICTION_DAYS => "friction",
+            own => own.strip_prefix("spread.").unwrap_or(own),
+        }
     }
 }
 
@@ -111,6 +114,16 @@ pub(super) struct PartValues(Vec<(String, Setting)>);
 /// Shorthands of a vehicle for keys of the case.
 pub(super) const LOAD: &str = "contact.normal_load";
 pub(super) const FRICTION: &str = "contact.friction";
+/// What the line says for vehicles that say no friction.
+pub(super) const FRICTION_DAYS: &str = "line.friction_days";
+
+/// Where the key of a vehicle, or of its line, stands in the traffic file.
+pub(super) fn place_of(index: usize, own: &str) -> String {
+    match own {
+        FRICTION_DAYS => own.to_owned(),
+        own => format!("vehicle[{index}].{own}"),
+    }
+}
 pub(super) const WHEEL_RADIUS: &str = "wheel.rolling_radius";
 
 impl PartValues {
@@ -194,8 +207,8 @@ impl Spreads {
         if let Some(days) = days.filter(|_| !says_friction) {
             let distribution = Distribution::log_normal(days.mean.si(), days.factor.si());
             let distribution =
-                distribution.map_err(|error| source.invalid("line.friction_days", &error, ""))?;
-            shorthand("friction", FRICTION, distribution);
+                distribution.map_err(|error| source.invalid(FRICTION_DAYS, &error, ""))?;
+            shorthand(FRICTION_DAYS, FRICTION, distribution);
         }
         for (key, value) in settings_until(&vehicle.spread, |key| CaseKey::find(key).is_some()) {
             let own = format!("spread.{key}");

@@ -5,7 +5,7 @@ use riffel::forecast::SpeedDistribution;
 use riffel_keys::{CaseError, Message, say};
 use toml::Value;
 
-use super::spreads::PartValues;
+use super::spreads::{FRICTION_DAYS, PartValues, place_of};
 use super::{Traffic, Vehicle};
 use crate::kept_state::KeptState;
 use crate::setting::{Setting, settings};
@@ -74,9 +74,9 @@ impl Traffic {
             let message = format!(
                 "`{}` is given, but contact.from of the case takes creepage and load from a bogie in its curve; leave it out, or \
                  change the bogie by set = {{ bogie.mass_per_axle = … }}, or give the vehicle curve = true, which brings all wheels",
-                at(&format!(".{key}"))
+                place_of(index, key)
             );
-            return Err(self.source.refuse(&at(&format!(".{key}")), &message));
+            return Err(self.source.refuse(&place_of(index, key), &message));
         }
         let speeds = variant.speed.apply(&self.speeds[index]).map_err(|error| {
             let message = say!(
@@ -114,8 +114,8 @@ impl Traffic {
                 match own.iter().find(|(_, setting)| sets(setting)) {
                     Some((own, _)) if !variant.settings.iter().any(sets) => {
                         let message =
-                            say!(key_and_rule, key = at(&format!(".{own}")), rule = message);
-                        self.source.refuse(&at(&format!(".{own}")), &message)
+                            say!(key_and_rule, key = place_of(index, own), rule = message);
+                        self.source.refuse(&place_of(index, own), &message)
                     }
                     _ => variant.explain(CaseError::Changed { key, message }),
                 }
@@ -131,7 +131,7 @@ impl Traffic {
 }
 
 /// Keys of a vehicle that a bogie in a curve has in other words.
-const OF_CURVE: [&str; 7] = [
+const OF_CURVE: [&str; 8] = [
     "axle_load",
     "wheel_load",
     "rolling_radius",
@@ -139,6 +139,7 @@ const OF_CURVE: [&str; 7] = [
     "load",
     "wheel_radius",
     "friction",
+    FRICTION_DAYS,
 ];
 
 /// What a vehicle gives the case, each with the key of the vehicle that it comes from.

@@ -229,6 +229,11 @@ fn friction_of_days_is_that_of_vehicles_that_say_none() {
         let error = rates(&format!("[line]\nfriction_days = {written}")).unwrap_err();
         assert!(error.to_string().contains(told), "{error}");
     }
+    let error = refusal(&curve(&[]), &format!("speed.mean = 12{days}"));
+    assert!(
+        error.contains("`line.friction_days` is given, but contact.from"),
+        "{error}"
+    );
 }
 
 /// Of the standard normal distribution, by bisection on a series of its integral.
