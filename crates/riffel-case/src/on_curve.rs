@@ -102,12 +102,24 @@ impl Case {
         };
         let keys = settings(&table).into_iter();
         let keys = keys.filter(|(key, _)| is_of_curve(key));
-        Ok(keys
-            .map(|(key, value)| {
-                let value = in_si(&key, value);
-                (key, value)
-            })
-            .collect())
+        let keys = keys.map(|(key, value)| {
+            let value = in_si(&key, value);
+            (key, value)
+        });
+        // Numbers in other units lose their last digit, and a band may not be narrower than the contact by as much.
+        let band = self.wider_than_its_band().map(|width| {
+            let width = Value::Float(width * (1.0 + 1e-12));
+            ("wear.band_width".to_owned(), width)
+        });
+        Ok(keys.chain(band).collect())
+    }
+
+    /// Width \[m\] of a contact of a curve that is wider than the band of wear: wear comes off it in place of the band.
+    pub(crate) fn wider_than_its_band(&self) -> Option<f64> {
+        let width = 2.0 * self.hertz.semi_axis_lateral();
+        let band = self.file.wear.band_width.map(|band| band.si());
+        (self.unfilled.keys.has("contact.from") && band.is_some_and(|band| band < width))
+            .then_some(width)
     }
 }
 

@@ -1,7 +1,6 @@
 //! Which keys of a case the growth at one point answers to, and how much.
 
 use rayon::prelude::*;
-use riffel_keys::quantity::{Length, Quantity};
 use riffel_keys::{CaseError, PhysicalRange};
 use serde::Serialize;
 use toml::{Table, Value};
@@ -97,11 +96,7 @@ impl Case {
             text.keys.put(&key, value);
         }
         // What a curve said is written now, and is held as all else is; a band that it leaves to the contact's own width stays so.
-        let own_width = 2.0 * self.hertz.semi_axis_lateral();
-        let is_narrower = |band: Quantity<Length>| band.si() < own_width;
-        if self.unfilled.keys.has("contact.from")
-            && self.file.wear.band_width.is_some_and(is_narrower)
-        {
+        if self.wider_than_its_band().is_some() {
             text.keys.remove("wear.band_width");
         }
         text.keys.remove("contact.from");
