@@ -347,7 +347,7 @@ fn panels_share_a_scale() {
     let shared = figure.with_one_scale();
     assert!(shared.panels.iter().all(|panel| panel.scale_end == end));
     // The colour bars are alike: each label of the second stands under the first too.
-    let least = format!("{:.1}", end.unwrap());
+    let least = format!("{:.2}", end.unwrap());
     let labels = words_of(&shared.picture().unwrap());
     let of_scale = labels
         .iter()
