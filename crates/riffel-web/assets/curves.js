@@ -106,15 +106,18 @@ export async function drawForce(place, { spectrum, state }, ghost) {
   await draw(place, [...before, trace], layout({ xaxis: hertz(), yaxis: axis('|P₁/P₀| [-]', { rangemode: 'tozero' }), shapes }));
 }
 
-/** Power of ten of the highest growth, or of the decay where nothing grows. */
+/** Fastest decay, zero or below, and fastest growth, zero or above. */
+const extremes = (rates) => rates.reduce(([low, high], rate) => [Math.min(low, rate), Math.max(high, rate)], [0, 0]);
+
+/** Power of ten of the fastest growth, or of the decay where nothing grows. */
 export function growthUnit(rates) {
-  const most = rates.reduce((high, rate) => Math.max(high, rate), 0) || rates.reduce((high, rate) => Math.max(high, Math.abs(rate)), 0) || 1;
-  return 10 ** Math.floor(Math.log10(most));
+  const [low, high] = extremes(rates);
+  return 10 ** Math.floor(Math.log10(high || -low || 1));
 }
 
 /** Range of an axis of growth rates, whose decay goes as far below zero as growth goes above it at most; none where nothing grows. */
 export function growthRange(rates) {
-  const [low, high] = rates.reduce(([low, high], rate) => [Math.min(low, rate), Math.max(high, rate)], [0, 0]);
+  const [low, high] = extremes(rates);
   return high > 0 ? { range: [1.05 * Math.max(low, -high), 1.05 * high] } : {};
 }
 
