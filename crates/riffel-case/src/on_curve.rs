@@ -68,7 +68,7 @@ impl Case {
             text.write(&[("contact.from".to_owned(), from.into())])?;
             Self::of_text(text, Some(folder), Substitutes::default(), Window::Map)
         };
-        // Where the leading wheels slide as a whole those behind may still have a loop.
+        // Where one wheel has no loop another may have one.
         let first = on_wheel((1, "low"));
         let others = [(2, "low"), (1, "high"), (2, "high")].into_iter();
         first.or_else(|error| others.map(on_wheel).find_map(Result::ok).ok_or(error))

@@ -39,9 +39,8 @@ pub(super) fn tables(answer: &NoiseAnswer) -> Vec<Table> {
 
 fn bands(answer: &NoiseAnswer) -> Table {
     let mut columns = vec![Column {
-        name: "frequency_hz".to_owned(),
         head: Some(say!(frequency_in_hertz)),
-        values: Values::Plain(answer.frequency_hz.iter().copied().map(Some).collect()),
+        ..Column::in_file("frequency_hz", answer.frequency_hz.iter().copied())
     }];
     for part in Part::ALL {
         let (levels, _) = answer.level.of(part);

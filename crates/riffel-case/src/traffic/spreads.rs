@@ -114,7 +114,9 @@ pub(super) struct PartValues(Vec<(String, Setting)>);
 /// Shorthands of a vehicle for keys of the case.
 pub(super) const LOAD: &str = "contact.normal_load";
 pub(super) const FRICTION: &str = "contact.friction";
-/// What the line says for vehicles that say no friction.
+pub(super) const WHEEL_RADIUS: &str = "wheel.rolling_radius";
+
+/// Key of the line for vehicles that say no friction.
 pub(super) const FRICTION_DAYS: &str = "line.friction_days";
 
 /// Where the key of a vehicle, or of its line, stands in the traffic file.
@@ -124,7 +126,6 @@ pub(super) fn place_of(index: usize, own: &str) -> String {
         own => format!("vehicle[{index}].{own}"),
     }
 }
-pub(super) const WHEEL_RADIUS: &str = "wheel.rolling_radius";
 
 impl PartValues {
     /// What they give a case, each with the key of the vehicle.
@@ -147,7 +148,7 @@ impl Spreads {
         index: usize,
         vehicle: &Vehicle,
     ) -> Result<Self, CaseError> {
-        let at = |name: &str| format!("vehicle[{index}].{name}");
+        let at = |name: &str| place_of(index, name);
         let taken = [
             (
                 "load",
@@ -201,9 +202,9 @@ impl Spreads {
             );
         }
         let given = settings(&vehicle.set);
-        let says_friction = vehicle.friction.is_some()
-            || given.iter().any(|it| it.0 == FRICTION)
-            || settings(&vehicle.spread).iter().any(|it| it.0 == FRICTION);
+        let spread = settings(&vehicle.spread);
+        let says_friction =
+            vehicle.friction.is_some() || given.iter().chain(&spread).any(|it| it.0 == FRICTION);
         if let Some(days) = days.filter(|_| !says_friction) {
             let distribution = Distribution::log_normal(days.mean.si(), days.factor.si());
             let distribution =

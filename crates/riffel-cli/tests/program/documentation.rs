@@ -84,35 +84,27 @@ fn run(sandbox: &Sandbox, block: &str, page: &Path) -> String {
             printed.push_str(&format!("? {}\n", outcome.status.unwrap_or(-1)));
         }
         let pattern = format!("{}\n", shown.trim_end());
-        let same = snapbox::Assert::new()
-            .action_env("SNAPBOX_DOCUMENTATION")
-            .try_eq(None, printed.clone().into(), pattern.into())
-            .is_ok();
-        if same {
-            written.push_str(&shown);
-        } else {
-            written.push_str(&keep_open_places(&shown, &printed));
-        }
+        written.push_str(&match is_shown_by(&printed, &pattern) {
+            true => shown,
+            false => keep_open_places(&shown, &printed),
+        });
     }
     written
+}
+
+/// Whether a page shows what is printed, by its `...` and `[..]`.
+fn is_shown_by(printed: &str, pattern: &str) -> bool {
+    snapbox::Assert::new()
+        .action_env("SNAPBOX_DOCUMENTATION")
+        .try_eq(None, printed.to_owned().into(), pattern.to_owned().into())
+        .is_ok()
 }
 
 /// Printed lines, with those of the page in place of the ones that its `[..]` stand for.
 fn keep_open_places(shown: &str, printed: &str) -> String {
     let open: Vec<&str> = shown.lines().filter(|line| line.contains("[..]")).collect();
-    let stands_for = |pattern: &str, line: &str| {
-        let mut rest = line;
-        let begins = pattern.split("[..]").all(|part| match rest.find(part) {
-            Some(place) => {
-                rest = &rest[place + part.len()..];
-                true
-            }
-            None => false,
-        });
-        begins && (rest.is_empty() || pattern.ends_with("[..]"))
-    };
     let kept = printed.lines().map(|line| {
-        let pattern = open.iter().find(|pattern| stands_for(pattern, line));
+        let pattern = open.iter().find(|pattern| is_shown_by(line, pattern));
         format!("{}\n", pattern.copied().unwrap_or(line))
     });
     kept.collect()

@@ -117,10 +117,11 @@ impl Distribution {
     /// [`Error::OutOfRange`] unless the median is above zero and the factor not below one.
     pub fn log_normal(median: f64, factor: f64) -> Result<Self, Error> {
         Error::unless_positive("median of a distribution", median, "")?;
-        Error::unless_not_negative("logarithm of a factor", factor.ln(), "")?;
-        match factor.ln() {
+        let deviation = factor.ln();
+        Error::unless_not_negative("logarithm of a factor", deviation, "")?;
+        match deviation {
             0.0 => Self::single(median),
-            deviation => Ok(Self::LogNormal { median, deviation }),
+            _ => Ok(Self::LogNormal { median, deviation }),
         }
     }
 
