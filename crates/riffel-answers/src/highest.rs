@@ -1,4 +1,4 @@
-//! The wavelength that grows fastest at one speed.
+//! The wavelength that grows fastest.
 
 use std::f64::consts::LN_2;
 
@@ -6,6 +6,8 @@ use riffel::Axis;
 use riffel::growth::GrowthCourse;
 use riffel_case::Case;
 use serde::Serialize;
+
+use crate::FastestGrowth;
 
 /// The wavelength that grows fastest.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -31,6 +33,32 @@ impl Highest {
             rate,
             at_edge: place == 0 || place + 1 == course.rates.len(),
         })
+    }
+
+    /// Of a course of growth under a traffic of a mean speed \[m/s\], from a shortest wavelength \[m\] on where it has longer ones; none
+    /// where nothing grows.
+    pub(crate) fn beyond(course: &GrowthCourse, shortest: f64, speed: f64) -> Option<Self> {
+        let from = course
+            .wavelengths
+            .partition_point(|&wavelength| wavelength < shortest);
+        let from = if from < course.wavelengths.len() {
+            from
+        } else {
+            0
+        };
+        let [wavelengths, rates] =
+            [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
+        Self::of(&GrowthCourse::of_values(wavelengths, rates), speed)
+    }
+
+    /// Of what grows fastest under a traffic of a mean speed \[m/s\].
+    pub(crate) fn of_traffic(fastest: &FastestGrowth, speed: f64) -> Self {
+        Self {
+            wavelength: fastest.wavelength_m,
+            frequency: speed / fastest.wavelength_m,
+            rate: fastest.growth_rate_per_passage,
+            at_edge: fastest.at_edge,
+        }
     }
 
     /// Passages in which the amplitude doubles.

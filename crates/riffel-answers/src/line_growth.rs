@@ -9,7 +9,7 @@ use riffel_case::traffic::{
     reported_growth, traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
-use riffel_keys::{CaseError, Message, say, significant};
+use riffel_keys::{CaseError, Message, number, range, say, significant, significant_digits};
 use serde::{Serialize, Serializer};
 
 use crate::{Banded, Cause, unlikely_wear, wear_spread};
@@ -140,11 +140,10 @@ impl LineGrowth {
                 longest = millimetres(case.wavelength.max())
             );
         };
-        let [shortest, longest] = fastest.wavelengths_m.map(millimetres);
-        let range = match shortest == longest {
-            true => say!(one_wavelength, wavelength = shortest),
-            false => say!(wavelengths_between, shortest = shortest, longest = longest),
-        };
+        let ends = range(fastest.wavelengths_m, |end| {
+            significant_digits(1e3 * end, 2)
+        });
+        let range = say!(one_wavelength, wavelength = number(ends));
         let wavelength = millimetres(fastest.wavelength_m);
         if fastest.faster_than_known {
             return say!(
@@ -262,6 +261,10 @@ pub(crate) fn time_in_words([months, others]: [f64; 2], banded: [Option<Banded>;
     if let Some(own_band) = own_band {
         return between(own_band, unit);
     }
+    alone(months, unit)
+}
+
+fn alone(months: f64, unit: Unit) -> Message {
     let two = |time: f64| significant(time, 2);
     match unit {
         Unit::Days => say!(days_of, days = two(DAYS_PER_MONTH * months)),
@@ -291,6 +294,10 @@ pub(crate) fn time_between(months: [f64; 2]) -> Message {
 }
 
 fn between(months: [f64; 2], unit: Unit) -> Message {
+    let [early, late] = months.map(|time| significant(time, 2));
+    if early == late {
+        return alone(months[0], unit);
+    }
     let in_unit = |size: f64| months.map(|time| significant(size * time, 2));
     match unit {
         Unit::Days => {

@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 
 use riffel::roughness::WavelengthBand;
 use riffel_arrays::{Array, DataType, Values, whole_file};
+use riffel_keys::range;
 use serde::Serialize;
 use serde_json::json;
 
@@ -197,7 +198,7 @@ pub(crate) fn array(survey: &SurveyRecord, rail: &RailRecord, bands: usize) -> A
 pub(crate) fn in_words(bands: &[[f64; 2]]) -> String {
     let bands = bands.iter();
     let texts: Vec<String> = bands
-        .map(|[from, to]| format!("{:.0}–{:.0} mm", 1e3 * from, 1e3 * to))
+        .map(|&ends| range(ends, |end| format!("{:.0}", 1e3 * end)) + " mm")
         .collect();
     texts.join(", ")
 }

@@ -44,7 +44,7 @@ pub(crate) fn diagnose<'py>(
                 speeds.map_err(|error| wrong(format!("traffic has no speeds: {error}")))?;
             (Ok(speeds), None)
         }
-        None => match Diagnosis::speeds_of_map(&case.case) {
+        None => match Diagnosis::usual_speeds(&case.case) {
             Ok((speeds, sentence)) => (
                 Ok(speeds),
                 Some(sentence.about("neither speed nor traffic given")),

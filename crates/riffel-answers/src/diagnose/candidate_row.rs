@@ -1,23 +1,17 @@
 //! A candidate in the table of a reader.
 
 use riffel::diagnosis::Candidate;
-use riffel_keys::Language;
+use riffel_keys::{Language, range};
 
 use super::Finding;
 
 /// Name, share, frequency and wavelengths of a candidate.
 pub fn candidate_row(finding: &Finding, candidate: &Candidate, language: Language) -> [String; 4] {
-    let millimetres = |range: (f64, f64)| {
-        let words = |value: f64| match 1e3 * value {
+    let millimetres = |ends: (f64, f64)| {
+        range(ends.into(), |value: f64| match 1e3 * value {
             value if value < 100.0 => format!("{value:.1}"),
             value => format!("{value:.0}"),
-        };
-        let (from, to) = (words(range.0), words(range.1));
-        if from == to {
-            from
-        } else {
-            format!("{from}–{to}")
-        }
+        })
     };
     [
         finding.name(candidate).text(language),

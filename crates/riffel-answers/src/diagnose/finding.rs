@@ -1,7 +1,7 @@
 //! A finding: one dominant wavelength with its candidates, in words.
 
 use riffel::diagnosis::{Candidate, Course, Measurement, MechanismKind, Reason, TrafficSpeeds};
-use riffel_keys::{Language, Message, Value, fixed, number, say};
+use riffel_keys::{Language, Message, Value, fixed, number, range, say};
 use riffel_rail::history::Measured;
 use riffel_rail::{name_in_words, rail_in_words};
 
@@ -32,24 +32,20 @@ impl Finding {
     /// Wavelength and frequencies.
     pub fn headline(&self) -> Message {
         let peak = &self.measured.peak;
-        let [wavelength, from, to] =
-            [peak.wavelength, peak.from, peak.to].map(|length| fixed(1e3 * length, 1));
-        let speeds = &self.speeds;
-        let (low, high) = (
-            speeds.slowest() / peak.wavelength,
-            speeds.fastest() / peak.wavelength,
+        let millimetres = |length: f64| format!("{:.1}", 1e3 * length);
+        let (wavelength, band) = (
+            number(millimetres(peak.wavelength)),
+            number(range([peak.from, peak.to], millimetres)),
         );
-        let frequency = match high - low < 0.5 {
-            true => number(format_args!("{low:.0}")),
-            false => number(format_args!("{low:.0}–{high:.0}")),
-        };
+        let speeds = &self.speeds;
+        let frequencies = [speeds.slowest(), speeds.fastest()].map(|speed| speed / peak.wavelength);
+        let frequency = number(range(frequencies, |hertz| format!("{hertz:.0}")));
         let speeds = speeds.words();
         match self.place() {
             Some(place) => say!(
                 dominant_wavelength_at,
                 wavelength = wavelength,
-                from = from,
-                to = to,
+                band = band,
                 place = place,
                 frequency = frequency,
                 speeds = speeds
@@ -57,8 +53,7 @@ impl Finding {
             None => say!(
                 dominant_wavelength,
                 wavelength = wavelength,
-                from = from,
-                to = to,
+                band = band,
                 frequency = frequency,
                 speeds = speeds
             ),

@@ -27,7 +27,8 @@ pub use sideband::Sideband;
 
 use riffel::roughness::RailDefect;
 use riffel_case::Case;
-use riffel_keys::{CaseError, Language, Message, say, shown_speeds};
+use riffel_case::traffic::UsualTraffic;
+use riffel_keys::{CaseError, Language, Message, say};
 use riffel_plot::LineFigure;
 use riffel_rail::RailRecord;
 use riffel_rail::history::{Curves, RailHistory, SpectraChoice};
@@ -169,13 +170,14 @@ impl Diagnosis {
         tables::places(self, file)
     }
 
-    /// The speeds of the map of a case, where none are known, and a remark on them.
+    /// The speeds of the usual traffic of a line, where none are known, and a remark on them.
     ///
     /// # Errors
     /// [`riffel::Error::OutOfRange`] for speeds not above zero.
-    pub fn speeds_of_map(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
-        let (slowest, fastest) = (case.speed.min(), case.speed.max());
-        let sentence = say!(speeds_of_the_map, speeds = shown_speeds([slowest, fastest]));
+    pub fn usual_speeds(case: &Case) -> Result<(TrafficSpeeds, Message), riffel::Error> {
+        let usual = UsualTraffic::of(case);
+        let [slowest, fastest] = usual.speeds;
+        let sentence = say!(speeds_of_the_usual_traffic, traffic = usual.in_words());
         Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
     }
 }

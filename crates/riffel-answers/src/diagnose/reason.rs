@@ -3,7 +3,7 @@
 use riffel::diagnosis::{
     Course, CoursePoint, Expectation, Measurement, Reason, Slope, TimeUnit, TrafficSpeeds,
 };
-use riffel_keys::{Message, Value, fixed, number, say, significant};
+use riffel_keys::{Message, Value, fixed, number, range, say, significant};
 
 use super::finding::UNLIKELY;
 use super::mechanism_words::settled_by;
@@ -222,11 +222,8 @@ fn millimetres(wavelength: f64) -> Value {
 /// Two numbers with a unit: "31–39 mm", or one where they are the same.
 fn span(from: f64, to: f64, unit: &str) -> Value {
     let digits = usize::from(to < 100.0 && unit == "mm");
-    let (from, to) = (format!("{from:.digits$}"), format!("{to:.digits$}"));
-    match from == to {
-        true => number(format_args!("{from} {unit}")),
-        false => number(format_args!("{from}–{to} {unit}")),
-    }
+    let ends = range([from, to], |end| format!("{end:.digits$}"));
+    number(format_args!("{ends} {unit}"))
 }
 
 /// Frequencies of a wavelength \[m\] at the speeds of the traffic: "1375–1958 Hz".

@@ -2,7 +2,7 @@
 
 use riffel::roughness::LevelLimit;
 use riffel_calibrate::{BandForecast, CalibrationError, Chains, Forecast, Months, Plan};
-use riffel_keys::{Language, Message, fixed, number as numeral, say};
+use riffel_keys::{Language, Message, fixed, number as numeral, range, say};
 use riffel_plot::{Area, LineFigure, LinePanel, LineStyle, Scale, Series};
 use riffel_rail::LimitTable;
 use serde::Serialize;
@@ -56,7 +56,7 @@ fn in_words(months: &Months, horizon: f64) -> String {
     };
     match (low, middle) {
         (None, None) => number(None),
-        _ => format!("{} ({}–{})", number(middle), number(low), number(high)),
+        _ => format!("{} ({})", number(middle), range([low, high], number)),
     }
 }
 

@@ -5,7 +5,8 @@ use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joint, Joints};
 
 use super::on_case;
-use crate::highest::{Highest, over_the_window};
+use super::passing::Passing;
+use crate::Highest;
 
 /// A joint of a model, replaced alone by that of the case with the exact contact.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,17 +31,20 @@ pub struct Effect {
 impl Difference {
     /// All joints by which a model with its growth rates differs, the one that moves growth most first; joints that move
     /// none are left out, as a free beam on a case that has one.
-    pub(super) fn all(case: &Case, joints: Joints, course: &GrowthCourse, speed: f64) -> Vec<Self> {
+    pub(super) fn all(
+        case: &Case,
+        joints: Joints,
+        course: &GrowthCourse,
+        passing: &Passing,
+    ) -> Vec<Self> {
         let exact = FieldModel::EXACT.joints;
         let mut differences: Vec<Self> = joints
             .differences(exact)
             .map(|joint| {
                 let replaced = joints.with(joint, exact);
-                let changed = on_case(case, replaced, speed);
+                let changed = on_case(case, replaced, passing);
                 let effect = changed.map(|on| {
-                    let filtered = on.has_filter();
-                    let rate = on.growth_rate(speed);
-                    let (changed, highest) = over_the_window(&on.case, filtered, speed, rate);
+                    let (changed, highest) = passing.course(&on);
                     let places = course.wavelengths.iter().chain(&changed.wavelengths);
                     let changes = places.map(|&place| (changed.at(place) - course.at(place)).abs());
                     Effect {

@@ -19,7 +19,10 @@ use crate::highest::HighestDocument;
 pub struct ModelsDocument<'a> {
     riffel_version: &'static str,
     case: &'a CaseFile,
+    /// The speed, or the mean of the usual traffic.
     speed_m_per_s: f64,
+    /// Slowest and fastest trains of the usual traffic, over which growth is the mean; null at one speed.
+    speeds_m_per_s: Option<[f64; 2]>,
     wavelength_m: &'a [f64],
     models: Vec<ModelDocument<'a>>,
 }
@@ -74,6 +77,7 @@ pub(super) fn document<'a>(answer: &'a ModelsAnswer, case: &'a Case) -> ModelsDo
         riffel_version: env!("CARGO_PKG_VERSION"),
         case: &case.file,
         speed_m_per_s: answer.speed,
+        speeds_m_per_s: answer.usual_traffic.map(|usual| usual.speeds),
         wavelength_m: &answer.wavelengths,
         models: answer.models.iter().map(of).collect(),
     }

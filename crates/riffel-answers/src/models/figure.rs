@@ -42,9 +42,9 @@ pub(super) fn growth(answer: &ModelsAnswer, case: &Case) -> LineFigure {
     LineFigure {
         title: title(case),
         caption: format!(
-            "Growth at {:.1} km/h by the models of the field, positive where corrugation grows; marks: fastest wavelengths. \
+            "Growth {} by the models of the field, positive where corrugation grows; marks: fastest wavelengths. \
              The case: {}",
-            3.6 * answer.speed,
+            answer.passing(),
             parameters(case)
         ),
         panels: growth_lines::panels(&answer.wavelengths, lines, "model"),

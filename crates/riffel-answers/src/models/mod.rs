@@ -3,6 +3,7 @@
 mod difference;
 mod document;
 mod figure;
+mod passing;
 
 use std::io::{self, Write};
 
@@ -10,12 +11,16 @@ use riffel::growth::GrowthCourse;
 use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
+use riffel_case::traffic::UsualTraffic;
+use riffel_keys::{Message, say, shown_speed};
 use riffel_plot::LineFigure;
 
 pub use difference::Difference;
 pub use document::ModelsDocument;
 
-use crate::highest::{Highest, over_the_window, wavelengths_of};
+use passing::Passing;
+
+use crate::highest::{Highest, wavelengths_of};
 use crate::{AnswerError, WearLimitDocument};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
@@ -25,14 +30,16 @@ const PLANE_POINTS: usize = 801;
 pub struct ModelsRequest {
     /// The models; all where none is named. One that is named must be on the case.
     pub models: Vec<&'static FieldModel>,
-    /// Speed \[m/s\]; none for the middle of the map.
+    /// Speed \[m/s\]; none for all speeds of the usual traffic of the line.
     pub speed: Option<f64>,
 }
 
-/// Growth by the models of the field at one speed, over the wavelengths of the map of a case.
+/// Growth by the models of the field at one speed or under the usual traffic, over the wavelengths of the map of a case.
 pub struct ModelsAnswer {
-    /// The speed \[m/s\].
+    /// The speed, or the mean of the traffic \[m/s\].
     pub speed: f64,
+    /// The usual traffic, where no speed was asked for: growth is the mean over its speeds.
+    pub usual_traffic: Option<UsualTraffic>,
     /// Wavelengths \[m\] of the window of the map, rising, close together at narrow lines of any model.
     pub wavelengths: Vec<f64>,
     /// The models in their order.
@@ -92,13 +99,21 @@ impl ModelsAnswer {
             true => request.models.clone(),
             false => FieldModel::ALL.to_vec(),
         };
-        let speed = request
-            .speed
-            .unwrap_or(0.5 * (case.speed.min() + case.speed.max()));
-        case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
-        let case = case.sharing_parts();
+        let usual_traffic = request.speed.is_none().then(|| UsualTraffic::of(case));
+        let (case, passing) = match (request.speed, &usual_traffic) {
+            (_, Some(usual)) => {
+                let speeds = usual.traffic()?.speeds()[0].clone();
+                let case = usual.case_under(&case.sharing_parts())?;
+                (case, Passing::Traffic(speeds))
+            }
+            (speed, None) => {
+                let speed = speed.unwrap_or_default();
+                case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
+                (case.sharing_parts(), Passing::Speed(speed))
+            }
+        };
         let growth = |model: &'static FieldModel| {
-            let growth = Growth::of(&case, model, speed);
+            let growth = Growth::of(&case, model, &passing);
             progress(1);
             match growth {
                 Err(reason) if named => Err(AnswerError::NotOnCase {
@@ -115,15 +130,24 @@ impl ModelsAnswer {
         let models = models.into_iter().map(|(model, growth)| ModelGrowth {
             model,
             growth: growth.map(|(on, _, growth)| Growth {
-                rates: on.growth_rates(&wavelengths, speed),
+                rates: passing.rates(&on, &wavelengths),
                 ..growth
             }),
         });
         Ok(Self {
-            speed,
+            speed: passing.mean(),
+            usual_traffic,
             models: models.collect(),
             wavelengths,
         })
+    }
+
+    /// At which speed, or under which traffic.
+    pub fn passing(&self) -> Message {
+        match &self.usual_traffic {
+            Some(usual) => say!(compared_under, traffic = usual.in_words()),
+            None => say!(at_speed, speed = shown_speed(self.speed, 1)),
+        }
     }
 
     /// The models that are on the case, with their growth.
@@ -161,12 +185,11 @@ impl Growth {
     fn of(
         case: &Case,
         model: &'static FieldModel,
-        speed: f64,
+        passing: &Passing,
     ) -> Result<(ModelOnCase, GrowthCourse, Self), String> {
-        let on = on_case(case, model.joints, speed)?;
-        let rate = on.growth_rate(speed);
-        let (course, highest) = over_the_window(&on.case, on.has_filter(), speed, &rate);
-        drop(rate);
+        let on = on_case(case, model.joints, passing)?;
+        let (course, highest) = passing.course(&on);
+        let speed = passing.mean();
         let known = &case.remarks;
         let remarks = on.case.remarks.iter();
         let remarks = remarks.filter(|remark| !known.contains(remark));
@@ -185,10 +208,10 @@ impl Growth {
             wear_limit: WearLimitDocument::new(&on.case, highest.map(|highest| highest.rate)),
             rates: Vec::new(),
             highest,
-            differs_by: Difference::all(case, model.joints, &course, speed),
+            differs_by: Difference::all(case, model.joints, &course, passing),
             complex_plane: model
                 .has_complex_plane()
-                .then(|| ComplexPlane::of(&on, frequencies(case, speed), speed))
+                .then(|| ComplexPlane::of(&on, passing.frequencies(case), speed))
                 .flatten(),
             remarks: remarks.map(ToString::to_string).collect(),
             unstable,
@@ -220,15 +243,10 @@ impl ComplexPlane {
     }
 }
 
-/// Lowest and highest frequency \[Hz\] of the wavelengths of the map at one speed.
-fn frequencies(case: &Case, speed: f64) -> [f64; 2] {
-    [case.wavelength.max(), case.wavelength.min()].map(|wavelength| speed / wavelength)
-}
-
 /// The case with joints, known at the frequencies that are asked for.
-fn on_case(case: &Case, joints: Joints, speed: f64) -> Result<ModelOnCase, String> {
+fn on_case(case: &Case, joints: Joints, passing: &Passing) -> Result<ModelOnCase, String> {
     let on = ModelOnCase::new(case, joints).map_err(|lacks| lacks.0)?;
-    let [lowest, highest] = frequencies(case, speed);
+    let [lowest, highest] = passing.frequencies(case);
     let known = on.case.check_frequencies(lowest, highest);
     known.map_err(|error| error.to_string())?;
     Ok(on)

@@ -7,7 +7,7 @@ use riffel::growth::RidgeBranch;
 use riffel::wheelset::ModeName;
 use riffel::{Axis, Loop, Ridge};
 use riffel_case::Case;
-use riffel_keys::{Message, Value, fixed, number, say, shown_speeds};
+use riffel_keys::{Message, Value, fixed, number, range, say, shown_speeds};
 use serde::Serialize;
 
 /// A branch is named by a resonance of the case within this share of its frequency.
@@ -124,11 +124,7 @@ impl BranchDocument {
 
     /// Frequency, mechanism if known, speeds and wavelengths, as in "225 Hz (20–87 km/h, 25–109 mm)".
     fn in_words(&self) -> Message {
-        let [least, most] = self.wavelength_m.map(|it| format!("{:.0}", 1e3 * it));
-        let wavelengths = match least == most {
-            true => least,
-            false => format!("{least}–{most}"),
-        };
+        let wavelengths = range(self.wavelength_m, |it| format!("{:.0}", 1e3 * it));
         let or_nothing = |message: Option<Message>| message.map_or("".into(), Value::from);
         let mechanism = self
             .kind

@@ -1,7 +1,7 @@
 //! What was computed of a profile, in words.
 
 use riffel::roughness::{BandSummary, GrindSection, WavelengthBand};
-use riffel_keys::{Language, Message, Value, decimal, fixed, number, say};
+use riffel_keys::{Language, Message, Value, decimal, fixed, number, range, say};
 use riffel_rail::name_in_words;
 
 use super::{ProfileAnswer, RailAnswer};
@@ -141,5 +141,5 @@ pub(super) fn place_in_words(from: f64, to: f64, stretch: Option<usize>) -> Mess
 
 /// A band in millimetres.
 pub(super) fn name(band: &WavelengthBand) -> String {
-    format!("{:.0}–{:.0}", 1e3 * band.from(), 1e3 * band.to())
+    range([band.from(), band.to()], |end| format!("{:.0}", 1e3 * end))
 }

@@ -4,6 +4,7 @@ mod document;
 mod figure;
 mod statistics;
 
+use riffel_keys::range;
 use riffel_plot::{BarFigure, LineFigure};
 use riffel_study::file::Method;
 use riffel_study::sensitivity::{Bands, Intervals, SobolIndices, Tornado};
@@ -194,12 +195,8 @@ fn chosen<'a>(study: &'a Study, asked: &[String]) -> Result<Vec<Analysis<'a>>, S
         for index in 0..if wanted { length } else { 0 } {
             let name = match (single, outputs.bands().get(index)) {
                 (false, Some(band)) => {
-                    format!(
-                        "{} {:.0}–{:.0} mm",
-                        variable.name,
-                        1e3 * band.from,
-                        1e3 * band.to
-                    )
+                    let ends = range([band.from, band.to], |end| format!("{:.0}", 1e3 * end));
+                    format!("{} {ends} mm", variable.name)
                 }
                 _ => variable.name.clone(),
             };

@@ -18,8 +18,10 @@ pub struct WheelsDocument<'a> {
     inputs: &'a CaseFile,
     /// Above zero to the right.
     radius_m: f64,
-    /// That of the curve, at which `highest` and `growth_rate_per_passage` stand.
+    /// That of the curve, at which the vehicle is balanced.
     speed_m_per_s: f64,
+    /// Slowest and fastest trains of the usual traffic, over which `highest` and `growth_rate_per_passage` are the mean.
+    speeds_m_per_s: [f64; 2],
     wavelength_m: &'a [f64],
     /// Wheelset by wheelset from the front, the low rail first.
     wheels: Vec<WheelDocument<'a>>,
@@ -65,6 +67,7 @@ pub(super) fn document<'a>(answer: &'a WheelsAnswer, case: &'a Case) -> WheelsDo
         inputs: &case.file,
         radius_m: answer.curve.radius,
         speed_m_per_s: answer.curve.speed,
+        speeds_m_per_s: answer.traffic.speeds,
         wavelength_m: &answer.wavelengths,
         wheels: answer.wheels.iter().map(of).collect(),
     }

@@ -75,8 +75,8 @@ pub(super) fn curves(answer: &WheelsAnswer, case: &Case) -> LineFigure {
     LineFigure {
         title: title(answer),
         caption: format!(
-            "Growth at {:.0} km/h under each wheel, on the contact that carries most of it, positive where corrugation grows; marks: fastest wavelengths.{}{}",
-            3.6 * answer.curve.speed,
+            "Growth {} under each wheel, on the contact that carries most of it, positive where corrugation grows; marks: fastest wavelengths.{}{}",
+            answer.under(),
             missing(answer),
             place(case)
         ),

@@ -7,19 +7,18 @@ mod table;
 use std::io::{self, Write};
 use std::path::Path;
 
-use rayon::prelude::*;
 use riffel::curving::{Curve, WheelState};
-use riffel::growth::GrowthCourse;
+use riffel::forecast::band_lines;
 use riffel_case::file::{ContactOfWheel, CurveRail};
-use riffel_case::{Case, WheelOfCurve, WheelsOfCurve};
-use riffel_keys::Message;
+use riffel_case::traffic::{UsualTraffic, bands_of};
+use riffel_case::{Case, Variant, WheelOfCurve, WheelsOfCurve};
+use riffel_keys::{CaseError, Message, say};
 use riffel_plot::{LineFigure, MapFigure};
 
 pub use document::WheelsDocument;
 
-use crate::highest::{over_the_window, wavelengths_of};
 use crate::map::MapAnswer;
-use crate::{AnswerError, Highest};
+use crate::{AnswerError, Highest, LineGrowth};
 
 /// Contact angles that differ by no more are one \[rad\]: case files hold them rounded.
 const SAME_ANGLE: f64 = 1e-6;
@@ -28,8 +27,9 @@ const SAME_ANGLE: f64 = 1e-6;
 pub struct WheelsAnswer {
     /// The curve.
     pub curve: Curve,
-    /// Wavelengths \[m\] of the window of the map, rising, close together where growth under a wheel has a narrow line at the
-    /// speed of the curve.
+    /// The usual traffic of the curve: growth is the mean over its speeds.
+    pub traffic: UsualTraffic,
+    /// Wavelengths \[m\] of the bands of the map, rising.
     pub wavelengths: Vec<f64>,
     /// Wheelset by wheelset from the front, the low rail first; of a wheel that stands on two points both, the tread first.
     pub wheels: Vec<WheelAnswer>,
@@ -55,7 +55,7 @@ pub struct WheelGrowth {
     pub case: Case,
     /// Its map over wavelength and speed.
     pub map: MapAnswer,
-    /// Growth rates per passage \[-\] at the wavelengths of the answer and the speed of the curve.
+    /// Growth rates per passage \[-\] at the wavelengths of the answer, in the mean over the traffic.
     pub rates: Vec<f64>,
     /// The fastest wavelength; none where nothing grows.
     pub highest: Option<Highest>,
@@ -95,7 +95,7 @@ impl WheelsAnswer {
         let ends = [case.wavelength.min(), case.wavelength.max()];
         case.check_points(ends, [curve.speed; 2])?;
         case.check_window()?;
-        let mut courses = Vec::new();
+        let traffic = UsualTraffic::of(case);
         let wheels = wheels.into_iter().map(|wheel| {
             let name = wheel.name();
             let WheelOfCurve {
@@ -105,11 +105,7 @@ impl WheelsAnswer {
                 case,
             } = wheel;
             let state = case.as_ref().map_or(state, |case| in_loop(state, case));
-            let growth = case.map(|case| {
-                let (course, growth) = WheelGrowth::of(case, &curve, &progress);
-                courses.push(course);
-                growth
-            });
+            let growth = case.and_then(|case| WheelGrowth::of(case, &curve, &traffic, &progress));
             WheelAnswer {
                 name,
                 state,
@@ -118,21 +114,11 @@ impl WheelsAnswer {
                 growth: growth.map_err(|error| error.message()),
             }
         });
-        let mut wheels: Vec<WheelAnswer> = wheels.collect();
-        let wavelengths = wavelengths_of(courses.iter());
-        for growth in wheels
-            .iter_mut()
-            .filter_map(|wheel| wheel.growth.as_mut().ok())
-        {
-            let feedback = &growth.case.feedback;
-            let rates = wavelengths.par_iter();
-            let rates = rates.map(|&w| feedback.complex_growth_rate(w, curve.speed).re);
-            growth.rates = rates.collect();
-        }
         Ok(Self {
-            wheels,
+            wheels: wheels.collect(),
             curve,
-            wavelengths,
+            traffic,
+            wavelengths: band_lines(&bands_of(case)),
         })
     }
 
@@ -155,12 +141,17 @@ impl WheelsAnswer {
             .filter(|(wheel, _)| wheel.state.share_of_second_contact() <= 0.5)
     }
 
-    /// The wheel under which corrugation grows fastest at the speed of the curve, on a contact that carries at least half of its
+    /// The wheel under which corrugation grows fastest under the traffic of the curve, on a contact that carries at least half of its
     /// normal forces; none where nothing grows.
     pub fn fastest(&self) -> Option<(&WheelAnswer, Highest)> {
         let wheels = self.carrying();
         let growing = wheels.filter_map(|(wheel, growth)| Some((wheel, growth.highest?)));
         growing.max_by(|(_, one), (_, other)| one.rate.total_cmp(&other.rate))
+    }
+
+    /// Under which traffic growth is told.
+    pub fn under(&self) -> Message {
+        say!(compared_under, traffic = self.traffic.in_words())
     }
 
     /// What `riffel map --wheels --json` prints.
@@ -184,7 +175,7 @@ impl WheelsAnswer {
         figure::maps(self, case)
     }
 
-    /// Growth over wavelength at the speed of the curve, a line for each wheel, of one on two points that of the contact that
+    /// Growth over wavelength under the traffic of the curve, a line for each wheel, of one on two points that of the contact that
     /// carries most.
     pub fn curve_figure(&self, case: &Case) -> LineFigure {
         figure::curves(self, case)
@@ -198,7 +189,7 @@ impl WheelsAnswer {
         table::wheels(self, file)
     }
 
-    /// One row for each wavelength at the speed of the curve, a column for each wheel in the loop.
+    /// One row for each wavelength under the traffic of the curve, a column for each wheel in the loop.
     ///
     /// # Errors
     /// Those of the file.
@@ -217,21 +208,26 @@ impl WheelsAnswer {
 }
 
 impl WheelGrowth {
-    /// Growth but for its rates, with its course.
-    fn of(case: Case, curve: &Curve, progress: impl Fn(usize) + Sync) -> (GrowthCourse, Self) {
+    /// Growth under a traffic.
+    fn of(
+        case: Case,
+        curve: &Curve,
+        traffic: &UsualTraffic,
+        progress: impl Fn(usize) + Sync,
+    ) -> Result<Self, CaseError> {
         let speed = curve.speed;
-        let rate = |wavelength| case.feedback.complex_growth_rate(wavelength, speed).re;
-        let (course, highest) = over_the_window(&case, false, speed, rate);
+        let under = LineGrowth::under(&case, &traffic.traffic()?, &Variant::none(""))?;
         let stability = case.stability(speed);
-        let growth = Self {
+        Ok(Self {
             map: MapAnswer::new(&case, progress),
-            highest,
+            highest: under
+                .fastest
+                .map(|fastest| Highest::of_traffic(&fastest, speed)),
             remarks: case.remarks_at(speed),
             unstable: stability.and_then(|stability| stability.frequency),
-            rates: Vec::new(),
+            rates: under.curve.iter().map(|[_, rate]| *rate).collect(),
             case,
-        };
-        (course, growth)
+        })
     }
 
     /// Growth rate per passage on the grid of the map, by speed and wavelength.

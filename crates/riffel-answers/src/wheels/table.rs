@@ -59,13 +59,13 @@ pub(super) fn words(answer: &WheelsAnswer) -> (Vec<&'static str>, Vec<Vec<String
 }
 
 pub(super) fn sentence(answer: &WheelsAnswer) -> String {
-    let speed = 3.6 * answer.curve.speed;
+    let under = answer.under();
     let Some((wheel, highest)) = answer.fastest() else {
-        return format!("at {speed:.0} km/h corrugation grows under no wheel");
+        return format!("{under} corrugation grows under no wheel");
     };
     let (rate, mm) = (highest.rate, 1e3 * highest.wavelength);
     format!(
-        "at {speed:.0} km/h it grows fastest under {}: {rate:.2e} per passage at {mm:.0} mm, {:.0} Hz",
+        "{under} it grows fastest at {}: {rate:.2e} per passage at {mm:.0} mm, {:.0} Hz",
         wheel.name, highest.frequency
     )
 }

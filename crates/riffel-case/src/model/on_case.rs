@@ -7,6 +7,7 @@ use riffel::Loop;
 use riffel::contact::{ContactFilter, LoadWear};
 use riffel::curving::GRAVITY;
 use riffel::feedback::Contact;
+use riffel::forecast::{MeanGrowth, SpeedDistribution};
 use riffel::growth::Bay;
 use riffel::receptance::RigidGround;
 use riffel::wheelset::{Motion, SprungMass};
@@ -121,19 +122,37 @@ impl ModelOnCase {
 
     /// The growth rate per passage over the wavelength \[m\] at one speed \[m/s\].
     pub fn growth_rate(&self, speed: f64) -> impl Fn(f64) -> f64 + Sync + '_ {
-        let places = match self.mean {
-            true => self.case.places(),
-            false => vec![(self.case.feedback.clone(), 1.0)],
-        };
+        let places = self.places();
         move |wavelength| {
             let rates = places
                 .iter()
                 .map(|(feedback, weight)| weight * feedback.at(wavelength, speed).growth_rate);
-            let filtered = self
-                .filter
-                .map_or(1.0, |filter| filter.amplitude(2.0 * PI / wavelength, 0.0));
-            filtered * rates.sum::<f64>()
+            self.filtered(wavelength) * rates.sum::<f64>()
         }
+    }
+
+    /// The same at wavelengths \[m\], in the mean over the speeds of a traffic.
+    pub fn mean_growth_rates(&self, wavelengths: &[f64], speeds: &SpeedDistribution) -> Vec<f64> {
+        let mean = MeanGrowth::compute(&self.places(), wavelengths, speeds);
+        let rates = wavelengths.iter().zip(mean.rates);
+        rates
+            .map(|(&wavelength, rate)| self.filtered(wavelength) * rate)
+            .collect()
+    }
+
+    fn places(&self) -> Vec<(Loop, f64)> {
+        match self.mean {
+            true => self.case.places(),
+            false => vec![(self.case.feedback.clone(), 1.0)],
+        }
+    }
+
+    /// What the filter of the contact leaves of growth at a wavelength.
+    fn filtered(&self, wavelength: f64) -> f64 {
+        let filter = self.filter.iter();
+        filter
+            .map(|filter| filter.amplitude(2.0 * PI / wavelength, 0.0))
+            .product()
     }
 
     /// The loop over a support and in mid-span; none where supports are not discrete.

@@ -1,8 +1,10 @@
 //! The usual traffic of a line, which stands in until that of the line itself is given.
 
+use riffel::forecast::band_lines;
 use riffel_keys::{CaseError, Message, fixed, say, shown_speeds, significant};
 
-use super::{Line, Traffic, TrafficFile, Vehicle, WHEEL_OF_THE_CASE};
+use super::wheel_on_case::window;
+use super::{Line, Traffic, TrafficFile, Vehicle, WHEEL_OF_THE_CASE, bands_of};
 use crate::Case;
 
 /// A kind of line.
@@ -127,6 +129,20 @@ impl UsualTraffic {
             vehicle: vec![vehicle],
         };
         Traffic::of_keys("the usual traffic", &file)
+    }
+
+    /// The case over the lines of its bands and these speeds, wearing as was measured: what growth under the traffic is told from.
+    ///
+    /// # Errors
+    /// As [`Traffic::on`].
+    pub fn case_under(&self, case: &Case) -> Result<Case, CaseError> {
+        let traffic = self.traffic()?;
+        let case = traffic.wearing_as_measured(case)?;
+        case.of_vehicle(&[&window(
+            &case,
+            &band_lines(&bands_of(&case)),
+            &traffic.speeds()[0],
+        )])
     }
 
     /// What it is: "the usual traffic of a metro (40–70 km/h, 6000 axles a day)".

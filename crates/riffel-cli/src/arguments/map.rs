@@ -37,7 +37,7 @@ pub(crate) struct Map {
     #[arg(long)]
     pub(crate) bay: bool,
 
-    /// Every wheel of the vehicle in its curve instead, side by side: maps in one scale, growth at the speed of the curve, and a
+    /// Every wheel of the vehicle in its curve instead, side by side: maps in one scale, growth under the usual traffic, and a
     /// table of mean states. Needs contact.from.
     #[arg(long, conflicts_with_all = ["bay", "observations"])]
     pub(crate) wheels: bool,

@@ -76,7 +76,7 @@ fn readable(case: &Case, answer: &ModelsAnswer) -> String {
         }
         rows.add_row(row);
     }
-    let mut text = format!("{title}, {:.1} km/h\n{rows}\n", 3.6 * answer.speed);
+    let mut text = format!("{title}, {}\n{rows}\n", answer.passing());
     let mut moves = String::new();
     for (model, growth) in answer.on_case() {
         if let Some(difference) = growth.differs_by.first() {

@@ -3,6 +3,7 @@
 use riffel_answers::{expected_growth, expected_growth_over};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
+use riffel_keys::range;
 use riffel_network::{
     Aim, Budget, DefectKind, ExpectedGrowth, GrindingPlan, Judgement, NetworkError, SectionGrowth,
     Status, Store, StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan,
@@ -293,7 +294,7 @@ fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError
 }
 
 fn millimetres(band: [f64; 2]) -> String {
-    format!("{:.0}–{:.0}", 1e3 * band[0], 1e3 * band[1])
+    range(band, |end| format!("{:.0}", 1e3 * end))
 }
 
 /// With its sign, which nought does not have.

@@ -41,7 +41,7 @@ fn a_curve_is_forecast() {
         )))
     };
     let own = forecast("own.toml");
-    assert_eq!(own.len(), 8);
+    assert_eq!(own.len(), 11);
     for other in ["rigid.toml", "attack.toml"] {
         for (a, b) in own.iter().zip(forecast(other)) {
             assert!(

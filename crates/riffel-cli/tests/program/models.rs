@@ -84,7 +84,9 @@ fn models_stand_side_by_side() {
 #[test]
 fn wear_is_drawn_in_the_complex_plane() {
     let sandbox = Sandbox::new();
-    let command = format!("compare cases/discrete-supports.toml --models frederick-1987 {FEW}");
+    let command = format!(
+        "compare cases/discrete-supports.toml --models frederick-1987 --speed \"110 km/h\" {FEW}"
+    );
     let written = sandbox.riffel(&format!("{command} -o out"));
     assert_eq!(written.status, Some(0), "{}", written.text);
     assert!(sandbox.path("out/complex-plane.svg").exists());

@@ -20,7 +20,7 @@ fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
     ]
 }
 
-/// The narrow bending of an axle, 0.1 % of the critical damping, is found by map, wheels, comparison and the models, however coarse
+/// The narrow bending of an axle, 0.1 % of the critical damping, is found by map, comparison and the models, however coarse
 /// the map is, and `point` has the same rate there: all searches are one, to its tolerance of 1e-7 of the window, at which the
 /// rate has not changed.
 #[test]
@@ -42,8 +42,6 @@ fn commands_agree_on_the_fastest_growth() {
         ["wavelength_m", "growth_rate_per_passage"].map(|key| number(&value[key]))
     };
     let few = "--set map.wavelength.points=7 --set map.speed.points=3";
-    let wheels = sandbox.json(&format!("map {CASE} {few} --wheels --json -o wheels"));
-    found.push(("wheels".to_owned(), pair(&wheels["wheels"][0]["highest"])));
     let models = sandbox.json(&format!(
         "compare {CASE} {few} --models tassilly-vincent-1991 --speed \"45 km/h\" --json"
     ));
@@ -75,6 +73,38 @@ fn commands_agree_on_the_fastest_growth() {
         (wavelength - 0.0217).abs() < 2e-4 && rate > 8.5e-6,
         "{found:?}"
     );
+}
+
+/// Where no speed is asked for, map, wheels, models and comparison take the usual traffic of the line, and have one leading wave and one
+/// rate, to rounding.
+#[test]
+fn commands_agree_under_the_usual_traffic() {
+    // As that model of the field has it.
+    const CASE: &str = "cases/metro-curve.toml --set contact.wave_geometry=false \
+                        --set map.wavelength.points=7 --set map.speed.points=3";
+    let sandbox = Sandbox::new();
+    let map = sandbox.json(&format!("map {CASE} --json -o map"));
+    let wheels = sandbox.json(&format!("map {CASE} --wheels --json -o wheels"));
+    let models = format!("compare {CASE} --models tassilly-vincent-1991 --json");
+    let models = sandbox.json(&models);
+    let compared = format!("compare {CASE} --with cases/low-rail-friction.toml --json");
+    let compared = sandbox.json(&compared);
+    let keys = ["wavelength_m", "growth_rate_per_passage"];
+    let fastest = &map["under_traffic"]["fastest"];
+    for key in keys {
+        let led = number(&fastest[key]);
+        for told in [
+            &wheels["wheels"][0]["highest"][key],
+            &models["models"][0]["highest"][key],
+            &compared["outcomes"][0][format!("fastest_{key}")],
+        ] {
+            assert!(
+                (number(told) / led - 1.0).abs() < 1e-9,
+                "{key}: {told} {led}"
+            );
+        }
+    }
+    assert_eq!(wheels["speeds_m_per_s"], models["speeds_m_per_s"]);
 }
 
 /// Waves shorter than one and a half lengths of the patch, which the contact averages out, lead no answer: the ridge begins

@@ -25,7 +25,7 @@ use crate::Language;
 pub use piece::Piece;
 pub use translations::{Translations, translations, with_translations};
 pub use value::{
-    Value, decimal, fixed, number, quantity, shown_speed, shown_speeds, significant,
+    Value, decimal, fixed, number, quantity, range, shown_speed, shown_speeds, significant,
     significant_digits,
 };
 

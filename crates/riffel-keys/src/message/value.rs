@@ -98,13 +98,19 @@ pub fn shown_speed(speed: f64, digits: usize) -> Value {
 
 /// The slowest and the fastest of several speeds \[m/s\], as in "40–70 km/h".
 pub fn shown_speeds([slowest, fastest]: [f64; 2]) -> Value {
-    let [from, to] = [slowest, fastest].map(|speed| decimal(3.6 * speed, 0));
-    if from == to {
-        return shown_speed(slowest, 0);
-    }
+    let range = range([slowest, fastest], |speed| decimal(3.6 * speed, 0));
     Value::Speeds {
-        shown: format!("{from}–{to} km/h"),
+        shown: format!("{range} km/h"),
         speeds_m_per_s: vec![slowest, fastest],
+    }
+}
+
+/// Two numbers as they are written: "31–39", or one where they are written alike.
+pub fn range<T>(ends: [T; 2], written: impl Fn(T) -> String) -> String {
+    let [from, to] = ends.map(written);
+    match from == to {
+        true => from,
+        false => format!("{from}–{to}"),
     }
 }
 
@@ -244,6 +250,13 @@ impl<T: Into<Value>> FromIterator<T> for Value {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// 49.6 and 50.4 mm are both written as 50.
+    #[test]
+    fn a_range_whose_ends_are_written_alike_is_one_number() {
+        let whole = |ends: [f64; 2]| range(ends, |end| decimal(end, 0));
+        assert_eq!([whole([49.6, 50.4]), whole([49.6, 50.6])], ["50", "50–51"]);
+    }
 
     #[test]
     fn significant_digits_are_those_of_the_rounded_number() {

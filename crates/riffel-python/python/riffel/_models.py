@@ -22,7 +22,7 @@ def compare_models(case: Case, models: Sequence[str] | None = None, *, speed: Qu
     models : sequence of str, optional
         Names of models; by default all, those that cannot be read from the case without growth.
     speed : quantity, optional
-        Speed of the vehicle; by default the middle of ``map.speed``.
+        Speed of the vehicle; by default growth is the mean over the speeds of the usual traffic of the line.
 
     Returns
     -------

@@ -39,8 +39,8 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     -------
     xarray.Dataset
         Over ``wheel``, wheelset by wheelset from the front and the low rail first, of wheels on two points both contacts: ``growth_map`` by ``speed`` and
-        ``map_wavelength``, the growth rate per passage on the grid of the map; ``growth_rate`` by ``wavelength`` at the speed of
-        the curve; ``fastest_wavelength``, ``fastest_growth_rate`` and ``fastest_frequency`` there, NaN where nothing grows;
+        ``map_wavelength``, the growth rate per passage on the grid of the map; ``growth_rate`` by ``wavelength`` under the usual
+        traffic of the curve; ``fastest_wavelength``, ``fastest_growth_rate`` and ``fastest_frequency`` there, NaN where nothing grows;
         ``wheelset``, ``rail``, ``side`` and ``contact``; the mean state in the equilibrium of the vehicle under the names of `riffel.curve`;
         ``not_in_loop``, why a wheel has no mean state in the loop and NaN in the place of growth, or nothing. Attributes: radius and
         speed of the curve, and ``wheels``, all that ``riffel map --wheels --json`` says of each.
@@ -56,7 +56,7 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
     >>> wheels = riffel.wheels_of_curve(case.with_({"map.wavelength.points": 21, "map.speed.points": 3}))
     >>> carrying = wheels["fastest_growth_rate"].where(wheels["share_of_second_contact"] <= 0.5)
     >>> str(carrying.idxmax("wheel").values)
-    '1 low'
+    '2 low'
     """
     found, (speeds, map_wavelengths), maps = _riffel.wheels_of_curve(case._case)
     wheels = found["wheels"]
@@ -81,7 +81,7 @@ def wheels_of_curve(case: Case) -> xr.Dataset:
         {
             "growth_map": (("wheel", "speed", "map_wavelength"), np.array(on_grid), _datasets.GROWTH_RATE),
             "growth_rate": (("wheel", "wavelength"), np.array(rates), _datasets.GROWTH_RATE),
-            "fastest_wavelength": fastest("wavelength_m", "m", "wavelength that grows fastest at the speed of the curve"),
+            "fastest_wavelength": fastest("wavelength_m", "m", "wavelength that grows fastest under the usual traffic"),
             "fastest_growth_rate": fastest("growth_rate_per_passage", "1", "its growth rate per passage"),
             "fastest_frequency": fastest("frequency_hz", "Hz", "its frequency"),
             "wheelset": ("wheel", [wheel["wheelset"] for wheel in wheels], {"long_name": "wheelset, 1 leads"}),

@@ -58,6 +58,11 @@ impl GrowthCourse {
         Self { wavelengths, rates }
     }
 
+    /// The course of growth rates per passage at wavelengths \[m\], rising, one for each.
+    pub fn of_values(wavelengths: Vec<f64>, rates: Vec<f64>) -> Self {
+        Self { wavelengths, rates }
+    }
+
     /// This course and the one that begins where it ends.
     pub fn followed_by(mut self, next: Self) -> Self {
         self.wavelengths.pop();

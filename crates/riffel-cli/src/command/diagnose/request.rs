@@ -95,7 +95,7 @@ fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
     })
 }
 
-/// The speeds asked for, or those of the map with a remark that says so.
+/// The speeds asked for, or those of the usual traffic with a remark that says so.
 fn speeds(
     case: &Case,
     arguments: &DiagnosisArguments,
@@ -115,8 +115,8 @@ fn speeds(
         return Ok((speeds, None));
     }
     if arguments.speed.is_empty() {
-        let (speeds, sentence) = Diagnosis::speeds_of_map(case)
-            .map_err(|error| wrong("the map's", &error.to_string()))?;
+        let (speeds, sentence) = Diagnosis::usual_speeds(case)
+            .map_err(|error| wrong("those of the usual traffic", &error.to_string()))?;
         let remark = sentence.about(say!(neither_speed_nor_traffic));
         return Ok((speeds, Some(remark)));
     }

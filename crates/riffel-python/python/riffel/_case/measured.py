@@ -61,7 +61,7 @@ class MeasuredOnCase(KeysOfCase):
             A traffic file or its keys, for the speeds of its vehicles.
         speed : quantity, tuple or list, optional
             Speed of the traffic in place of `traffic`; a range as a pair or as "60 km/h..90 km/h"; several as a list. By
-            default all speeds of the map of the case.
+            default those of the usual traffic of the line.
         torsion, bending : quantity or array, optional
             Frequencies of torsional and of bending modes of the wheelset.
         where : mapping, optional
