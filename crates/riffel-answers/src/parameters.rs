@@ -111,16 +111,15 @@ pub(crate) fn creepage(creepages: Creepages) -> String {
         lateral,
         spin,
     } = creepages;
+    // With the minus of the axes beside them.
+    let written = |value: f64| format!("{value:.3}").replace('-', "−");
+    let [longitudinal, lateral_percent] = [longitudinal, lateral].map(|it| written(100.0 * it));
     if lateral == 0.0 && spin == 0.0 {
-        return format!("ξ₀ = {:.3} %", 100.0 * longitudinal);
+        return format!("ξ₀ = {longitudinal} %");
     }
-    let mut text = format!(
-        "ξ₀ = ({:.3}, {:.3}) %",
-        100.0 * longitudinal,
-        100.0 * lateral
-    );
+    let mut text = format!("ξ₀ = ({longitudinal}, {lateral_percent}) %");
     if spin != 0.0 {
-        text += &format!(", φ₀ = {spin:.3} 1/m");
+        text += &format!(", φ₀ = {} 1/m", written(spin));
     }
     text
 }
