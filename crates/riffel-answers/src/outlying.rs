@@ -45,6 +45,7 @@ fn datum(outlying: &Outlying) -> Message {
         }
         Observable::AxleBoxLevelDb => say!(datum_axle_box, at = millimetres()),
         Observable::PassByLevelDb => say!(datum_pass_by, passages = million(at)),
+        Observable::WearMPer100Mgt => say!(datum_wear, mgt = significant(at, 3)),
         Observable::WaveGrowthNp => {
             say!(datum_growth, at = millimetres(), passages = passages())
         }

@@ -339,17 +339,20 @@ pub enum Kind {
     PassBy,
     /// Profiles of the same place at several dates.
     DatedProfiles,
+    /// Depth worn off the head of the rail under some gross mass.
+    Wear,
 }
 
 impl Kind {
     /// All of them.
-    pub const ALL: [Self; 6] = [
+    pub const ALL: [Self; 7] = [
         Self::FrequencyResponse,
         Self::DecayRate,
         Self::DatedLevels,
         Self::AxleBox,
         Self::PassBy,
         Self::DatedProfiles,
+        Self::Wear,
     ];
 
     /// The columns that its table must have.
@@ -369,6 +372,7 @@ impl Kind {
             ],
             Self::PassBy => &["passages", "level_dba"],
             Self::DatedProfiles => &["passages", "profile"],
+            Self::Wear => &["depth_mm", "mgt"],
         }
     }
 
@@ -382,6 +386,7 @@ impl Kind {
                 "upper_bound",
             ],
             Self::PassBy => &["speed_km_per_h", "trains", "standard_error_db"],
+            Self::Wear => &["factor"],
             Self::DatedLevels | Self::AxleBox | Self::DatedProfiles => &[],
         }
     }
@@ -395,6 +400,7 @@ impl Kind {
             Self::AxleBox => "axle-box",
             Self::PassBy => "pass-by",
             Self::DatedProfiles => "dated-profiles",
+            Self::Wear => "wear",
         }
     }
 }

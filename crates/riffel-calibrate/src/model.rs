@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use riffel::growth::RowEvaluator;
 use riffel::noise::{BandRadiation, FrequencyBand};
-use riffel::{Complex64, STANDARD_GRAVITY};
+use riffel::{Complex64, MeanWear, STANDARD_GRAVITY};
 use riffel_case::traffic::Traffic;
 use riffel_case::{Case, LoopOnTrack, Setting, SpeedChange, TrackRadiator, Variant};
 use riffel_keys::CaseError;
@@ -246,6 +246,13 @@ pub(crate) struct Trial<'a> {
     settled: Rc<RefCell<Vec<Settled>>>,
 }
 
+/// A vehicle with the values of a trial.
+struct Tried {
+    wheel: LoopOnTrack,
+    speeds: Speeds,
+    traction_share: f64,
+}
+
 /// A vehicle of a view with the numbers that its mean state follows from.
 struct Settled {
     view: usize,
@@ -402,39 +409,15 @@ impl<'a> Trial<'a> {
         lines: &[f64],
     ) -> Result<Vec<Complex64>, String> {
         let mut rates = vec![Complex64::ZERO; lines.len()];
-        let acting = &self.model.views[view].acting;
         for (index, vehicle) in self.model.vehicles.iter().enumerate() {
-            let mut numbers = self.numbers(view);
-            // What the vehicle says itself, the case does not say.
-            numbers.retain(|(key, _)| !vehicle.settings.iter().any(|(own, _)| own == key));
-            let mut speeds = vehicle.speeds.clone();
-            let mut traction_share = vehicle.traction_share;
-            for &acting in acting {
-                let Role::Vehicle(of, key) = &self.model.parameters[acting].role else {
-                    continue;
-                };
-                if *of != index {
-                    continue;
-                }
-                let value = self.values[acting];
-                match (key, &mut speeds) {
-                    (VehicleKey::MeanSpeed, Speeds::Normal { mean, .. }) => *mean = value,
-                    (VehicleKey::SpeedDeviation, Speeds::Normal { deviation, .. }) => {
-                        *deviation = value;
-                    }
-                    (VehicleKey::TractionShare, _) => traction_share = value,
-                    (VehicleKey::OfCase(key, factor), _) => numbers.push((key, factor * value)),
-                    (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
-                }
-            }
-            if let Some(change) = &self.model.speed {
-                speeds = speeds.changed(change);
-            }
+            let Tried {
+                wheel,
+                speeds,
+                traction_share,
+            } = self.vehicle(view, index)?;
             let nodes = speeds
                 .nodes()
                 .ok_or("the slowest of the vehicles would stand")?;
-            let wheel = self.wheel((view, index), &numbers);
-            let wheel = wheel.map_err(|error| error.to_string())?;
             for (feedback, weight) in wheel.places() {
                 let rate = feedback.growth_rate_per_dissipation();
                 let factor = vehicle.share * traction_share * weight * rate;
@@ -449,5 +432,61 @@ impl<'a> Trial<'a> {
             }
         }
         Ok(rates)
+    }
+
+    /// Mean wear of the rail per axle, in the mean over the traffic.
+    pub(crate) fn mean_wear(&self, view: usize) -> Result<MeanWear, String> {
+        let mut all = MeanWear {
+            depth: 0.0,
+            axle_mass: 0.0,
+            bounds_growth: true,
+        };
+        for (index, vehicle) in self.model.vehicles.iter().enumerate() {
+            let tried = self.vehicle(view, index)?;
+            for (feedback, weight) in tried.wheel.places() {
+                let own = feedback.mean_wear();
+                all.depth += vehicle.share * tried.traction_share * weight * own.depth;
+                all.axle_mass += vehicle.share * weight * own.axle_mass;
+                all.bounds_growth &= own.bounds_growth;
+            }
+        }
+        Ok(all)
+    }
+
+    /// A vehicle with the values of the trial.
+    fn vehicle(&self, view: usize, index: usize) -> Result<Tried, String> {
+        let vehicle = &self.model.vehicles[index];
+        let mut numbers = self.numbers(view);
+        // What the vehicle says itself, the case does not say.
+        numbers.retain(|(key, _)| !vehicle.settings.iter().any(|(own, _)| own == key));
+        let mut speeds = vehicle.speeds.clone();
+        let mut traction_share = vehicle.traction_share;
+        for &acting in &self.model.views[view].acting {
+            let Role::Vehicle(of, key) = &self.model.parameters[acting].role else {
+                continue;
+            };
+            if *of != index {
+                continue;
+            }
+            let value = self.values[acting];
+            match (key, &mut speeds) {
+                (VehicleKey::MeanSpeed, Speeds::Normal { mean, .. }) => *mean = value,
+                (VehicleKey::SpeedDeviation, Speeds::Normal { deviation, .. }) => {
+                    *deviation = value;
+                }
+                (VehicleKey::TractionShare, _) => traction_share = value,
+                (VehicleKey::OfCase(key, factor), _) => numbers.push((key, factor * value)),
+                (VehicleKey::MeanSpeed | VehicleKey::SpeedDeviation, Speeds::Listed(_)) => {}
+            }
+        }
+        if let Some(change) = &self.model.speed {
+            speeds = speeds.changed(change);
+        }
+        let wheel = self.wheel((view, index), &numbers);
+        Ok(Tried {
+            wheel: wheel.map_err(|error| error.to_string())?,
+            speeds,
+            traction_share,
+        })
     }
 }

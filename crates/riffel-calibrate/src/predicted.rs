@@ -24,7 +24,7 @@ pub struct Predicted {
     pub measured: Observable,
     /// Position \[m\] or passages, where there are any.
     pub of: Option<f64>,
-    /// Frequencies \[Hz\] or wavelengths \[m\].
+    /// Frequencies \[Hz\], wavelengths \[m\], or of wear million gross tonnes.
     pub at: Vec<f64>,
     /// As it was measured.
     pub observed: Vec<f64>,

@@ -625,6 +625,7 @@ outlying-above = { $datum } ({ $data }) liegt { $deviations } Standardabweichung
 outlying-below = { $datum } ({ $data }) liegt { $deviations } Standardabweichungen unter dem, was alle anderen Daten davon sagen; der Wert bleibt unter ihnen: zu prüfen ist, wie gemessen wurde oder was dem Modell dort fehlt
 datum-receptance = |H| bei { $at } Hz
 datum-phase = die Phase von H bei { $at } Hz
+datum-wear = der Verschleiß unter { $mgt } Mio. Bruttotonnen
 datum-decay-rate = die Abklingrate bei { $at } Hz
 datum-level = der Pegel von { $at } mm nach { $passages } Millionen Überrollungen
 datum-axle-box = der Pegel des Achslagers bei { $at } mm

@@ -632,6 +632,7 @@ outlying-above = { $datum } ({ $data }) lies { $deviations } standard deviations
 outlying-below = { $datum } ({ $data }) lies { $deviations } standard deviations below what all other data say of it; it stays among them: look how it was measured, or what the model lacks there
 datum-receptance = |H| at { $at } Hz
 datum-phase = the phase of H at { $at } Hz
+datum-wear = the wear under { $mgt } million gross tonnes
 datum-decay-rate = the decay rate at { $at } Hz
 datum-level = the level of { $at } mm after { $passages } million passages
 datum-axle-box = the level of the axle box at { $at } mm

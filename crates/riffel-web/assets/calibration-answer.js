@@ -14,7 +14,7 @@ const [WIDTH, HEIGHT] = [220, 64];
 const MEASURED = {
   receptance_m_per_n: ['receptance_axis', 1e9, 'frequency', true], receptance_phase_rad: ['phase_axis', 180 / Math.PI, 'frequency', false], decay_rate_db_per_m: ['decay_axis', 1, 'frequency', true],
   level_rise_db: ['rise_axis', 1, 'wavelength', false], axle_box_level_db: ['axle_box_axis', 1, 'wavelength', false], pass_by_level_db: ['pass_by_axis', 1, 'passages', false],
-  wave_growth_np: ['wave_growth_axis', 20 / Math.LN10, 'wavelength', false], wave_drift_rad: ['wave_drift_axis', 180 / Math.PI, 'wavelength', false],
+  wave_growth_np: ['wave_growth_axis', 20 / Math.LN10, 'wavelength', false], wave_drift_rad: ['wave_drift_axis', 180 / Math.PI, 'wavelength', false], wear_m_per_100_mgt: ['wear_axis', 1e3, 'mass', false],
 };
 const TICKS = [10, 20, 30, 50, 70, 100, 200, 300, 500, 700, 1000, 2000, 5000];
 
@@ -105,7 +105,7 @@ export class CalibrationAnswer {
 
   #drawKind(place, kind, groups) {
     const [word, factor, over, isLog] = MEASURED[kind];
-    const [isWavelength, isTime] = [over === 'wavelength', over === 'passages'];
+    const [isWavelength, isTime, isMass] = ['wavelength', 'passages', 'mass'].map((it) => it === over);
     const colors = palette().slice(1);
     const scaled = (values) => values.map((value) => value * factor);
     const traces = groups.flatMap(({ at, of, observed, quantiles }, k) => {
@@ -121,7 +121,7 @@ export class CalibrationAnswer {
     const all = traces.flatMap(({ x }) => x);
     const range = [Math.log10(0.94 * Math.min(...all)), Math.log10(1.06 * Math.max(...all))];
     draw(place, traces, layout({
-      xaxis: isTime ? axis(`10⁶ ${t('passages_word')}`, {}) : axis(isWavelength ? `${t('wavelength')} λ [mm]` : `${t('frequency')} f [Hz]`, { type: 'log', tickvals: TICKS, range: isWavelength ? range.reverse() : range }),
+      xaxis: isMass ? axis('MGT', {}) : isTime ? axis(`10⁶ ${t('passages_word')}`, {}) : axis(isWavelength ? `${t('wavelength')} λ [mm]` : `${t('frequency')} f [Hz]`, { type: 'log', tickvals: TICKS, range: isWavelength ? range.reverse() : range }),
       yaxis: axis(t(word), isLog ? decades(traces.flatMap(({ y }) => y)) : {}), showlegend: groups.length > 1, margin: { l: 4 * letterSize(), r: 10, t: 2.2 * letterSize(), b: 3 * letterSize() },
     }));
   }

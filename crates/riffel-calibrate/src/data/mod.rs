@@ -6,6 +6,7 @@ mod joined_lines;
 mod levels;
 mod profiles;
 pub(crate) mod table;
+mod wear;
 
 pub(crate) use decay_rate::DecayRates;
 pub(crate) use frequency_response::FrequencyResponses;
@@ -13,6 +14,7 @@ pub(crate) use levels::{
     AxleBoxRun, DatedLevels, Levels, MeasuredRail, PassBys, Passage, SinceGround, Train,
 };
 pub(crate) use profiles::{Comparison, DatedProfiles, Travel};
+pub(crate) use wear::Wear;
 
 use rand_xoshiro::Xoshiro256PlusPlus;
 
@@ -139,13 +141,16 @@ pub enum Observable {
     WaveGrowthNp,
     /// How far a wave has moved along the direction of travel \[rad\], over the same.
     WaveDriftRad,
+    /// Depth worn off the head per 100 million gross tonnes, over the gross tonnes under which it was \[million\].
+    #[serde(rename = "wear_m_per_100_mgt")]
+    WearMPer100Mgt,
 }
 
 impl Observable {
     /// A datum as it was measured, of the form in which it is compared.
     pub(crate) fn told(self, compared: f64) -> f64 {
         match self {
-            Self::ReceptanceMPerN | Self::DecayRateDbPerM => compared.exp(),
+            Self::ReceptanceMPerN | Self::DecayRateDbPerM | Self::WearMPer100Mgt => compared.exp(),
             _ => compared,
         }
     }
@@ -155,7 +160,7 @@ impl Observable {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Place {
     pub(crate) measured: Observable,
-    /// Frequency or wavelength.
+    /// Frequency, wavelength or million gross tonnes.
     pub(crate) at: f64,
     /// Position or passages, where there are any.
     pub(crate) of: Option<f64>,

@@ -10,7 +10,7 @@ use toml::Value;
 use super::{Reading, beside, name_of};
 use crate::data::{
     AxleBoxRun, Block, Comparison, DatedLevels, DatedProfiles, DecayRates, FrequencyResponses,
-    Levels, MeasuredRail, SinceGround, Size, Travel, table,
+    Levels, MeasuredRail, SinceGround, Size, Travel, Wear, table,
 };
 use crate::file::{DataFile, Kind, SizeFile};
 use crate::model::{Parameter, Role, View};
@@ -110,7 +110,8 @@ impl Reading<'_> {
             };
             return Err(self.invalid(*own, "kind", rule, help));
         }
-        let growing = dated.iter().chain(&profiles).min();
+        let wear = of_kind(Kind::Wear);
+        let growing = dated.iter().chain(&profiles).chain(&wear).min();
         if let (Some(index), true) = (growing, self.vehicles.is_empty()) {
             let kind = self.file.data[*index].kind.name();
             let rule = say!(is_kind_without_traffic, kind = kind);
@@ -124,6 +125,7 @@ impl Reading<'_> {
                 Kind::FrequencyResponse => (Some(self.frequency_response(index)?), vec![index]),
                 Kind::DecayRate => (Some(self.decay_rate(index)?), vec![index]),
                 Kind::DatedProfiles => (Some(self.profiles(index)?), vec![index]),
+                Kind::Wear => (self.wear(index)?, vec![index]),
                 Kind::DatedLevels => {
                     let block = self.levels(index, &runs, &pass_bys)?;
                     let others = runs.iter().chain(&pass_bys).copied();
@@ -318,6 +320,14 @@ impl Reading<'_> {
         let path = beside(self.folder, &data.file);
         let block = DecayRates::read(&path, (view, &self.views[view].case), student)?;
         Ok(Box::new(block))
+    }
+
+    /// None where a factor of one leaves no error.
+    fn wear(&mut self, index: usize) -> Result<Option<Box<dyn Block>>, CaseError> {
+        let view = self.view(index)?;
+        let path = beside(self.folder, &self.file.data[index].file);
+        let block = Wear::read(&path, view)?;
+        Ok(block.map(|block| Box::new(block) as Box<dyn Block>))
     }
 
     fn profiles(&mut self, index: usize) -> Result<Box<dyn Block>, CaseError> {

@@ -24,6 +24,7 @@ impl Reading<'_> {
             Kind::DecayRate => "ln",
             Kind::DatedLevels | Kind::DatedProfiles => "dB per 1e6 passages",
             Kind::AxleBox | Kind::PassBy => "dB",
+            Kind::Wear => "ln",
         };
         for (key, given, only) in [
             ("unit", &written.unit, unit),
@@ -86,9 +87,7 @@ impl Reading<'_> {
         }
         let over = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => "ln frequency",
-            Kind::DatedLevels | Kind::DatedProfiles | Kind::AxleBox | Kind::PassBy => {
-                "ln wavelength"
-            }
+            _ => "ln wavelength",
         };
         if let Some(given) = &written.over
             && given != over
@@ -103,9 +102,7 @@ impl Reading<'_> {
         }
         let usual = match kind {
             Kind::FrequencyResponse | Kind::DecayRate => ("matern-3/2", 0.5),
-            Kind::DatedLevels | Kind::DatedProfiles | Kind::AxleBox | Kind::PassBy => {
-                ("exponential", 0.35)
-            }
+            _ => ("exponential", 0.35),
         };
         let length = written.length.unwrap_or(usual.1);
         if !(length.is_finite() && length > 0.0) {

@@ -140,7 +140,7 @@ impl Kind {
     fn is_of_trains(self) -> bool {
         matches!(
             self,
-            Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles
+            Self::DatedLevels | Self::AxleBox | Self::PassBy | Self::DatedProfiles | Self::Wear
         )
     }
 
@@ -155,7 +155,7 @@ impl Kind {
                 "{ kind = \"gaussian-process\", standard_deviation = { half_normal = 1.0 } }"
             }
             Self::AxleBox => "{ kind = \"band\", standard_deviation = { half_normal = 1.5 } }",
-            Self::PassBy => return None,
+            Self::PassBy | Self::Wear => return None,
         };
         Some(usual)
     }
@@ -192,7 +192,8 @@ impl Table {
                     say!(write_run_into_a_plan),
                 ));
             }
-            if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles) && !has_traffic {
+            if matches!(kind, Kind::DatedLevels | Kind::DatedProfiles | Kind::Wear) && !has_traffic
+            {
                 return Err(refuse(
                     say!(dates_without_traffic),
                     say!(give_traffic_of_the_program),

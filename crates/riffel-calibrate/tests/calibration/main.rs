@@ -9,6 +9,7 @@ mod profiles;
 mod refusals;
 mod results;
 mod usual;
+mod wear;
 
 use std::path::PathBuf;
 
