@@ -171,7 +171,9 @@ impl CaseText {
             &mut instead,
         )?;
         let opposite = self.keys.text_of("wheelset.opposite_rail");
+        let is_smooth = opposite == Some("smooth");
         if opposite.is_some_and(|kind| kind != "absent") {
+            let told = self.curve_remarks.len();
             let on_tread = FromCurve {
                 contact: None,
                 ..from.clone()
@@ -188,6 +190,10 @@ impl CaseText {
                 &mut instead,
             )?;
             self.tell_of_second_point(rail.opposite(), other.elsewhere);
+            if is_smooth {
+                // A rail without waves is not asked about.
+                self.curve_remarks.truncate(told);
+            }
         }
         self.tell_where_from(from, rail, &vehicle.curve, &study);
         self.tell_of_second_point(rail, study.elsewhere);
