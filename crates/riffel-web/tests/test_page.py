@@ -256,7 +256,7 @@ def test_the_figures_of_the_paper_are_drawn(page):
 
 @pytest.mark.without_curves
 def test_the_table_of_the_field_is_that_which_the_project_keeps(page):
-    kept = json.loads((ROOT / "validation/field/prediction.json").read_text())
+    kept = json.loads((ROOT / "validation/field/prediction-wear-of-service.json").read_text())
     outcomes = [(site["title"], outcome) for site in kept["cases"] for outcome in site["outcomes"]]
     page.page.click("#tab-paper")
     rows = page.page.locator("#field tbody tr")
