@@ -61,6 +61,12 @@ export class Banner {
     this.place.hidden = !lines.length;
   }
 
+  /** Tell more beside what was told just now. */
+  add(text) {
+    if (this.notices.hidden) this.notice(text);
+    else this.notices.firstChild.textContent += ` ${text}`;
+  }
+
   /** Tell what was done, with the way back. */
   notice(text, undo, more = []) {
     clearTimeout(this.leaving);

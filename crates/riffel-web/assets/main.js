@@ -36,10 +36,10 @@ import { chooseLanguage, chooseSpeedUnit, currentLanguage, gaps, number, power, 
 const $ = (id) => document.getElementById(id);
 
 /**
- * What the page shows. `point` is the cursor in m and m/s, `variants` what was kept to compare with, `accepted` the keys of the
- * last case without an error; `current` is true while what is shown is that of `keys`.
+ * What the page shows. `point` is the cursor in m and m/s, `pinned` where the user has put it; until then it stands on `headline`, the place of what grows fastest under
+ * the traffic. `variants` is what was kept to compare with, `accepted` the keys of the last case without an error; `current` is true while what is shown is that of `keys`.
  */
-const state = { keys: null, variants: [], point: null, view: 'explore', map: null, head: null, at: null, accepted: null, current: false, vocabulary: null };
+const state = { keys: null, variants: [], point: null, headline: null, view: 'explore', map: null, head: null, at: null, accepted: null, current: false, vocabulary: null };
 
 const banner = new Banner($('trouble'), $('notice'));
 const trouble = (words, more) => banner.say(words, more);
@@ -67,7 +67,7 @@ $('theme').addEventListener('click', () => {
 
 // The map and the loop -------------------------------------------------------------------------------
 
-const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point, pinned) });
+const view = new MapView($('map'), { onPoint: (point, pinned) => movePoint(point, pinned), onLeave: () => standOnHeadline() });
 view.onZoom = (zoomed) => ($('whole-map').hidden = !zoomed);
 $('whole-map').addEventListener('click', () => view.zoomOut());
 const maps = new Line('/api/map', framed);
@@ -109,8 +109,7 @@ function showMap({ head, values }, keys) {
   state.accepted = keys;
   state.current = !maps.pending;
   const { wavelength, speed, highest } = state.map;
-  const inside = state.point && state.point.wavelength >= wavelength.min && state.point.wavelength <= wavelength.max && state.point.speed >= speed.min && state.point.speed <= speed.max;
-  if (!inside) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
+  if (!state.point || beyondMap(state.point).length) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
   view.point = state.point;
   view.band = band();
   // The map first: drawing it asks for its size, which is dear once something else has changed.
@@ -153,12 +152,14 @@ function highestOfTraffic() {
 /** Passages with the time and the gross tonnes that they take. */
 const countInWords = (count, grows) => traffic.words(count, si(state.head.complete, 'contact.normal_load'), grows).whole;
 
+/** The axes along which a place lies beyond the map. */
+const beyondMap = (place) => ['wavelength', 'speed'].filter((name) => place[name] < state.map[name].min || place[name] > state.map[name].max);
+
 let moved = false;
-function movePoint(point, pinned) {
-  state.point = point;
+function movePoint({ wavelength, speed }, pinned) {
+  state.point = { wavelength, speed, pinned };
   moved = pinned;
-  view.following = pinned ? false : view.following;
-  view.moveTo(point);
+  view.moveTo(state.point);
   speedHandle();
   askPoint();
   for (const listener of listeners) listener('point');
@@ -378,7 +379,7 @@ function record(gesture) {
 }
 
 function step(to) {
-  if (to) open({ ...to, point: state.point, tab: state.view });
+  if (to) open({ ...to, point: state.point, tab: state.view }, { widen: false });
 }
 $('undo').addEventListener('click', () => step(steps.undo()));
 $('redo').addEventListener('click', () => step(steps.redo()));
@@ -409,7 +410,7 @@ function saveAddress(asStep = false) {
   const write = () => {
     saving = 0;
     const { point, view: tab, variants } = state;
-    const address = `#${pack({ case: state.keys, point: point && [point.wavelength, point.speed], tab, ...(variants.length && { variants }), ...(traffic.given && { traffic: traffic.given }) })}`;
+    const address = `#${pack({ case: state.keys, point: point?.pinned ? [point.wavelength, point.speed] : null, tab, ...(variants.length && { variants }), ...(traffic.given && { traffic: traffic.given }) })}`;
     if (address === saved) return;
     saved = address;
     if (asStep) history.pushState(null, '', saved);
@@ -432,7 +433,7 @@ function readLink(link) {
   try {
     const { case: keys, point, tab, traffic, ...kept } = unpack(link.slice(1));
     if (!isCase(keys)) return null;
-    const place = Array.isArray(point) && point.every(Number.isFinite) ? { wavelength: point[0], speed: point[1] } : null;
+    const place = Array.isArray(point) && point.every(Number.isFinite) ? { wavelength: point[0], speed: point[1], pinned: true } : null;
     return { case: keys, variants: readVariants(kept), point: place, tab: $(`tab-${tab}`) ? tab : 'explore', traffic: readTraffic(traffic) };
   } catch {
     return null;
@@ -448,9 +449,13 @@ function lastState() {
   }
 }
 
+/** Whether the case has just been opened, and its map is still to be widened to hold the headline. */
+let isOpening = false;
+
 /** Show a case; the variants that are kept and the traffic stay unless others come with it. */
-function open({ case: keys, variants = state.variants, point, tab, traffic: given = traffic.given }, { asStep = true } = {}) {
+function open({ case: keys, variants = state.variants, point, tab, traffic: given = traffic.given }, { asStep = true, widen = true } = {}) {
   Object.assign(state, { keys, variants, point });
+  isOpening = widen;
   form.forget();
   form.show(keys);
   traffic.show(given);
@@ -523,6 +528,7 @@ function redraw() {
   banner.render();
   if (state.map) {
     view.band = band();
+    markHeadline();
     view.draw();
     mapWords();
     speedHandle();
@@ -544,18 +550,55 @@ $('speed-unit').addEventListener('change', (event) => {
   redraw();
 });
 
-/** Put the cursor to a place; growth under the traffic is known beyond the map, which is widened to hold it, with a word. */
-function movePlace(place) {
-  const isBeyond = (name) => place[name] < state.map[name].min || place[name] > state.map[name].max;
-  const beyond = ['wavelength', 'speed'].filter(isBeyond);
-  if (!beyond.length) return movePoint(place, true);
+/** What is said of a map that is widened to hold a place. */
+const widened = ({ wavelength, speed }) => t('map_widened', `${number(1e3 * wavelength)} mm, ${inUnit(speed)}`);
+
+/** The case with a map that holds a place. */
+function wideEnough(place) {
   const keys = structuredClone(state.keys);
-  for (const name of beyond) {
+  for (const name of beyondMap(place)) {
     const [end, by] = place[name] > state.map[name].max ? ['max', WIDER] : ['min', 1 / WIDER];
     const value = Number((place[name] * by).toPrecision(2));
     set(keys, `map.${name}.${end}`, name === 'wavelength' ? `${short(1e3 * value)} mm` : `${short(value)} m/s`);
   }
-  return replace({ case: keys, point: place, tab: 'explore' }, t('map_widened', `${number(1e3 * place.wavelength)} mm, ${inUnit(place.speed)}`));
+  return keys;
+}
+
+/** Let go of the cursor, which goes back to the headline; growth under the traffic is known beyond the map, which is widened to hold it, with a word. */
+function leadToHeadline() {
+  const place = state.headline;
+  if (!beyondMap(place).length) return movePoint(place, false);
+  return replace({ case: wideEnough(place), point: place, tab: 'explore' }, widened(place));
+}
+
+/** Stand on the headline unless the user has put the cursor elsewhere. */
+function standOnHeadline() {
+  const { point, headline } = state;
+  if (!point || point.pinned || !headline || beyondMap(headline).length) return;
+  if (point.wavelength !== headline.wavelength || point.speed !== headline.speed) movePoint(headline, false);
+}
+
+/** The mark of the headline on the map, at the speeds of the traffic. */
+function markHeadline() {
+  const { headline } = state;
+  view.marks = headline ? [{ wavelength: headline.wavelength, isOfTraffic: true, label: t('headline_mark', `${number(Number((1e3 * headline.wavelength).toPrecision(2)))} mm`) }] : [];
+}
+
+/** The headline has changed to another place, or to none: it is marked on the map. A case that was just opened gets a map that holds it, as part of its opening. */
+function showHeadline(place) {
+  state.headline = place;
+  markHeadline();
+  if (place && isOpening && beyondMap(place).length) {
+    state.keys = wideEnough(place);
+    steps.amend(snapshot());
+    sidebar.begin(state.keys);
+    banner.add(widened(place));
+    caseChanged();
+  } else {
+    view.draw();
+    standOnHeadline();
+  }
+  isOpening = false;
 }
 
 /** Keep other variants beside the case at hand. */
@@ -573,7 +616,7 @@ const shared = {
   listen: (listener) => listeners.push(listener),
 };
 const outlook = new Outlook($('view-explore'), {
-  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onPlace: movePlace, onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
+  ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onHeadline: showHeadline, onWhy: leadToHeadline, onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
   question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }), likelihood: (remedies) => calibrate.likelihood(remedies),
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));

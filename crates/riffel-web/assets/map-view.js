@@ -29,11 +29,11 @@ export function ticks(low, high, count) {
 }
 
 export class MapView {
-  /** `place` is an element of the page; `onPoint(wavelength, speed, pinned)` is told of the cursor. */
-  constructor(place, { onPoint, label, kind = 'growth' } = {}) {
+  /** `place` is an element of the page; `onPoint(point, pinned)` is told of the cursor, which follows the pointer until it is pinned, and `onLeave` that the pointer has gone. */
+  constructor(place, { onPoint, onLeave, label, kind = 'growth' } = {}) {
     // An element of the page knows its map.
     place.view = this;
-    Object.assign(this, { place, onPoint, kind, map: null, point: null, marks: [], names: [], taken: [], held: null, following: true, window: null, band: null, hover: null, dragged: null });
+    Object.assign(this, { place, onPoint, onLeave, kind, map: null, point: null, marks: [], names: [], taken: [], held: null, window: null, band: null, hover: null, dragged: null });
     this.field = document.createElement('canvas');
     this.marksOver = document.createElement('canvas');
     this.marksOver.tabIndex = onPoint ? 0 : -1;
@@ -393,16 +393,17 @@ export class MapView {
     const { box, colors } = this;
     this.#within(context, () => {
       this.#drawBand(context, colors, taken);
-      for (const { wavelength, label } of this.marks) {
+      for (const { wavelength, label, isOfTraffic } of this.marks) {
         if (wavelength < this.frame.wavelength.min || wavelength > this.frame.wavelength.max) continue;
         const x = Math.round(this.x(wavelength)) + 0.5;
         context.strokeStyle = colors.warm;
-        context.lineWidth = 1.5;
-        line(context, x, box.top, x, box.top + box.height);
+        // Wider than the line of the cursor, which may stand on it.
+        context.lineWidth = isOfTraffic ? 7 : 1.5;
+        line(context, x, isOfTraffic ? this.y(this.band.to) : box.top, x, isOfTraffic ? this.y(this.band.from) : box.top + box.height);
         context.font = `600 ${this.font}px ${colors.font}`;
         // As high as there is room beside names and other marks; left of its line at the right edge.
         const width = context.measureText(label).width + 6;
-        const left = x + 3 + width > box.left + box.width ? x - 3 - width : x + 3;
+        const left = x + 3 + width > box.left + box.width ? Math.max(box.left, x - 3 - width) : x + 3;
         const at = (top) => ({ words: label, left, right: left + width, top, bottom: top + 1.5 * this.font });
         let spot = at(box.top + 0.5 * this.font);
         while (taken.some((other) => overlap(spot, other))) spot = at(spot.top + 0.5 * this.font);
@@ -449,7 +450,8 @@ export class MapView {
     if (!this.hover) return [];
     const { wavelength, speed } = this.hover;
     const rate = valueAt(this.map, this.hover);
-    return [`${number(1e3 * wavelength)} mm, ${inUnit(speed)}, ${number(speed / wavelength)} Hz`, `${power(rate, 3)} ${t('per_passage')}`];
+    const marks = this.marks.filter((mark) => Math.abs(this.x(mark.wavelength) - this.x(wavelength)) < 0.5 * this.font);
+    return [`${number(1e3 * wavelength)} mm, ${inUnit(speed)}, ${number(speed / wavelength)} Hz`, `${power(rate, 3)} ${t('per_passage')}`, ...marks.map(({ label }) => label)];
   }
 
   #drawReadout(context, colors) {
@@ -531,12 +533,13 @@ export class MapView {
         return;
       }
       if (this.dragged && point) this.dragged[1] = point;
-      else if (point && (this.following || event.buttons)) return this.onPoint(point, Boolean(event.buttons));
+      else if (point && (!this.point?.pinned || event.buttons)) return this.onPoint(point, Boolean(event.buttons));
       this.#drawOver();
     });
     over.addEventListener('pointerleave', () => {
       this.hover = null;
       this.#drawOver();
+      this.onLeave();
     });
     over.addEventListener('pointerdown', (event) => {
       if (!this.map) return;

@@ -16,10 +16,13 @@ const REST = 150;
 /** Remedies are asked for when nothing has changed for so long after it [ms]: they take as long as eight headlines. */
 const CALM = 400;
 
+/** The wavelength that grows fastest, at the speed at which the wheel of the case makes it grow most; null where none grows. */
+const placeOf = ({ fastest, cause, speeds_m_per_s: speeds }) => fastest && { wavelength: fastest.wavelength_m, speed: cause?.speed_m_per_s ?? (speeds[0] + speeds[1]) / 2 };
+
 export class Outlook {
-  /** `question` is the case with its traffic; `onPlace` takes a place of the map, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
-  constructor(view, { state, question, onPlace, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
-    Object.assign(this, { view, state, question, onPlace, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
+  /** `question` is the case with its traffic; `onHeadline` is told where on the map the fastest growth lies, `onWhy` that somebody asks for it, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */
+  constructor(view, { state, question, onHeadline, onWhy, announce, onFault, onCancel, stale, fresh, save, ...ways }) {
+    Object.assign(this, { view, state, question, onHeadline, announce, onFault, stale, fresh, line: new Line('/api/line', json), ranking: new Line('/api/remedies', json), answer: null });
     this.rest = new Calm(REST, () => this.#ask());
     this.calm = new Calm(CALM, () => this.#rank());
     this.line.onCancel = this.ranking.onCancel = onCancel;
@@ -28,7 +31,12 @@ export class Outlook {
     this.until = element('small', {});
     this.verdict = element('p', { className: 'verdict', id: 'verdict' });
     const why = worded('button', 'show_why', { type: 'button', className: 'plain small', id: 'show-why' });
-    why.addEventListener('click', () => this.#lead());
+    why.addEventListener('click', () => {
+      onWhy();
+      // The evidence beside the place on the map.
+      this.panel.scrollIntoView({ block: 'nearest' });
+      this.panel.focus({ preventScroll: true });
+    });
     const helps = worded('button', 'show_helps', { type: 'button', className: 'plain small', id: 'show-helps' });
     helps.addEventListener('click', () => this.remedies.panel.scrollIntoView({ block: 'center' }));
     const buttons = element('div', { className: 'buttons' }, why, helps);
@@ -59,7 +67,9 @@ export class Outlook {
   #ask() {
     const show = (answer) => {
       this.#show(answer);
-      if (!this.rest.isWaiting && !this.line.pending && this.state.current) this.fresh('line');
+      if (this.rest.isWaiting || this.line.pending || !this.state.current) return;
+      this.fresh('line');
+      this.onHeadline(placeOf(answer));
     };
     this.line.ask(this.question(), (answer) => {
       show(answer);
@@ -105,14 +115,6 @@ export class Outlook {
     const items = (notes) => notes.map((note) => sentence(inWords(note)));
     const { text, language } = said(cause.measurement);
     return card(cause.mechanism, [element('h3', { textContent: inWords(title) })], [items(own), items(others)], element('span', { textContent: text, lang: language }));
-  }
-
-  /** The evidence: the place on the map and the panel beside it. */
-  #lead() {
-    const { wavelength_m: wavelength, speed_m_per_s: speed } = this.answer.cause;
-    this.onPlace({ wavelength, speed });
-    this.panel.scrollIntoView({ block: 'nearest' });
-    this.panel.focus({ preventScroll: true });
   }
 
   draw() {

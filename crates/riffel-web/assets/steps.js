@@ -32,6 +32,12 @@ export class Steps {
     return !goesOn;
   }
 
+  /** The case at hand is completed, without a step of its own. */
+  amend(present) {
+    this.present = structuredClone(present);
+    this.#tell();
+  }
+
   /** The gesture has ended. */
   settle() {
     this.gesture = null;

@@ -15,6 +15,9 @@ def told(folder, *command):
     return json.loads(run.stdout)
 
 
+CURSOR = "() => window.riffel.state.point"
+
+
 def ranked(page):
     page.until(lambda: page.page.locator("#remedies tbody tr").count() > 0)
     page.settle()
@@ -53,6 +56,50 @@ def test_the_headline_is_one_number_with_its_cause(open_page, tmp_path, locale):
     assert curve > 20
     page.keep(f"outlook-{locale}", whole=True)
     page.close()
+
+
+@pytest.mark.without_curves
+@pytest.mark.without_remedies
+def test_the_cursor_stands_on_the_headline_until_it_is_pinned(page, open_page, tmp_path):
+    first = page.page.evaluate(CURSOR)
+    page.open_case((ROOT / "cases/metro.toml").read_text(), "metro.toml")
+    growth = told(tmp_path, "map", "cases/metro.toml", "--set", "map.speed.points=5")["under_traffic"]
+    headline = {"wavelength": pytest.approx(growth["fastest"]["wavelength_m"]), "speed": pytest.approx(growth["cause"]["speed_m_per_s"]), "pinned": False}
+    wavelength = f"{round(1e3 * growth['fastest']['wavelength_m'], -1):.0f} mm"
+    assert page.page.evaluate(CURSOR) == headline
+    # The window is as wide as the headline needs, marks it, and says so in one step with the opening.
+    assert page.page.evaluate("() => window.riffel.state.map.wavelength.max") > growth["fastest"]["wavelength_m"]
+    assert wavelength in growth["remarks"][1] and page.page.evaluate("() => document.getElementById('map').view.marks.map(({ label }) => label)") == [f"fastest under the traffic: {wavelength}"]
+    assert re.search(r"metro\.toml is open\. The map is wider now", page.text("#notice"))
+    # It follows the pointer and goes back to the headline when that leaves.
+    x, y, width, height = page.page.locator("#map").bounding_box().values()
+    page.page.mouse.move(x + width / 2, y + height / 2)
+    page.until(lambda: page.page.evaluate(CURSOR) != headline)
+    page.page.mouse.move(5, 5)
+    page.settle()
+    assert page.page.evaluate(CURSOR) == headline
+    address = page.page.url
+    # Pinned, it stays whatever becomes of the headline, until that is asked for.
+    page.page.mouse.click(x + width / 2, y + height / 2)
+    page.settle()
+    pinned = page.page.evaluate(CURSOR)
+    page.page.mouse.move(5, 5)
+    page.set("track.pad.stiffness", "30 MN/m")
+    page.settle()
+    assert pinned["pinned"] and page.page.evaluate(CURSOR) == pinned
+    # A link holds a place that was pinned, and no other.
+    for link, at in [(address, headline), (page.page.url, pinned)]:
+        other = open_page(link.split("/", 3)[3])
+        assert other.page.evaluate(CURSOR) == at
+        other.close()
+    page.page.click("#show-why")
+    page.settle()
+    moved = page.page.evaluate("() => window.riffel.state.headline")
+    assert page.page.evaluate(CURSOR) == {**moved, "pinned": False} != first
+    page.page.keyboard.press("Control+z")
+    page.page.keyboard.press("Control+z")
+    page.settle()
+    assert page.page.evaluate(CURSOR) == first
 
 
 @pytest.mark.without_curves
