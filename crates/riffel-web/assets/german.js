@@ -1,7 +1,7 @@
 // What the program says, in the language of the page. Each of its answers has the German of its sentences beside them, and the
 // pieces of those that name keys and quantities.
 
-import { currentLanguage, inUnits } from './words.js';
+import { currentLanguage, inUnits, sentence } from './words.js';
 
 const known = new Map();
 const inPieces = new Map();
@@ -26,3 +26,6 @@ export function said(english, shown = inUnits) {
 
 /** The text alone. */
 export const inWords = (english, shown) => said(english, shown).text;
+
+/** Several as a text of sentences. */
+export const inSentences = (list) => list.map((one) => sentence(inWords(one))).join(' ');

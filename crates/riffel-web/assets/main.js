@@ -502,7 +502,8 @@ function showView(name, asStep = false) {
   refit($(`view-${name}`));
   if (name === 'explore' && state.at) {
     curves();
-    outlook.draw();
+    // What a measured rail says of the model may have come meanwhile.
+    outlook.reword();
     outlook.remedies.askLikelihood();
   }
   saveAddress(asStep);
@@ -615,9 +616,10 @@ const shared = {
   state, traffic, inLabels: inLabels(form), unitOf: (key) => form.fields.get(key)?.node.unit, complain, banner, announce, setVariants, saveAddress, record, replace, showView, leadTo, save,
   listen: (listener) => listeners.push(listener),
 };
+let measure;
 const outlook = new Outlook($('view-explore'), {
   ...shared, stale, fresh, onCancel, onFault: (fault) => complain(fault, { until: 'case' }), onHeadline: showHeadline, onWhy: leadToHeadline, onTraffic: () => leadTo(traffic.fields.find(({ name }) => name === 'to_km_per_h').input),
-  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }), likelihood: (remedies) => calibrate.likelihood(remedies),
+  question: () => ({ case: { keys: state.accepted }, traffic: traffic.given && traffic.question }), likelihood: (remedies) => calibrate.likelihood(remedies), unexplained: () => measure?.unexplained ?? [],
   onKeep: (name, keys) => {
     if (state.variants.length >= MOST_VARIANTS) return banner.notice(t('most_kept', MOST_VARIANTS));
     setVariants([...state.variants, { name: ownName(name, state.variants), case: keys }]);
@@ -646,7 +648,7 @@ $('help-tour').addEventListener('click', () => {
   tour.begin();
 });
 startCompare(shared);
-const measure = startMeasure(shared);
+measure = startMeasure(shared);
 const calibrate = startCalibrate(shared);
 startBogie(shared);
 startMotion(shared);

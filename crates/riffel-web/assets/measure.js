@@ -11,7 +11,7 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
-import { inWords, said } from './german.js';
+import { inSentences, inWords, said } from './german.js';
 import { remember, remembered } from './remembered.js';
 import { underWay } from './sent-files.js';
 import { Fault, Line, askOnce, fetched, json, send } from './server.js';
@@ -74,6 +74,8 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   const spectrum = element('div', { className: 'curve tall', id: 'spectrum' });
   const dominant = element('div', { className: 'findings' });
   const outlook = element('ul', { className: 'sentences' });
+  /** That the model does not explain the rail: the first that is said of it. */
+  const unexplained = element('article', { className: 'panel wide', id: 'unexplained', hidden: true });
   const map = element('div', { className: 'map' });
   const legend = element('div', { className: 'bar' });
   const notes = element('ul');
@@ -83,7 +85,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   ];
   const along = new Along({ question: () => ({ name: file.name, ...(format && { format }) }), onPart: choosePart, complain, inLabels, save });
   const noise = new Noise({ question: () => question(), isCurrent: () => !line.pending && state.current, complain, banner, inLabels, save });
-  place.append(drop, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
+  place.append(drop, unexplained, ...along.panels, ...panels.slice(0, -1), ...noise.panels, panels.at(-1));
   for (const [at, figure] of [[0, () => ({ name: 'spectrum', plot: spectrum })], [2, () => ({ name: 'map', map: view })]]) offer(panels[at].querySelector('header'), figure, save);
   const view = new MapView(map, { label: t('growth_map') });
 
@@ -251,6 +253,9 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
 
   function show() {
     for (const one of panels) one.hidden = !answer;
+    const doubts = answer?.forecast.unexplained ?? [];
+    unexplained.hidden = !doubts.length;
+    unexplained.replaceChildren(...doubts.map((one) => element('p', { textContent: inSentences([one]), className: 'why bad' })));
     report.hidden = against.hidden = !answer;
     // A table of levels has no line.
     const { roughness: read } = answer ?? {};
@@ -262,7 +267,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
     if (!dominant.childElementCount) dominant.append(element('p', { textContent: t('nothing_dominant'), lang: currentLanguage() }));
-    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : [...forecast.findings.map((sentence) => item(sentence)), ...fitItems(forecast, { item, take: takeCoefficient })]));
+    outlook.replaceChildren(...(forecast.fault ? [item(forecast.fault.message)] : [...forecast.findings.filter((one) => !doubts.includes(one)).map((one) => item(one)), ...fitItems(forecast, { item, take: takeCoefficient })]));
     const remarks = [...new Set([...roughness.warnings, ...(diagnosis.warnings ?? []), ...(forecast.remarks ?? [])])];
     notes.replaceChildren(...remarks.map((remark) => item(remark)));
     panels.at(-1).hidden = !remarks.length;
@@ -369,6 +374,10 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   tellFile();
   return {
     saveReport,
+    /** Where the model does not explain the rail that is open, as the program says of this case and traffic; else empty. */
+    get unexplained() {
+      return file && answer && answered.question === JSON.stringify(question()) ? (answer.forecast.unexplained ?? []) : [];
+    },
     /** The record that is open with all that belongs to it, null where there is none. */
     get record() {
       return file && { file, name: file.name, kept: { kind: 'record' }, format, table: along.table, earlier: earlier.kept };

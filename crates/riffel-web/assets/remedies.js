@@ -2,7 +2,7 @@
 
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { inSentences, inWords } from './german.js';
 import { inUnit, set, shownUnit } from './keys.js';
 import { NumberField, UNITS } from './number-field.js';
 import { remember, remembered } from './remembered.js';
@@ -19,10 +19,11 @@ export const readCosts = (costs) => Object.fromEntries(Object.entries(costs ?? {
 export class Remedies {
   /**
    * `onKeep` takes the name and the keys of a variant, `onTraffic` leads to the speeds of the traffic, `onCosts` is told that costs are others; `likelihood`
-   * promises by the ids of remedies how likely each helps, null without a calibration of the case.
+   * promises by the ids of remedies how likely each helps, null without a calibration of the case; `unexplained` gives what is said where the model does not
+   * explain a measured rail, of which it ranks nothing.
    */
-  constructor({ state, unitOf, save, onKeep, onTraffic, onCosts, onFault, likelihood }) {
-    Object.assign(this, { state, unitOf, onKeep, onTraffic, onCosts, onFault, likelihood, answer: null, likely: null, costs: remembered(KEPT) ?? {}, fields: new Map() });
+  constructor({ state, unitOf, save, onKeep, onTraffic, onCosts, onFault, likelihood, unexplained }) {
+    Object.assign(this, { state, unitOf, onKeep, onTraffic, onCosts, onFault, likelihood, unexplained, answer: null, likely: null, costs: remembered(KEPT) ?? {}, fields: new Map() });
     this.table = element('table', { className: 'comparison', id: 'remedies' });
     this.rest = element('ul', { className: 'fine' });
     const header = element('header', {}, worded('h2', 'what_helps'), worded('span', 'each_alone', { className: 'aside' }));
@@ -35,7 +36,8 @@ export class Remedies {
     if (answer !== this.answer) this.likely = null;
     this.answer = answer;
     const typing = document.activeElement;
-    const rows = answer?.remedies.map((one) => this.#row(one)) ?? [];
+    const doubts = this.unexplained();
+    const rows = doubts.length ? [] : (answer?.remedies.map((one) => this.#row(one)) ?? []);
     this.hint.hidden = rows.length > 0;
     this.hint.dataset.t = answer ? 'nothing_grows' : 'remedies_come';
     const heads = ['remedy', 'growth_changes', 'doubles_in', 'ground_after', 'remedy_cost', ...(this.likely ? ['likely_helps', 'likely_best'] : []), ''];
@@ -44,8 +46,10 @@ export class Remedies {
     // A field that has moved with its row is still the one that is written in.
     if (this.table.contains(typing)) typing.focus();
     const left = answer?.left_out.map(({ title, reason }) => `${sentence(`${t('left_out')}: ${inWords(title)}`)} ${sentence(inWords(reason))}`) ?? [];
+    this.rest.hidden = doubts.length > 0;
     this.rest.replaceChildren(...[...(answer?.notes.map((note) => sentence(inWords(note))) ?? []), ...left].map((textContent) => element('li', { textContent })));
     translate(this.panel);
+    if (doubts.length) this.hint.textContent = inSentences(doubts);
     for (const [id, field] of this.fields) field.show(this.costs[id] ?? null);
   }
 

@@ -211,3 +211,49 @@ def test_remedies_say_when_the_rail_is_ground_and_go_by_their_cost(page, open_pa
     assert [row[0].split("\n")[0] for row in ranked(other)][:2] == [titles[second], titles[first]]
     other.close()
     page.complaints.clear()
+
+
+@pytest.mark.without_curves
+def test_a_rail_that_the_model_does_not_explain_comes_first_and_ranks_no_remedy(page, tmp_path):
+    """Levels that have risen five times as fast as the model has it, and as fast once the wear coefficient is five times that of the case."""
+    dates = ["2025-05-01", "2026-05-01"]
+    passages = 365 * 6000
+    now = {wavelength: 10.0 for wavelength in (25, 31.5, 40, 50, 63, 80)}
+    table = lambda levels: "wavelength_mm,level_db\n" + "".join(f"{wavelength:g},{level}\n" for wavelength, level in levels.items())
+    (tmp_path / "now.csv").write_text(table(now))
+    # The usual traffic of the page.
+    vehicle = f'[[vehicle]]\nname = "all"\nshare = "100 %"\nspeed = {{ mean = "110 km/h", standard_deviation = "{60 / 12**0.5} km/h" }}\n'
+    (tmp_path / "traffic.toml").write_text(f"[line]\npassages_per_day = 6000\n{vehicle}")
+    asked = ["forecast", "cases/nominal.toml", "--traffic", str(tmp_path / "traffic.toml"), "--spectrum", str(tmp_path / "now.csv"), "--months", "12"]
+    bands = told(tmp_path / "told", *asked)["bands"]
+    model = {round(1e3 * band["wavelength_m"], 1): band["growth_db_per_million_axles"] for band in bands}
+    then = {wavelength: 10 - 5e-6 * passages * model[min(model, key=lambda one: abs(one - wavelength))] for wavelength in now}
+    (tmp_path / "before.csv").write_text(table(then))
+    doubts = told(tmp_path / "told", *asked, "--earlier", str(tmp_path / "before.csv"), "--dates", ",".join(dates))["unexplained"]
+    # A fifth, of the fastest within a tenth of the wavelength, which is a little above its band.
+    assert len(doubts) == 2 and "the model has 0.21 times that" in doubts[0]
+    helps = "What helps most"
+    page.until(lambda: helps in page.text("#verdict"))
+    page.page.click("#tab-measure")
+    page.page.set_input_files("#record", str(tmp_path / "now.csv"))
+    page.page.set_input_files("#earlier-file", str(tmp_path / "before.csv"))
+    page.page.locator("#earlier-records input").wait_for()
+    page.page.fill("#record-date", dates[1])
+    page.page.locator("#earlier-records input").fill(dates[0])
+    page.until(page.page.locator("#unexplained").is_visible)
+    page.settle()
+    said = " ".join(f"{doubt[0].upper()}{doubt[1:]}." for doubt in doubts)
+    assert page.text("#unexplained").split("\n\n") == said.replace(". The model does", ".|The model does").split("|")
+    first = page.page.locator("#view-measure > article:visible").first
+    assert first.get_attribute("id") == "unexplained" and doubts[0] not in page.text("#view-measure")
+    page.page.click("#tab-explore")
+    page.settle()
+    assert page.text("#verdict").startswith(said) and helps not in page.text("#verdict")
+    assert page.page.locator("#remedies tbody tr").count() == 0 and said in page.text("#remedies-panel")
+    # By the growth of the rail itself the model explains it, and ranks what helps.
+    page.page.click("#tab-measure")
+    page.set("wear.coefficient", "12.5e-9 kg/J")
+    page.until(page.page.locator("#unexplained").is_hidden)
+    page.page.click("#tab-explore")
+    page.until(lambda: helps in page.text("#verdict"))
+    assert page.page.locator("#remedies tbody tr").count() > 0

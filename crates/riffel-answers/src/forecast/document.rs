@@ -70,6 +70,9 @@ pub struct ForecastDocument<'a> {
     bands_left_out: Vec<Level>,
     traffic: TrafficDocument<'a>,
     wear_fit: Option<WearDocument>,
+    /// That the model does not explain how the leading rail grew, and what follows of it; left out where it does.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    unexplained: Vec<Message>,
     findings: Vec<Message>,
     remarks: Vec<Message>,
 }
@@ -261,6 +264,7 @@ pub(super) fn document<'a>(
         bands_left_out: bands_left_out(rail),
         traffic: TrafficDocument::of(answer, forecast),
         wear_fit: answer.wear.as_ref().map(WearReport::document),
+        unexplained: answer.unexplained(),
         findings: answer.findings(),
         remarks,
     }

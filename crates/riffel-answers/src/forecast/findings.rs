@@ -81,11 +81,15 @@ impl ForecastAnswer {
         self.own_growth().or_else(|| self.unlikely_wear.clone())
     }
 
-    /// Whether the model does not explain how the leading rail grew.
-    pub(crate) fn is_unexplained(&self) -> bool {
+    /// Where the model does not explain how the leading rail grew, the sentence that says so and what follows of it; else empty.
+    pub(crate) fn unexplained(&self) -> Vec<Message> {
         let beside = self.model_beside().filter(|(own, _)| own.slope > 0.0);
-        beside.is_some_and(|(_, ratio)| !EXPLAINS.contains(&ratio))
-            || self.wear.as_ref().is_some_and(WearReport::is_unexplained)
+        let unlike = beside.filter(|(_, ratio)| !EXPLAINS.contains(ratio));
+        let why = unlike.and_then(|_| self.own_growth());
+        let by_fit = || self.wear.as_ref().and_then(WearReport::unexplained);
+        let why = why.or_else(by_fit).into_iter();
+        why.flat_map(|why| [why, say!(model_does_not_explain_growth)])
+            .collect()
     }
 
     /// How the leading rail grew, and what of it the model explains.

@@ -103,9 +103,9 @@ impl WearReport {
         WearSpread::of_interval(self.fit.interval?)
     }
 
-    /// Whether the model does not explain the growth that was measured.
-    pub fn is_unexplained(&self) -> bool {
-        self.fit.verdict == WearVerdict::Unexplained
+    /// That the model does not explain the growth that was measured, where it does not.
+    pub(super) fn unexplained(&self) -> Option<Message> {
+        (self.fit.verdict == WearVerdict::Unexplained).then(|| self.unexplained_bands())
     }
 
     /// The sentences where a forecast goes by the coefficient that was fitted, if it is sure.
@@ -141,7 +141,7 @@ impl WearReport {
     }
 
     /// The bands whose growth the model does not explain.
-    fn unexplained(&self) -> Message {
+    fn unexplained_bands(&self) -> Message {
         let bands = || self.fit.bands.iter().filter(|band| band.is_unexplained());
         let wavelengths = bands().map(|band| band.band.nominal_millimetres().to_string());
         let wavelengths: Vec<String> = wavelengths.collect();
@@ -200,7 +200,7 @@ impl WearReport {
                 coefficient = scientific(coefficient),
                 interval = self.interval(bounds)
             ),
-            (WearVerdict::Unexplained, _) => self.unexplained(),
+            (WearVerdict::Unexplained, _) => self.unexplained_bands(),
             (WearVerdict::NothingGrows, _) => say!(no_coefficient_nothing_grows),
             (WearVerdict::Against, _) => say!(no_coefficient_bands_fell),
             (WearVerdict::Indistinct, _) if !self.moves() => say!(no_coefficient_nothing_moved),

@@ -223,7 +223,7 @@ fn outlooks(
 ) -> Result<[(Message, Outlook); 3], PlotError> {
     let is_unexplained = forecast
         .as_ref()
-        .is_ok_and(|answer| answer.is_unexplained());
+        .is_ok_and(|answer| !answer.unexplained().is_empty());
     let forecast = match forecast {
         Ok(answer) => outlook::forecast(case, answer, language)?,
         Err(why) => Outlook::left_out(say!(forecast), why),
