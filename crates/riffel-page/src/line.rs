@@ -8,7 +8,22 @@ use crate::traffic::OnLine;
 use crate::{Fault, Reply};
 
 #[derive(Deserialize)]
-pub(crate) struct Question(OnLine);
+pub(crate) struct Question {
+    #[serde(flatten)]
+    line: OnLine,
+    /// Of each use only the newest question is wanted.
+    #[serde(default, rename = "for")]
+    purpose: Purpose,
+}
+
+/// What the answer is for.
+#[derive(Clone, Copy, Default, Deserialize)]
+#[serde(rename_all = "lowercase")]
+enum Purpose {
+    #[default]
+    Headline,
+    Sweep,
+}
 
 #[derive(Serialize)]
 struct Answer<'a> {
@@ -42,11 +57,15 @@ impl From<&Cause> for Card {
 
 impl crate::Question for Question {
     fn subject(&self) -> Option<String> {
-        Some("line".to_owned())
+        let subject = match self.purpose {
+            Purpose::Headline => "line",
+            Purpose::Sweep => "line of a sweep",
+        };
+        Some(subject.to_owned())
     }
 
     fn answer(&self) -> Result<Reply, Fault> {
-        let (case, traffic) = self.0.read()?;
+        let (case, traffic) = self.line.read()?;
         let growth = LineGrowth::new(&case, traffic.as_ref())?;
         Reply::json(&Answer {
             doubles_in: growth.fastest.map(|it| it.time()),

@@ -5,14 +5,14 @@ import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { inUnit, set } from './keys.js';
 import { Line, json } from './server.js';
-import { caseTitle, number, passages, power, t, translate } from './words.js';
+import { caseTitle, number, power, t, translate } from './words.js';
 
 /** Width and height of a picture, in its own units, and where its zero lies. */
 const [WIDTH, HEIGHT, ZERO] = [200, 70, 50];
 
 export class BogieWheels {
-  constructor({ state, unitOf, inLabels, replace, save }) {
-    Object.assign(this, { state, unitOf, inLabels, replace, line: new Line('/api/curve/wheels', json), answer: null });
+  constructor({ state, traffic, unitOf, inLabels, replace, save }) {
+    Object.assign(this, { state, traffic, unitOf, inLabels, replace, line: new Line('/api/curve/wheels', json), answer: null });
     this.of = element('span', { className: 'aside' });
     this.words = element('p', { className: 'why' });
     this.multiples = element('div', { className: 'multiples', id: 'growth-of-wheels' });
@@ -77,7 +77,7 @@ export class BogieWheels {
     }
     const { highest } = wheel;
     caption.append(element('span', {
-      textContent: highest ? t('wheel_grows', { wavelength: number(1e3 * highest.wavelength_m), frequency: number(highest.frequency_hz), rate: power(highest.growth_rate_per_passage), count: passages(highest.doubling_passages), isEdge: highest.at_edge }) : t('nothing_grows'),
+      textContent: highest ? t('wheel_grows', { wavelength: number(1e3 * highest.wavelength_m), frequency: number(highest.frequency_hz), rate: power(highest.growth_rate_per_passage), doubling: this.traffic.doubling(highest.doubling_passages), isEdge: highest.at_edge }) : t('nothing_grows'),
     }));
     const use = worded('button', 'use_state', { type: 'button', className: 'plain small', textContent: t('use_state') });
     use.addEventListener('click', () => {

@@ -44,11 +44,11 @@ function kept() {
   return { values: Object.fromEntries(FIELDS.filter(isGood).map(([, , key]) => [key, values[key]])), chosen: Object.entries(chosen).filter(isProfile) };
 }
 
-export function startBogie({ state, listen, complain, banner, inLabels, unitOf, replace, save }) {
+export function startBogie({ state, traffic, listen, complain, banner, inLabels, unitOf, replace, save }) {
   const place = document.getElementById('view-curve');
   const line = new Line('/api/curve', json);
   const chosen = { wheel: { name: 'S1002' }, rail: { name: '60E1' } };
-  const growth = new BogieWheels({ state, unitOf, inLabels, replace, save });
+  const growth = new BogieWheels({ state, traffic, unitOf, inLabels, replace, save });
   let shown = null;
   /** Whether the last question had no answer: it is asked again as soon as a map has one. */
   let failed = false;
@@ -195,7 +195,8 @@ export function startBogie({ state, listen, complain, banner, inLabels, unitOf, 
       showFields();
       show();
       growth.reword();
-    } else if ((what === 'view' && !shown) || (what === 'map' && failed)) ask();
+    } else if (what === 'traffic') growth.reword();
+    else if ((what === 'view' && !shown) || (what === 'map' && failed)) ask();
     else if ((what === 'view' || what === 'map') && shown && state.view === 'curve') growth.caseChanged();
   });
 }

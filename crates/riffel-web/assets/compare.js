@@ -262,13 +262,9 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
       show();
       showCurves();
       sweep.reword();
-    } else if (what === 'traffic') {
-      ask();
-      sweep.show();
-    } else if (what === 'case' || what === 'view' || what === 'variants') ask();
-    else if (what === 'point') {
-      askCurves();
-      sweep.caseChanged();
-    }
+    } else if (what === 'case' || what === 'view' || what === 'variants' || what === 'traffic') ask();
+    else if (what === 'point') askCurves();
+    // By then it is known whether the track has pads.
+    else if (what === 'map') sweep.caseChanged();
   });
 }

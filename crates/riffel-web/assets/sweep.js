@@ -1,19 +1,20 @@
-// A sweep: growth over wavelength for six values of one quantity, everything else as in the case at hand.
+// A sweep: growth over wavelength under the traffic for six values of one quantity, or at six speeds, everything else as in the case at hand.
 
 import { letterSize, orderedColor, theme } from './colors.js';
 import { axis, draw, growthRange, growthUnit, layout } from './curves.js';
 import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
+import { inWords } from './german.js';
 import { set, si } from './keys.js';
 import { Line, json } from './server.js';
-import { number, passages, power, speed as inUnit, t, translate } from './words.js';
+import { number, power, speed as inUnit, t, translate } from './words.js';
 
 /** Curves of a sweep. */
 const COUNT = 6;
 /** Keys of which a case gives one. */
 const IN_PLACE_OF = { 'contact.tractive_ratio': 'contact.creepage' };
 
-/** What is swept: the key with its values and how they are written; that of the speed has no key. */
+/** What is swept: the key with its values and how they are written; speeds have no key, and the growth of each is that of trains of one speed. */
 const SWEEPS = {
   pads: { key: 'track.pad.stiffness', values: [50, 80, 125, 200, 320, 500], written: (value) => `${value} MN/m`, shown: (value) => `${number(value)} MN/m` },
   friction: { key: 'contact.friction', values: [0.1, 0.2, 0.3, 0.4, 0.5, 0.6], written: (value) => value, shown: (value) => `μ = ${number(value, 2)}` },
@@ -36,10 +37,15 @@ export async function drawCurves(place, lines) {
   }));
 }
 
+/** What grows fastest under the traffic, as the headline has it; null where nothing grows. */
+const underTraffic = ({ fastest, cause, doubles_in: time }) => fastest && {
+  rate: fastest.growth_rate_per_passage, wavelength: fastest.wavelength_m, frequency: cause?.frequency_hz, doubling: inWords(time), isEdge: fastest.at_edge,
+};
+
 export class Sweep {
   /** `onKeep` takes the variants of a sweep. */
   constructor({ state, traffic, complain, save, onKeep }) {
-    Object.assign(this, { state, traffic, complain, onKeep, kind: null, answer: null, line: new Line('/api/growth', json) });
+    Object.assign(this, { state, traffic, complain, onKeep, kind: null, answer: null, line: new Line('/api/line', json), atSpeeds: new Line('/api/growth', json), turn: 0 });
     this.buttons = Object.keys(SWEEPS).map((kind) => {
       const button = worded('button', `sweep_${kind}`, { type: 'button', className: 'plain', id: `sweep-${kind}`, ariaPressed: 'false' });
       button.addEventListener('click', () => this.choose(kind === this.kind ? null : kind));
@@ -59,16 +65,16 @@ export class Sweep {
 
   choose(kind) {
     this.kind = kind;
-    this.answer = null;
+    this.answer = this.asked = null;
     for (const button of this.buttons) button.setAttribute('aria-pressed', String(button.id === `sweep-${kind}`));
     this.show();
     this.caseChanged();
   }
 
-  /** The cases of the sweep, with names and speeds. */
+  /** The cases of the sweep, with names and, where these are swept, speeds. */
   #steps() {
     const { key, values, written, shown } = SWEEPS[this.kind];
-    const { keys, point, map } = this.state;
+    const { keys, map } = this.state;
     const range = map.speed;
     const places = values ?? Array.from({ length: COUNT }, (_, k) => range.min + ((range.max - range.min) * (k + 1)) / COUNT);
     return places.map((value) => {
@@ -77,29 +83,45 @@ export class Sweep {
         set(own, key, written(value));
         if (IN_PLACE_OF[key]) set(own, IN_PLACE_OF[key], undefined);
       }
-      return { name: shown(value), keys: own, speed: key ? point.speed : value };
+      return { name: shown(value), keys: own, ...(!key && { speed: value }) };
     });
   }
 
   /** Ask anew, if a sweep is chosen. */
   caseChanged() {
     const { state, kind } = this;
-    if (!kind || state.view !== 'compare' || !state.map || !state.point) return;
+    if (!kind || state.view !== 'compare' || !state.map) return;
     const complete = state.head?.complete;
     const noPads = kind === 'pads' && complete && (complete.track?.model === 'free-beam' || !si(complete, 'track.pad.stiffness'));
     this.noPads = noPads;
+    const steps = this.#steps();
+    const { traffic } = this;
+    const asked = JSON.stringify([steps, noPads, traffic.given]);
+    if (asked === this.asked) return;
+    this.asked = asked;
+    const turn = ++this.turn;
     if (noPads) {
       this.answer = null;
       return this.show();
     }
-    const steps = this.#steps();
-    this.line.ask({ for: 'sweep', curves: steps.map(({ name, keys, speed }) => ({ name, case: { keys }, speed_m_per_s: speed })), case: { keys: structuredClone(state.keys) } }, (curves) => {
-      if (kind !== this.kind) return;
-      this.answer = { curves, steps, load: si(state.head.complete, 'contact.normal_load') };
+    const answers = [];
+    const take = (more) => {
+      // Another sweep may have been chosen, or the case changed.
+      if (turn !== this.turn) return;
+      answers.push(...more);
+      this.answer = { answers, steps };
       this.show();
-    }, (fault) => {
+      if (kind !== 'speeds' && answers.length < steps.length) next();
+    };
+    const refuse = (fault) => {
+      this.asked = null;
       if (!fault.key) this.complain(fault, { until: 'case' });
-    });
+    };
+    // One after the other: growth under the traffic takes its time, and each is shown as it comes.
+    const next = () => this.line.ask({ for: 'sweep', case: { keys: steps[answers.length].keys }, traffic: traffic.given && traffic.question }, (answer) => take([answer]), refuse);
+    if (kind !== 'speeds') return next();
+    const curves = steps.map(({ name, keys, speed }) => ({ name, case: { keys }, speed_m_per_s: speed }));
+    return this.atSpeeds.ask({ for: 'sweep', curves, case: { keys: structuredClone(state.keys) } }, take, refuse);
   }
 
   show() {
@@ -107,27 +129,31 @@ export class Sweep {
     this.plot.hidden = this.table.hidden = !answer;
     this.note.hidden = Boolean(answer) || (kind && !this.noPads);
     this.note.textContent = t(kind ? 'no_pads' : 'sweep_comes');
-    this.keep.hidden = !answer || kind === 'speeds';
-    this.aside.textContent = answer && kind !== 'speeds' ? t('at_cursor', inUnit(answer.steps[0].speed)) : '';
+    const done = answer?.answers.length;
+    this.keep.hidden = done !== COUNT || kind === 'speeds';
+    this.aside.textContent = !answer || kind === 'speeds' ? '' : [t('sweep_of_traffic'), done < COUNT && t('so_many_of', { done, of: COUNT })].filter(Boolean).join(', ');
     if (!answer) return;
     const { dark } = theme();
     const name = (k) => SWEEPS[kind].values ? answer.steps[k].name : inUnit(answer.steps[k].speed);
-    drawCurves(this.plot, answer.curves.map((one, k) => ({ ...one, name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
-    const rows = answer.curves.map(({ lines, wavelength_m: wavelengths }, k) => {
-      const high = lines.filter(({ growth_rate_per_passage: rate }) => rate > 0).reduce((best, one) => (best && best.growth_rate_per_passage >= one.growth_rate_per_passage ? best : one), null);
-      // There growth may go on rising: the window hides the crest.
-      const edge = high && [wavelengths[0], wavelengths.at(-1)].includes(high.wavelength_m) ? `, ${t('at_edge')}` : '';
-      const cells = high
-        ? [power(high.growth_rate_per_passage, 3), `${number(1e3 * high.wavelength_m)} mm${edge}`, `${number(high.frequency_hz)} Hz`, this.#doubling(high, answer.load)]
-        : [t('nothing_grows_here'), '–', '–', '–'];
-      return row(name(k), cells);
-    });
-    fillTable(this.table, ['', ...t('sweep_columns')], rows);
+    const curveOf = ({ curve, ...one }) => (curve ? { wavelength_m: curve.map(([wavelength]) => wavelength), growth_rate_per_passage: curve.map(([, rate]) => rate) } : one);
+    drawCurves(this.plot, answer.answers.map((one, k) => ({ ...curveOf(one), name: name(k), width: 1.8, color: orderedColor(k / (COUNT - 1), dark) })));
+    const highest = kind === 'speeds' ? (one) => this.#atSpeed(one) : underTraffic;
+    fillTable(this.table, ['', ...t('sweep_columns')], answer.answers.map((one, k) => {
+      const high = highest(one);
+      return row(name(k), high
+        ? [power(high.rate, 3), `${number(1e3 * high.wavelength)} mm${high.isEdge ? `, ${t('at_edge')}` : ''}`, high.frequency ? `${number(high.frequency)} Hz` : '–', high.doubling]
+        : [t('nothing_grows_here'), '–', '–', '–']);
+    }));
   }
 
-  #doubling({ growth_rate_per_passage: rate }, load) {
-    const count = Math.LN2 / rate;
-    return `${passages(count)}, ${this.traffic.words(count, load).time}`;
+  /** What grows fastest at one speed; null where nothing grows. */
+  #atSpeed({ lines, wavelength_m: wavelengths }) {
+    const high = lines.filter(({ growth_rate_per_passage: rate }) => rate > 0).reduce((best, one) => (best && best.growth_rate_per_passage >= one.growth_rate_per_passage ? best : one), null);
+    return high && {
+      rate: high.growth_rate_per_passage, wavelength: high.wavelength_m, frequency: high.frequency_hz, doubling: this.traffic.doubling(Math.LN2 / high.growth_rate_per_passage),
+      // There growth may go on rising: the window hides the crest.
+      isEdge: [wavelengths[0], wavelengths.at(-1)].includes(high.wavelength_m),
+    };
   }
 
   reword() {

@@ -132,6 +132,12 @@ export class Traffic {
     const isTooFast = grows && days < this.fastest;
     const time = isTooFast ? t('faster_than_known') : months < 1 ? t('time_days', number(days, 2)) : months < 36 ? t('time_months', number(months, 2)) : t('time_years', number(months / 12, 2));
     const mass = t('gross_tonnes', number(megatonnes, 2));
-    return { time, mass, whole: `${passages(count)} ${t('passages_word')} (${isTooFast ? time : t('growth_time', { time, mass, isDefault: !this.given })})` };
+    return { isTooFast, time, mass, whole: `${passages(count)} ${t('passages_word')} (${isTooFast ? time : t('growth_time', { time, mass, isDefault: !this.given })})` };
+  }
+
+  /** In what a wave doubles: "4.7 million passages, 26 months"; neither where that is faster than any railway known. */
+  doubling(count) {
+    const { isTooFast, time } = this.words(count, 0);
+    return isTooFast ? time : `${passages(count)} ${t('passages_word')}, ${time}`;
   }
 }

@@ -38,6 +38,8 @@ def test_a_wheel_of_the_bogie_becomes_that_of_the_case(page, tmp_path):
         assert f"Wheelset {wheel['wheelset']}, {wheel['rail']} rail" in text
         assert f"{wheel['highest']['wavelength_m'] * 1e3:.3g} mm, {wheel['highest']['frequency_hz']:.3g} Hz" in text
         assert ("edge of the window" in text) == wheel["highest"]["at_edge"]
+        # Under the usual traffic of the page; 96 days is the fastest doubling known.
+        assert ("to double: faster than any railway known" in text) == (wheel["highest"]["doubling_passages"] / 6000 < 95.97), text
     page.keep("growth-of-wheels", whole=True)
     # The second wheelset on the low rail is the wheel of the case, with the growth that its picture told.
     figures.nth(2).get_by_role("button").click()
