@@ -76,8 +76,9 @@ const points = new Line('/api/point', json);
 const onCancel = () => trouble(() => t('stopped'), { until: 'case', ways: [['again', caseChanged]] });
 maps.onCancel = points.onCancel = onCancel;
 
-/** How far beyond a place the map is widened to hold it. */
+/** How far beyond a place the map is widened to hold it; a wave at the edge of the bands is held within them, for more bands would move it. */
 const WIDER = 1.15;
+const WITHIN_BAND = 1.003;
 
 /** Panels whose case is no longer that of the form, by what they wait for. They pale when an answer takes its time. */
 const PATIENCE = 150;
@@ -108,8 +109,7 @@ function showMap({ head, values }, keys) {
   state.map.highest = highestOfTraffic();
   state.accepted = keys;
   state.current = !maps.pending;
-  const { wavelength, speed, highest } = state.map;
-  if (!state.point || beyondMap(state.point).length) state.point = highest ? { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s } : { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2 };
+  if (!state.point || beyondMap(state.point).length) state.point = placeOnMap();
   view.point = state.point;
   view.band = band();
   // The map first: drawing it asks for its size, which is dear once something else has changed.
@@ -558,8 +558,10 @@ const widened = ({ wavelength, speed }) => t('map_widened', `${number(1e3 * wave
 function wideEnough(place) {
   const keys = structuredClone(state.keys);
   for (const name of beyondMap(place)) {
-    const [end, by] = place[name] > state.map[name].max ? ['max', WIDER] : ['min', 1 / WIDER];
-    const value = Number((place[name] * by).toPrecision(2));
+    const isHeld = name === 'wavelength' && place.isEdge;
+    const by = isHeld ? WITHIN_BAND : WIDER;
+    const end = place[name] > state.map[name].max ? 'max' : 'min';
+    const value = Number((end === 'max' ? place[name] * by : place[name] / by).toPrecision(isHeld ? 4 : 2));
     set(keys, `map.${name}.${end}`, name === 'wavelength' ? `${short(1e3 * value)} mm` : `${short(value)} m/s`);
   }
   return keys;
@@ -572,11 +574,18 @@ function leadToHeadline() {
   return replace({ case: wideEnough(place), point: place, tab: 'explore' }, widened(place));
 }
 
-/** Stand on the headline unless the user has put the cursor elsewhere. */
+/** Where the cursor stands by itself: on the headline, or else where the map is highest. */
+function placeOnMap() {
+  const { headline, map: { wavelength, speed, highest } } = state;
+  if (headline && !beyondMap(headline).length) return { wavelength: headline.wavelength, speed: headline.speed, pinned: false };
+  if (highest) return { wavelength: highest.wavelength_m, speed: highest.speed_m_per_s, pinned: false };
+  return { wavelength: (wavelength.min + wavelength.max) / 2, speed: (speed.min + speed.max) / 2, pinned: false };
+}
+
+/** Stand there unless the user has put the cursor elsewhere. */
 function standOnHeadline() {
-  const { point, headline } = state;
-  if (!point || point.pinned || !headline || beyondMap(headline).length) return;
-  if (point.wavelength !== headline.wavelength || point.speed !== headline.speed) movePoint(headline, false);
+  const place = placeOnMap();
+  if (!state.point.pinned && JSON.stringify(place) !== JSON.stringify(state.point)) movePoint(place, false);
 }
 
 /** The mark of the headline on the map, at the speeds of the traffic. */

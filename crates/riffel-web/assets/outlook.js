@@ -17,7 +17,7 @@ const REST = 150;
 const CALM = 400;
 
 /** The wavelength that grows fastest, at the speed at which the wheel of the case makes it grow most; null where none grows. */
-const placeOf = ({ fastest, cause, speeds_m_per_s: speeds }) => fastest && { wavelength: fastest.wavelength_m, speed: cause?.speed_m_per_s ?? (speeds[0] + speeds[1]) / 2 };
+const placeOf = ({ fastest, cause, speeds_m_per_s: speeds }) => fastest && { wavelength: fastest.wavelength_m, speed: cause?.speed_m_per_s ?? (speeds[0] + speeds[1]) / 2, isEdge: fastest.at_edge };
 
 export class Outlook {
   /** `question` is the case with its traffic; `onHeadline` is told where on the map the fastest growth lies, `onWhy` that somebody asks for it, `announce` what a screen reader is told; `stale` and `fresh` take what waits. */

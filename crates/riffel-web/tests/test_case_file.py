@@ -76,7 +76,11 @@ def test_a_link_opens_what_was_seen(page, open_page):
     row = other.page.locator("#view-compare tr:has-text('contact.friction')")
     row.wait_for()
     assert row.inner_text().split()[-2:] == ["0.27", "0.31"]
-    assert other.page.evaluate("() => window.riffel.state.point") == page.page.evaluate("() => window.riffel.state.point")
+    # The headline lies at the edge of its bands, beyond the map: the case that is opened gets a map that just holds it, on which the cursor stands.
+    at = "() => window.riffel.state.headline"
+    headline = other.page.evaluate(at)
+    assert headline == page.page.evaluate(at) and headline["isEdge"] and headline["wavelength"] > page.page.evaluate("() => window.riffel.state.map.wavelength.max")
+    assert other.page.evaluate("() => window.riffel.state.point") == {"wavelength": headline["wavelength"], "speed": headline["speed"], "pinned": False}
     other.close()
 
 

@@ -95,7 +95,7 @@ def test_the_cursor_stands_on_the_headline_until_it_is_pinned(page, open_page, t
     page.page.click("#show-why")
     page.settle()
     moved = page.page.evaluate("() => window.riffel.state.headline")
-    assert page.page.evaluate(CURSOR) == {**moved, "pinned": False} != first
+    assert page.page.evaluate(CURSOR) == {"wavelength": moved["wavelength"], "speed": moved["speed"], "pinned": False} != first
     page.page.keyboard.press("Control+z")
     page.page.keyboard.press("Control+z")
     page.settle()
