@@ -483,6 +483,7 @@ dates-since-grinding = die Messtage der Schiene sagen nicht, wie sie wächst: Se
 growth-without-traffic = die Messtage der Schiene sagen nicht, wie sie wächst, denn die Verkehrsdatei nennt unter [line] weder { KEY("passages_per_day") } noch { KEY("mgt_per_year") }; das Wachstum ist das des Modells
 levels-beside-ground = die Pegel der Schiene zählen neben dem, was Schleifen hinterlässt, nicht, denn sie sind von einem Tag; das Wachstum ist das des Modells
 rate-now-and-then = { $now } jetzt, { $then } dann
+so-many-million = { $count } Millionen
 so-many-passages = { $passages } Überrollungen
 as-this-rail-grew = wie diese Schiene von Messung zu Messung gewachsen ist
 as-the-coefficient-may-be = der Verschleißbeiwert ist unsicher; Reibung, Zwischenlagen und Zugkraft gelten wie angegeben

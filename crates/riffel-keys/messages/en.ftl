@@ -490,6 +490,7 @@ dates-since-grinding = the dates of the rail do not tell how it grows: since its
 growth-without-traffic = the dates of the rail do not tell how it grows, for the traffic file says under [line] neither { KEY("passages_per_day") } nor { KEY("mgt_per_year") }; growth is that of the model
 levels-beside-ground = the levels of the rail do not count beside what grinding leaves, for they are of one date; growth is that of the model
 rate-now-and-then = { $now } now, { $then } then
+so-many-million = { $count } million
 so-many-passages = { $passages } axle passages
 as-this-rail-grew = as this rail grew from date to date
 as-the-coefficient-may-be = the wear coefficient is uncertain; friction, pads and traction are taken as given

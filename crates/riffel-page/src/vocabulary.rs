@@ -10,13 +10,31 @@ use riffel_case::{
 use riffel_keys::{Language, Words};
 use serde_json::{Value, json};
 
-/// Lines to begin with, each on a supported track.
-const LINES: [(&str, &str); 4] = [
-    ("main-line", MAIN_LINE_CASE),
-    ("freight", FREIGHT_CASE),
-    ("metro", METRO_CASE),
-    ("tram", TRAM_CASE),
+/// Lines to begin with, each on a supported track, with the German of their titles.
+const LINES: [(&str, &str, &str); 4] = [
+    (
+        "main-line",
+        MAIN_LINE_CASE,
+        "Hauptstrecke: 60E1 im Schotter, Schwellen alle 0,6 m",
+    ),
+    (
+        "freight",
+        FREIGHT_CASE,
+        "Güterstrecke: 60E1 im Schotter, Achslast 22,5 t",
+    ),
+    (
+        "metro",
+        METRO_CASE,
+        "U-Bahn: 54E1 mit direkter Befestigung alle 0,65 m",
+    ),
+    (
+        "tram",
+        TRAM_CASE,
+        "Straßenbahn: 54E1 mit direkter Befestigung alle 0,65 m",
+    ),
 ];
+/// The German of the title of the nominal case.
+const NOMINAL_TITLE: &str = "Hauptstrecke der BR, gerades Gleis";
 
 /// The vocabulary with the nominal case to begin with, in JSON.
 pub static VOCABULARY: LazyLock<String> =
@@ -38,10 +56,9 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
             json!({ "name": preset.name, "key": preset.kind.key(), "title": preset.title.to_string(), "values": values })
         })
         .collect();
-    let keys = |text: &str| text.parse::<toml::Table>().unwrap_or_default();
     let lines: Vec<Value> = LINES
         .iter()
-        .map(|&(name, text)| json!({ "name": name, "case": keys(text) }))
+        .map(|&(name, text, _)| json!({ "name": name, "case": keys(text) }))
         .collect();
     json!({
         "version": env!("CARGO_PKG_VERSION"),
@@ -54,7 +71,11 @@ pub fn vocabulary_of(case: &toml::Table) -> String {
     .to_string()
 }
 
-/// The German of what the keys of a case are, of titles of presets and of sources that are words of our own, by the English.
+fn keys(text: &str) -> toml::Table {
+    text.parse().unwrap_or_default()
+}
+
+/// The German of what the keys of a case are, of titles of presets and lines and of sources that are words of our own, by the English.
 fn german() -> BTreeMap<String, String> {
     let of_preset = |words: &Words| Language::ALL.map(|language| words.text(language).to_owned());
     let presets = presets().iter().flat_map(|preset| {
@@ -64,5 +85,11 @@ fn german() -> BTreeMap<String, String> {
     let presets = presets.filter(|[english, german]| english != german);
     let mut german = descriptions(Language::German);
     german.extend(presets.map(|[english, german]| (english, german)));
+    let titled = LINES.map(|(_, text, german)| (text, german));
+    let titled = titled.into_iter().chain([(NOMINAL_CASE, NOMINAL_TITLE)]);
+    german.extend(titled.filter_map(|(text, german)| {
+        let title = keys(text).remove("title")?;
+        Some((title.as_str()?.to_owned(), german.to_owned()))
+    }));
     german
 }

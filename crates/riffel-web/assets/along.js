@@ -7,7 +7,7 @@ import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { said } from './german.js';
 import { Line, json } from './server.js';
-import { currentLanguage, number, t, translate } from './words.js';
+import { currentLanguage, number, range, t, translate } from './words.js';
 
 /** Blocks along the line that are drawn at most, and the shortest one [m]. */
 const BLOCKS = 400;
@@ -15,11 +15,11 @@ const SHORTEST_BLOCK = 1;
 /** Length of rail that a click takes: that of a block, and no less than this [m]. */
 const STRETCH = 10;
 
-const millimetres = ([from, to]) => `${number(1e3 * from, 4)}–${number(1e3 * to, 4)} mm`;
+const millimetres = (ends) => `${range(ends, (end) => number(1e3 * end, 4))} mm`;
 
 /** A place on the line with as many digits as a metre takes, or a part of one where there is room; what is left of a zero is one. */
-export const metres = (place, position = Math.round(1e3 * place) / 1e3 || 0) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
-const span = ({ from_m: from, to_m: to }) => (from === to ? metres(from) : `${metres(from)}–${metres(to)}`);
+const metres = (place, position = Math.round(1e3 * place) / 1e3 || 0) => number(position, Math.max(3, Math.ceil(Math.log10(Math.abs(position) + 1)) + 1));
+export const span = ({ from_m: from, to_m: to }) => range([from, to], metres);
 
 export class Along {
   /** `question` gives the name of the record and how it is laid out; `onPart` takes the part of the line that was chosen, null for all of it. */

@@ -2,10 +2,10 @@
 
 import { element, svgElement, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords } from './german.js';
+import { caseTitle, inWords } from './german.js';
 import { inUnit, set } from './keys.js';
 import { Line, json } from './server.js';
-import { caseTitle, number, power, t, translate } from './words.js';
+import { number, power, range, t, translate } from './words.js';
 
 /** Width and height of a picture, in its own units, and where its zero lies. */
 const [WIDTH, HEIGHT, ZERO] = [200, 70, 50];
@@ -62,7 +62,7 @@ export class BogieWheels {
     this.panel.hidden = !answer;
     if (!answer) return;
     this.of.textContent = caseTitle(this.keys);
-    this.words.textContent = answer.fault ? inWords(answer.fault.message, this.inLabels) : t('growth_of_wheels_help', answer.wavelength_m.at(0) && [answer.wavelength_m[0], answer.wavelength_m.at(-1)].map((one) => number(1e3 * one)).join('–'));
+    this.words.textContent = answer.fault ? inWords(answer.fault.message, this.inLabels) : t('growth_of_wheels_help', answer.wavelength_m.at(0) && range([answer.wavelength_m[0], answer.wavelength_m.at(-1)], (one) => number(1e3 * one)));
     const most = Math.max(...this.#wheels.map((wheel) => wheel.highest?.growth_rate_per_passage ?? 0), 1e-12);
     this.multiples.replaceChildren(...this.#wheels.map((wheel) => this.#figure(wheel, most)));
   }

@@ -7,7 +7,7 @@ import { offer } from './figures.js';
 import { said } from './german.js';
 import { shownUnit } from './keys.js';
 import { nameOfValue, unitInWords, withNames } from './priors.js';
-import { number, passages, power, sentence, t, translate } from './words.js';
+import { number, passages, power, range, sentence, t, translate } from './words.js';
 
 const [WIDTH, HEIGHT] = [220, 64];
 /** What is measured: word of its axis, factor to the unit there, what it is over, whether its axis is logarithmic. */
@@ -85,7 +85,7 @@ export class CalibrationAnswer {
     const [from, , , , to] = one.prior_quantiles;
     const line = (text, className) => element('span', { textContent: text, className });
     return element('figure', {}, densities(one.densities), element('figcaption', {}, element('strong', { textContent: nameOfValue(one.name) }),
-      ...(this.answer.is_conclusive ? [line(`${shown(middle)} (${shown(low)}–${shown(high)}) ${unit}`.trim(), 'after')] : []), line(t('was_before', { low: shown(from), high: shown(to), unit }), 'before'),
+      ...(this.answer.is_conclusive ? [line(`${shown(middle)} (${range([low, high], shown)}) ${unit}`.trim(), 'after')] : []), line(t('was_before', `${range([from, to], shown)} ${unit}`.trim()), 'before'),
       line(t('told_share', { share: number(100 * Math.max(one.contraction, 0), 2), rhat: number(one.rhat, 4), draws: number(Math.min(one.ess_bulk, one.ess_tail), 3) }), 'fine')));
   }
 

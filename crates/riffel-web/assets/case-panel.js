@@ -2,9 +2,9 @@
 
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords, said } from './german.js';
+import { caseTitle, inWords, said } from './german.js';
 import { Line, json } from './server.js';
-import { caseTitle, sentence, t, translate } from './words.js';
+import { sentence, t, translate } from './words.js';
 
 /**
  * `more` is what a question has beside the case, null while there is none, and `at` says it in words; `fill` shows an answer in `plot` and in `below`; `rows` are the

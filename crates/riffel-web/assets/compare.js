@@ -10,7 +10,7 @@ import { Line, framed, json } from './server.js';
 import { Sweep, drawCurves } from './sweep.js';
 import { reportOf } from './variant-report.js';
 import { MOST_VARIANTS, ownName } from './variants.js';
-import { labelOf, number, passages, power, speed, t, translate, written } from './words.js';
+import { labelOf, number, passages, power, range, speed, t, translate, unitOfSpeed, written } from './words.js';
 
 /** How long an answer may take before what is shown pales [ms]. */
 const PATIENCE = 150;
@@ -225,8 +225,8 @@ export function startCompare({ state, traffic, listen, complain, setVariants, re
   function windowInWords(all, { wavelength_m: wavelength, speed_m_per_s: at }) {
     const window = JSON.stringify(state.keys.map ?? null);
     const others = all.filter(({ case: keys }) => JSON.stringify(keys.map ?? null) !== window).map(({ name }) => t('quoted', name));
-    const mm = [wavelength.min, wavelength.max].map((value) => number(1e3 * value)).join('–');
-    return [t('common_window', `${mm} mm, ${speed(at.min).replace(/ .*/, '')}–${speed(at.max)}`), others.length && t('other_windows', others.join(', '))].filter(Boolean).join(' ');
+    const mm = range([wavelength.min, wavelength.max], (value) => number(1e3 * value));
+    return [t('common_window', `${mm} mm, ${range([at.min, at.max], (value) => speed(value).replace(/ .*/, ''))} ${unitOfSpeed()[0]}`), others.length && t('other_windows', others.join(', '))].filter(Boolean).join(' ');
   }
 
   function rows(all) {

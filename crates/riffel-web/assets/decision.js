@@ -8,7 +8,7 @@ import { readNumber } from './numbers.js';
 import { nameOfValue } from './priors.js';
 import { remember, remembered } from './remembered.js';
 import { Fault, askOnce, json } from './server.js';
-import { number, sentence, t, translate, written } from './words.js';
+import { number, range, sentence, t, translate, written } from './words.js';
 
 const [WIDTH, HEIGHT] = [240, 18];
 /** Under which costs stay over a reload. */
@@ -176,7 +176,7 @@ export class Decision {
     const ends = [Math.min(...actions.map(({ cost_per_year: cost }) => cost[0])), Math.max(...actions.map(({ cost_per_year: cost, mean_cost_per_year: mean }) => Math.max(cost[4], mean)))];
     const percent = (share) => `${number(100 * share, 2)} %`;
     const rowOf = (action) => row(action === actions[0] ? t('as_it_is') : this.titles[actions.indexOf(action) - 1](), [band(action, ends),
-      number(action.mean_cost_per_year), `${number(action.cost_per_year[0])}–${number(action.cost_per_year[4])}`, percent(action.probability_cheapest), action === actions[0] ? '' : percent(action.probability_longer)]);
+      number(action.mean_cost_per_year), range([action.cost_per_year[0], action.cost_per_year[4]]), percent(action.probability_cheapest), action === actions[0] ? '' : percent(action.probability_longer)]);
     const heads = [['ranked_action'], ['ranked_picture'], ['ranked_mean', currency], ['ranked_band', currency], ['ranked_cheapest'], ['ranked_helps']];
     fillTable(this.ranking, heads.map(([word, value]) => t(word, value)), [...actions].sort((a, b) => a.rank - b.rank).map(rowOf));
     const worth = (name, one) => element('li', { textContent: t(one.price == null ? 'worth_known' : 'worth_measured', { name, worth: number(one.per_year), price: number(one.price ?? 0), net: number(one.net ?? 0), currency }) });

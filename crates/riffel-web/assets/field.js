@@ -4,7 +4,7 @@ import { element, fillTable, row, worded } from './elements.js';
 import { offer } from './figures.js';
 import { inWords } from './german.js';
 import { askOnce, json } from './server.js';
-import { number, sentence, t, translate } from './words.js';
+import { number, range, sentence, t, translate } from './words.js';
 
 export function startField({ state, listen, complain, save }) {
   const summary = element('p', { className: 'why', id: 'field-summary' });
@@ -32,11 +32,11 @@ export function startField({ state, listen, complain, save }) {
   const measured = (value) => {
     if (!Array.isArray(value)) return number(value);
     const [low, high] = value;
-    return low === null ? t('up_to', number(high)) : high === null ? t('from_on', number(low)) : `${number(low)}–${number(high)}`;
+    return low === null ? t('up_to', number(high)) : high === null ? t('from_on', number(low)) : range(value);
   };
 
   function rowOf({ site, what, unit, measured: found, predicted, inside, source }) {
-    const band = predicted ? `${number(predicted.median)} (${predicted.band_80.map((end) => number(end)).join('–')})` : t('nothing_grows_here');
+    const band = predicted ? `${number(predicted.median)} (${range(predicted.band_80)})` : t('nothing_grows_here');
     const name = element('th', { scope: 'row', textContent: site, lang: 'en', title: source });
     return row(name, [`${inWords(what)}${inWords(unit) && `, ${inWords(unit)}`}`, band, measured(found), element('td', { textContent: t(inside ? 'inside' : 'outside'), className: inside ? 'good' : 'bad' })]);
   }

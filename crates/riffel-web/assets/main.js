@@ -134,7 +134,7 @@ function showMap({ head, values }, keys) {
 function mapWords() {
   const { head } = state;
   drawBar($('bar'), view, t('growth_rate'));
-  $('map-title').textContent = head.title ?? '';
+  $('map-title').textContent = inWords(head.title ?? '');
   $('branches').textContent = sentence(inWords(head.branches_in_words));
   $('notes').replaceChildren(...head.remarks.map((remark) => element('li', { textContent: inWords(remark) })));
   $('notes-panel').hidden = !head.remarks.length;

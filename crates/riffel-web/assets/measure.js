@@ -1,7 +1,7 @@
 // Measure: a file of a measured rail, held against limits and against the case.
 
 import { card } from './causes.js';
-import { Along, metres } from './along.js';
+import { Along, span } from './along.js';
 import { letterSize } from './colors.js';
 import { Columns } from './columns.js';
 import { courseWords, fitItems } from './course.js';
@@ -11,11 +11,11 @@ import { element, worded } from './elements.js';
 import { offer } from './figures.js';
 import { MapView, drawBar } from './map-view.js';
 import { Noise } from './noise.js';
-import { inSentences, inWords, said } from './german.js';
+import { caseTitle, inSentences, inWords, said } from './german.js';
 import { remember, remembered } from './remembered.js';
 import { underWay } from './sent-files.js';
 import { Fault, Line, askOnce, fetched, json, send } from './server.js';
-import { caseTitle, currentLanguage, fileSize, number, power, t, translate } from './words.js';
+import { currentLanguage, fileSize, number, power, range, t, translate } from './words.js';
 
 /** The name of a file before a sentence that does not begin with it. */
 const named = ({ message }, name) => (message?.startsWith(name) ? '' : `${name}: `);
@@ -262,7 +262,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
     along.show(read?.rails?.length || (read?.length_m && read.grind) ? held : null, part, read?.length_m);
     noise.show(answer);
     if (!answer) return;
-    against.textContent = [t('measured_against', caseTitle(answered.keys)), answered.part && `${metres(answered.part.from_m)}–${metres(answered.part.to_m)} m.`].filter(Boolean).join(' ');
+    against.textContent = [t('measured_against', caseTitle(answered.keys)), answered.part && `${span(answered.part)} m.`].filter(Boolean).join(' ');
     const { roughness, diagnosis, forecast } = answer;
     verdicts.replaceChildren(...roughness.verdicts.map(({ within, sentence }) => item(sentence, within ? 'good' : 'bad')));
     dominant.replaceChildren(...(diagnosis.fault ? [spoken('p', diagnosis.fault.message)] : diagnosis.dominant_wavelengths.map(finding)));
@@ -277,7 +277,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
   }
 
   function finding(one) {
-    const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${number(one.frequency_min_hz)}–${number(one.frequency_max_hz)} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}`, lang: currentLanguage() }));
+    const heading = element('h3', {}, `${number(1e3 * one.wavelength_m)} mm`, element('small', { textContent: ` ${range([one.frequency_min_hz, one.frequency_max_hz])} Hz, ${number(one.prominence_db, 2)} dB ${t('excess')}`, lang: currentLanguage() }));
     const cards = one.candidates.filter(({ share }) => share > 0.02).map((candidate) => card(candidate.mechanism, [
       spoken('h4', candidate.mechanism), element('meter', { value: candidate.share, max: 1, ariaLabel: inWords(candidate.mechanism) }), element('span', { className: 'unit', textContent: number(candidate.share, 2) }),
     ], [candidate.reasons_for, candidate.reasons_against].map((reasons) => reasons.map((reason) => spoken('span', reason))), spoken('span', candidate.measurement)));
@@ -293,7 +293,7 @@ export function startMeasure({ state, traffic, inLabels, listen, complain, banne
 
   /** "rail low, 1200–1240 m, 300–310 m: 14.8 dB": the places of a wavelength, the highest level first. */
   function whereOn({ rail, places, all_along: allAlong, level_db: level }) {
-    const spans = allAlong ? [t('all_along')] : places.map((place) => `${metres(place.from_m)}–${metres(place.to_m)} m`);
+    const spans = allAlong ? [t('all_along')] : places.map((place) => `${span(place)} m`);
     return `${t('rail_named', rail)}, ${spans.join(', ')}: ${number(level, 3)} dB`;
   }
 

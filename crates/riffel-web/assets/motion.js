@@ -4,11 +4,11 @@ import { letterSize, theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { element, worded } from './elements.js';
 import { offer } from './figures.js';
-import { inWords, said } from './german.js';
+import { caseTitle, inWords, said } from './german.js';
 import { NumberField, UNITS } from './number-field.js';
 import { Line, json } from './server.js';
 import { WheelsetDrawing } from './wheelset-drawing.js';
-import { caseTitle, currentLanguage, number, speed, t, translate } from './words.js';
+import { currentLanguage, number, speed, t, translate } from './words.js';
 
 /** Time of one swing of a mode on the screen [ms]: what takes milliseconds in truth. */
 const SWING = 1800;

@@ -1,11 +1,12 @@
 // A project in one file: the case with its variants and traffic, the measured rail with its earlier records, columns and what lies along the line, and the plan of
 // a calibration, with what grinding and remedies cost.
 
+import { caseTitle } from './german.js';
 import { Fault, askOnce } from './server.js';
 import { readCosts } from './remedies.js';
 import { readTraffic } from './traffic.js';
 import { readVariants } from './variants.js';
-import { caseTitle, t } from './words.js';
+import { t } from './words.js';
 
 /** How the name of a project ends, and how it says what it is. */
 export const PROJECT = '.riffel';

@@ -4,7 +4,7 @@ import { startCasePanel } from './case-panel.js';
 import { theme } from './colors.js';
 import { axis, draw, layout, palette } from './curves.js';
 import { si } from './keys.js';
-import { number, speed as inUnit, t, unitOfSpeed } from './words.js';
+import { number, range, speed as inUnit, t, unitOfSpeed } from './words.js';
 
 const COLUMNS = ['speed_m_per_s', 'friction', 'unstable_roots', 'frequency_hz', 'growth_rate_per_s'];
 
@@ -24,9 +24,8 @@ export function startStability(shared) {
     const fastest = answer.branches[0].growth_rate_per_s || 1;
     const traces = answer.branches.map(({ frequency_min_hz: low, frequency_max_hz: high }, k) => {
       const points = answer.points.filter(({ frequency_hz: frequency }) => frequency >= low && frequency <= high && frequency !== null);
-      const ends = [...new Set([low, high].map((end) => number(end, 3)))];
       // The paler, the slower it grows.
-      return squares(points, `${ends.join('–')} Hz`, colors[1 + (k % (colors.length - 1))], { opacity: points.map((point) => 0.35 + 0.65 * Math.sqrt(Math.min(1, (point.growth_rate_per_s ?? 0) / fastest))) });
+      return squares(points, `${range([low, high])} Hz`, colors[1 + (k % (colors.length - 1))], { opacity: points.map((point) => 0.35 + 0.65 * Math.sqrt(Math.min(1, (point.growth_rate_per_s ?? 0) / fastest))) });
     });
     const unknown = answer.points.filter((point) => point.unstable_roots === null);
     if (unknown.length) traces.push(squares(unknown, t('not_known'), soft, { symbol: 'x-thin-open', size: 6 }));

@@ -60,11 +60,14 @@ export class Tour {
     this.#place();
   }
 
-  /** Below its place where there is room, else within it. */
+  /** Below its place where there is room, for which the page moves up as far as the place stays in sight; else within it. */
   #place() {
     if (this.bubble.hidden) return;
-    const { left, top, bottom } = this.marked.getBoundingClientRect();
     const { width, height } = this.bubble.getBoundingClientRect();
+    const room = this.marked.getBoundingClientRect();
+    const short = room.bottom + 2 * SPACE + height - innerHeight;
+    if (short > 0 && room.top >= short) scrollBy(0, short);
+    const { left, top, bottom } = this.marked.getBoundingClientRect();
     const below = bottom + SPACE + height <= innerHeight;
     this.bubble.style.left = `${Math.max(8, Math.min(left + SPACE, innerWidth - width - 8))}px`;
     this.bubble.style.top = `${below ? bottom + SPACE : Math.max(8, Math.min(top + 4 * SPACE, innerHeight - height - 8))}px`;

@@ -122,7 +122,7 @@ const WORDS = {
     calibrate_now: 'Calibrate', draws_word: 'draws', draws_of_chain: 'draws of each chain', draws_done: (p) => `${p.done} of ${p.of} draws`, stopped_drawing: 'Stopped: nothing was concluded.', save_plan: 'Save the plan', take_medians: 'Take the medians into the case', medians_taken: (names) => `medians taken into the case: ${names}`,
     not_taken: (p) => (p.isConclusive ? (p.names ? `Not written back, for these data do not tell them, or only together with another: ${p.names}.` : '') : 'Nothing is written back, for the chains allow no conclusion.'),
     data_tell: 'What the data tell', before_after: 'Before and after', before_after_help: 'Filled: after the data, with the median and 90 %. Pale: before.', predicted: 'Data and model', predicted_help: 'Points: measured. Bands: where 90 % of such data would lie over the calibration, with errors and with what the model misses.',
-    drawn: (p) => `${p.chains} chains of ${p.warmup} + ${p.draws} draws, seed ${p.seed}; the program takes 1000 + 1000 if not told otherwise. Largest R̂: ${p.rhat}.`, was_before: (p) => `before: ${p.low}–${p.high} ${p.unit}`, told_share: (p) => `told by data ${p.share} %, R̂ ${p.rhat}, ${p.draws} effective draws`,
+    drawn: (p) => `${p.chains} chains of ${p.warmup} + ${p.draws} draws, seed ${p.seed}; the program takes 1000 + 1000 if not told otherwise. Largest R̂: ${p.rhat}.`, was_before: (span) => `before: ${span}`, told_share: (p) => `told by data ${p.share} %, R̂ ${p.rhat}, ${p.draws} effective draws`,
     missed_of: (data) => `missed by the model (${data})`, preload_stiffening: 'stiffening of pads under the train', speed_mean: 'mean speed', speed_deviation: 'spread of speeds', traction_share: 'share of driven wheels', vehicle_wheel_mass: 'mass of the wheel (vehicle)',
     receptance_axis: '|H| [nm/N]', phase_axis: 'arg H [°]', decay_axis: 'decay rate [dB/m]', rise_axis: 'rise since the first date [dB]', axle_box_axis: 'axle box, over the first date [dB]', pass_by_axis: 'pass-by, over the first levels [dB(A)]', wave_growth_axis: 'growth of waves [dB]', wave_drift_axis: 'drift of waves [°]', wear_axis: 'wear per 100 MGT [mm]',
     what_to_do: 'What to do', what_to_do_help: 'a remedy takes part once it has a cost; to leave all as it is always does', currency: 'currency', cost_grinding: 'grinding once', cost_possession: 'closing the line for it', cost_over_limit: 'each month over the limit', cost_from_limit: 'grinding leaves, from the limit', cost_discount_rate: 'interest', cost_horizon: 'horizon',
@@ -249,7 +249,7 @@ const WORDS = {
     calibrate_now: 'Kalibrieren', draws_word: 'Ziehungen', draws_of_chain: 'Ziehungen je Kette', draws_done: (p) => `${p.done} von ${p.of} Ziehungen`, stopped_drawing: 'Angehalten: Es wurde nichts geschlossen.', save_plan: 'Plan speichern', take_medians: 'Mediane in den Fall übernehmen', medians_taken: (names) => `Mediane in den Fall übernommen: ${names}`,
     not_taken: (p) => (p.isConclusive ? (p.names ? `Nicht zurückgeschrieben, denn sie gehen aus diesen Daten nicht oder nur zusammen mit einem anderen hervor: ${p.names}.` : '') : 'Nichts wird zurückgeschrieben, denn die Ketten erlauben keinen Schluss.'),
     data_tell: 'Was die Daten sagen', before_after: 'Vorher und nachher', before_after_help: 'Gefüllt: nach den Daten, mit Median und 90 %. Blass: zuvor.', predicted: 'Daten und Modell', predicted_help: 'Punkte: gemessen. Bänder: worin über die Kalibrierung 90 % solcher Daten lägen, mit Messfehlern und mit dem, was dem Modell fehlt.',
-    drawn: (p) => `${p.chains} Ketten mit ${p.warmup} + ${p.draws} Ziehungen, Startzahl ${p.seed}; das Programm nimmt ohne Angabe 1000 + 1000. Größtes R̂: ${p.rhat}.`, was_before: (p) => `zuvor: ${p.low}–${p.high} ${p.unit}`, told_share: (p) => `aus Daten ${p.share} %, R̂ ${p.rhat}, ${p.draws} wirksame Ziehungen`,
+    drawn: (p) => `${p.chains} Ketten mit ${p.warmup} + ${p.draws} Ziehungen, Startzahl ${p.seed}; das Programm nimmt ohne Angabe 1000 + 1000. Größtes R̂: ${p.rhat}.`, was_before: (span) => `zuvor: ${span}`, told_share: (p) => `aus Daten ${p.share} %, R̂ ${p.rhat}, ${p.draws} wirksame Ziehungen`,
     missed_of: (data) => `was dem Modell fehlt (${data})`, preload_stiffening: 'Versteifung der Zwischenlagen unter dem Zug', speed_mean: 'mittlere Geschwindigkeit', speed_deviation: 'Streuung der Geschwindigkeiten', traction_share: 'Anteil angetriebener Räder', vehicle_wheel_mass: 'Masse des Rades (Fahrzeug)',
     receptance_axis: '|H| [nm/N]', phase_axis: 'arg H [°]', decay_axis: 'Abklingrate [dB/m]', rise_axis: 'Anstieg seit dem ersten Tag [dB]', axle_box_axis: 'Achslager, über dem ersten Tag [dB]', pass_by_axis: 'Vorbeifahrt, über den ersten Pegeln [dB(A)]', wave_growth_axis: 'Wachstum der Wellen [dB]', wave_drift_axis: 'Wandern der Wellen [°]', wear_axis: 'Verschleiß je 100 MGT [mm]',
     what_to_do: 'Was tun', what_to_do_help: 'eine Maßnahme nimmt teil, sobald sie etwas kostet; alles zu lassen nimmt immer teil', currency: 'Währung', cost_grinding: 'einmal schleifen', cost_possession: 'Sperrung dafür', cost_over_limit: 'je Monat über der Grenze', cost_from_limit: 'Schleifen lässt, von der Grenze', cost_discount_rate: 'Zins', cost_horizon: 'Horizont',
@@ -356,9 +356,6 @@ export function nameOf(key) {
   return names ? names[language === 'de' ? 1 : 0] : key.split('.').at(-1).replaceAll('_', ' ');
 }
 
-/** The title of a case by its keys, in quotation marks: it is in no language of the page. */
-export const caseTitle = (keys) => (keys.title ? t('quoted', keys.title) : t('untitled'));
-
 /** A key as a sentence names it: with its group where the name alone would not tell, as in "Wavelengths, points". */
 export function labelOf(key) {
   const parts = key.split('.');
@@ -388,6 +385,12 @@ export function number(value, digits = 3) {
   return rounded.toLocaleString(language, { maximumFractionDigits: Math.min(12, decimals), useGrouping: Math.abs(rounded) >= 1e4 }).replace('-', '−');
 }
 
+/** A range by its ends as they are written, one where both are written alike. */
+export function range([low, high], shown = (value) => number(value)) {
+  const [from, to] = [shown(low), shown(high)];
+  return from === to ? from : `${from}–${to}`;
+}
+
 /** Units of speed with their size in m/s. */
 export const SPEED_UNITS = { 'km/h': 1 / 3.6, 'm/s': 1, mph: 0.44704 };
 let speedUnit = 'km/h';
@@ -406,7 +409,7 @@ export const speed = (value) => `${number(value / SPEED_UNITS[speedUnit])} ${spe
 
 /** A piece of what the program says, which has km/h, with its speeds in that unit. */
 export function inUnits({ text, speeds_m_per_s: speeds }) {
-  return speeds && speedUnit !== 'km/h' ? `${speeds.map((value) => number(value / SPEED_UNITS[speedUnit])).join('–')} ${speedUnit}` : text;
+  return speeds && speedUnit !== 'km/h' ? `${range([speeds[0], speeds.at(-1)], (value) => number(value / SPEED_UNITS[speedUnit]))} ${speedUnit}` : text;
 }
 export const sentence = (text) => `${text[0].toUpperCase()}${text.slice(1)}.`;
 

@@ -5,6 +5,31 @@ from axe_playwright_python.sync_playwright import Axe
 from test_page import VIEWS
 
 
+@pytest.mark.without_curves
+@pytest.mark.without_remedies
+def test_ends_that_are_written_alike_are_one_value(open_page):
+    page = open_page(locale="de-DE")
+    ranges = """async (all) => {
+      const { range } = await import(document.querySelector('script[type=module]').src.replace(/[^/]*$/, 'words.js'));
+      return all.map((ends) => range(ends));
+    }"""
+    cases = {(47, 88): "47–88", (0.3, 0.3): "0,3", (49.98, 50.02): "50", (-1.2, 3): "−1,2–3", (1000.2, 1000.4): "1000"}
+    assert page.page.evaluate(ranges, [list(ends) for ends in cases]) == list(cases.values())
+    page.close()
+
+
+@pytest.mark.without_curves
+@pytest.mark.without_remedies
+def test_the_first_hint_leaves_the_sliders_of_a_phone_free(open_page):
+    page = open_page(viewport={"width": 390, "height": 844})
+    page.page.click("[popovertarget=help]")
+    page.page.click("#help-tour")
+    box = lambda selector: page.page.locator(selector).bounding_box()
+    sliders, hint = box("#handles"), box("#tour")
+    assert hint["y"] >= sliders["y"] + sliders["height"] and hint["y"] + hint["height"] <= 844 and sliders["y"] >= 0
+    page.close()
+
+
 def test_dark(open_page):
     page = open_page(color_scheme="dark")
     ground = "() => getComputedStyle(document.body).backgroundColor"

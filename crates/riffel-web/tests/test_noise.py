@@ -2,6 +2,7 @@
 
 import json
 import math
+import re
 import subprocess
 
 import pytest
@@ -64,6 +65,24 @@ def test_the_level_is_that_of_the_program(page, tmp_path):
     assert course["x"] == pytest.approx(own["course"]["month"], rel=1e-6) and course["y"] == pytest.approx(own["course"]["total_dba"], abs=1e-6)
     page.settle()
     page.keep("noise", whole=True)
+
+
+@pytest.mark.without_curves
+@pytest.mark.parametrize("case", [CASE, ROOT / "cases/metro.toml"])
+def test_the_report_of_a_rail_has_level_and_causes_of_the_page(page, tmp_path, case):
+    """`riffel report` is told of no traffic, and the page neither: both go by the usual one of the line."""
+    given = {}
+    for what in ("measure", "noise"):
+        page.page.on("response", lambda response, what=what: response.url.endswith(f"/api/{what}") and response.ok and given.update({what: json.loads(response.text())}))
+    heard(page, case)
+    page.until(lambda: len(given) == 2)
+    (tmp_path / "trolley.csv").write_bytes(profile(30))
+    subprocess.run([PROGRAM, "report", case, "--roughness", "trolley.csv", "-o", "report.html", "--quiet"], cwd=tmp_path, capture_output=True, check=True, text=True)
+    report = (tmp_path / "report.html").read_text()
+    assert f"{given['noise']['level']['total_dba']:.1f} dB(A)" in report
+    shares = [candidate["share"] for finding in given["measure"]["diagnosis"]["dominant_wavelengths"] for candidate in finding["candidates"]]
+    # A digit of a percent is drawn.
+    assert [float(width) / 100 for width in re.findall(r'<span class="bar"><i style="width:([\d.]+)%', report)] == pytest.approx(shares, abs=6e-4) and len(shares) > 3
 
 
 @pytest.mark.without_curves

@@ -30,6 +30,8 @@ def test_a_first_visit_chooses_line_vehicle_and_track(open_page):
         page.page.select_option("#start-line", line)
         page.settle()
         assert keys(page) == case(line)
+        # Its title is in the language of the page.
+        assert page.text("#map-title").startswith({"metro": "U-Bahn: ", "tram": "Straßenbahn: ", "freight": "Güterstrecke: "}[line])
     # Another vehicle brings its own wheel and load, another track its own model.
     page.page.select_option("#start-line", "tram")
     page.page.select_option("#start-vehicle", "metro-trailer-car")

@@ -6,7 +6,7 @@ use riffel_keys::{Message, fixed, number as numeral, say, significant};
 
 use super::damage::{CrackedWave, HardenedWave};
 use super::rail_forecast::RailForecast;
-use super::words::number;
+use super::words::{millions, number};
 use super::{Crossing, ForecastAnswer, WearReport};
 
 /// Growth by the model over that of a rail which it explains.
@@ -99,7 +99,7 @@ impl ForecastAnswer {
         let decibels = fixed(own.slope * own.span(), 1);
         let amount = match self.months(own.span()) {
             Some(months) => say!(months_of, months = number(months)),
-            None => say!(so_many_passages, passages = number(own.span())),
+            None => say!(so_many_passages, passages = millions(own.span())),
         };
         let ratio_in_words = significant(ratio, 2);
         Some(if ratio <= 0.0 {

@@ -298,7 +298,7 @@ impl ForecastAnswer {
         let tonnes = number(self.growth().mgt(passages));
         let months = self.months(passages).map(number);
         let date = self.date_after(passages).map(|date| date.to_string());
-        let passages = numeral(format_args!("{passages:.2e}"));
+        let passages = words::millions(passages);
         match (months, date) {
             (Some(months), Some(date)) => say!(
                 amount_with_date,

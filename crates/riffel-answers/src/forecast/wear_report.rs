@@ -7,6 +7,8 @@ use riffel_keys::{CaseError, Message, Value, fixed, number, say};
 use riffel_rail::Survey;
 use serde::Serialize;
 
+use super::words::millions;
+
 /// Days of a year.
 const YEAR: f64 = 365.25;
 
@@ -119,7 +121,7 @@ impl WearReport {
                 growth_goes_by_this_rail,
                 coefficient = scientific(coefficient),
                 interval = self.interval(bounds),
-                passages = scientific(self.passages),
+                passages = millions(self.passages),
                 given = scientific(self.coefficient)
             );
         }

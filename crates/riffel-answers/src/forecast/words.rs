@@ -42,6 +42,16 @@ pub(crate) fn number(value: f64) -> Value {
     riffel_keys::number(three_digits(value))
 }
 
+/// A count of passages in a sentence, to three digits: "24.1 million".
+pub(crate) fn millions(passages: f64) -> Value {
+    /// Fewer stand as they are.
+    const FEW: f64 = 1e5;
+    match passages < FEW {
+        true => riffel_keys::number(format!("{passages:.0}")),
+        false => say!(so_many_million, count = number(1e-6 * passages)).into(),
+    }
+}
+
 /// Three digits, as one writes them.
 pub fn three_digits(value: f64) -> String {
     match value.abs() {

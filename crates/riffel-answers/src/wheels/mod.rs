@@ -95,7 +95,8 @@ impl WheelsAnswer {
         let ends = [case.wavelength.min(), case.wavelength.max()];
         case.check_points(ends, [curve.speed; 2])?;
         case.check_window()?;
-        let traffic = UsualTraffic::of(case);
+        // The curve may stand in a file of its own.
+        let traffic = UsualTraffic::in_curve(curve.speed);
         let wheels = wheels.into_iter().map(|wheel| {
             let name = wheel.name();
             let WheelOfCurve {

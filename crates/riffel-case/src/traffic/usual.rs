@@ -103,14 +103,22 @@ impl UsualTraffic {
             LineKind::Curve => {
                 let curve = case.file.curve.as_ref();
                 let middle = case.speed.min().midpoint(case.speed.max());
-                let speed = 3.6 * curve.map_or(middle, |curve| curve.speed.si());
-                ([0.9 * speed, 1.1 * speed], 6000.0)
+                return Self::in_curve(curve.map_or(middle, |curve| curve.speed.si()));
             }
         };
         Self {
             line,
             speeds: km_per_h.map(|speed| speed / 3.6),
             passages_per_day,
+        }
+    }
+
+    /// That of a curve at which a vehicle is balanced at a speed \[m/s\].
+    pub fn in_curve(speed: f64) -> Self {
+        Self {
+            line: LineKind::Curve,
+            speeds: [0.9 * speed, 1.1 * speed],
+            passages_per_day: 6000.0,
         }
     }
 
