@@ -1,5 +1,7 @@
 //! Power of parts of a record over wavenumber, each seen through a Hann window.
 
+use std::ops::RangeInclusive;
+
 use rayon::prelude::*;
 use realfft::RealFftPlanner;
 
@@ -9,7 +11,7 @@ use crate::Error;
 /// Shortest record \[m\]: the shortest segment that EN 15610 allows.
 pub(super) const SHORTEST_RECORD: f64 = 1.0;
 /// Parts whose powers are added before the sums are added, whatever the number of threads.
-const BATCH: usize = 8;
+pub(super) const BATCH: usize = 32;
 
 /// Mean square of each line of the transform, from wavenumber zero upward, summed over parts of `samples` heights with
 /// a weight each. Mean and trend are removed, and the window leaves the mean square of a stationary part as it is.
@@ -65,19 +67,22 @@ pub(super) fn window(samples: usize) -> Vec<f64> {
     (0..samples).map(weight).collect()
 }
 
-/// What lies in a band of lines a distance \[1/m\] apart. A line stands for half a step to either side; where it
-/// straddles the edge of a band, each band has its share (EN 15610:2009, Annex C).
-pub(super) fn power_of_band(lines: &[f64], line_spacing: f64, band: ThirdOctave) -> f64 {
+/// The lines that lie in a band, a distance \[1/m\] apart, each with its share: a line stands for half a step to either
+/// side, and where it straddles the edge of a band, each band has its part (EN 15610:2009, Annex C).
+pub(super) fn lines_of_band(
+    samples: usize,
+    line_spacing: f64,
+    band: ThirdOctave,
+) -> (RangeInclusive<usize>, Vec<f64>) {
     let (low, high) = band.wavenumber_range();
     let (low, high) = (low / line_spacing, high / line_spacing);
-    let (first, last) = (low.round() as usize, high.round() as usize);
-    (first..=last.min(lines.len() - 1))
-        .map(|line| {
-            let (from, to) = (line as f64 - 0.5, line as f64 + 0.5);
-            let share = (to.min(high) - from.max(low)).max(0.0);
-            share * lines[line]
-        })
-        .sum()
+    let lines = low.round() as usize..=(high.round() as usize).min(samples / 2);
+    let share = |line: usize| {
+        let (from, to) = (line as f64 - 0.5, line as f64 + 0.5);
+        (to.min(high) - from.max(low)).max(0.0)
+    };
+    let shares = lines.clone().map(share).collect();
+    (lines, shares)
 }
 
 /// Step between two heights and length of the longest stretch \[m\] of one record.

@@ -4,7 +4,8 @@ use std::borrow::Cow;
 use std::collections::BTreeMap;
 use std::f64::consts::PI;
 
-use super::hann_window::{SHORTEST_RECORD, line_powers, power_of_band, spacing_and_longest};
+use super::few_lines::KeptLines;
+use super::hann_window::{SHORTEST_RECORD, line_powers, lines_of_band, spacing_and_longest};
 use super::{Profile, Spectrum, ThirdOctave, level};
 use crate::Error;
 
@@ -48,19 +49,25 @@ impl Spectrum {
     /// shorter ones at either end make up for what the windows hide there. A sinusoid leaks less than −65 dB into bands
     /// two away. Stretches with fewer than ten waves of a band are left out of it beside longer ones. Long waves are
     /// looked at with fewer samples, halved by a binomial filter whose gain is undone; what it lets through of waves of
-    /// two samples is below −78 dB. Cost: some thirty transforms of the record; parallel.
+    /// two samples is below −78 dB. Cost: for each band some forty products a sample, or a transform of the record where it
+    /// has more than 32 lines; parallel.
     ///
     /// # Errors
     /// [`Error::OutOfRange`] where no stretch is as long as 1 m; [`Error::Measurement`] without a stretch, where
     /// their spacings differ or where no band is left.
     pub fn of_record(stretches: &[Profile], longest: f64) -> Result<Self, Error> {
-        Ok(RecordLevels::new(stretches, 0.0, longest)?.spectrum)
+        Ok(RecordLevels::new(stretches, 0.0, longest, &KeptLines::default())?.spectrum)
     }
 }
 
 impl RecordLevels {
     /// As [`Spectrum::of_record`], of bands that lie wholly above the shortest wavelength \[m\].
-    pub(super) fn new(stretches: &[Profile], shortest: f64, longest: f64) -> Result<Self, Error> {
+    pub(super) fn new(
+        stretches: &[Profile],
+        shortest: f64,
+        longest: f64,
+        kept: &KeptLines,
+    ) -> Result<Self, Error> {
         Error::unless_positive("longest wavelength", longest, "m")?;
         let (spacing, record) = spacing_and_longest(stretches)?;
         // The record is known to a sample at either end.
@@ -86,7 +93,7 @@ impl RecordLevels {
             let count = |length: f64| (length.min(record) / samples.spacing).round() as usize;
             let segment = count((WAVES * wave).max(SHORTEST_RECORD));
             let fewest = count(FEWEST_WAVES * wave);
-            let (power, averaged) = samples.power(band, segment, fewest);
+            let (power, averaged) = samples.power(band, segment, fewest, kept);
             levels.push((band, level(power)));
             (segment_length, segments) = (segment as f64 * samples.spacing, averaged);
         }
@@ -128,7 +135,13 @@ impl Samples<'_> {
     }
 
     /// Mean square of a band over all stretches with `fewest` samples or the longest one, and the number of segments.
-    fn power(&self, band: ThirdOctave, segment: usize, fewest: usize) -> (f64, usize) {
+    fn power(
+        &self,
+        band: ThirdOctave,
+        segment: usize,
+        fewest: usize,
+        kept: &KeptLines,
+    ) -> (f64, usize) {
         let longest = self.stretches.iter().map(|heights| heights.len()).max();
         let fewest_of_all = fewest.min(longest.unwrap_or(0));
         let counting = || {
@@ -154,7 +167,13 @@ impl Samples<'_> {
         }
         let powers = by_samples.iter().map(|(&samples, parts)| {
             let line_spacing = 1.0 / (samples as f64 * self.spacing);
-            power_of_band(&line_powers(parts, samples), line_spacing, band)
+            let (lines, shares) = lines_of_band(samples, line_spacing, band);
+            let powers = match kept.of(samples, lines.clone()) {
+                Some(few) => few.powers(parts),
+                None => line_powers(parts, samples)[lines].to_vec(),
+            };
+            let shared = powers.iter().zip(shares);
+            shared.map(|(power, share)| power * share).sum::<f64>()
         });
         let power: f64 = powers.sum();
         (

@@ -25,6 +25,7 @@ mod band_statistics;
 mod curvature;
 mod defect;
 mod drawn;
+mod few_lines;
 mod grinding;
 mod hann_window;
 mod judged_section;

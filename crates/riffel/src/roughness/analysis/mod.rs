@@ -5,6 +5,7 @@ mod tests;
 
 use rayon::prelude::*;
 
+use super::few_lines::KeptLines;
 use super::judged_section::{Piece, pieces};
 use super::method_a::RecordLevels;
 use super::{
@@ -167,9 +168,10 @@ impl RailAnalysis {
             progress();
         }
         let spacing = stretches.first().map_or(0.0, Profile::spacing);
-        let levels = record_levels(&stretches, settings)?;
+        let kept = KeptLines::default();
+        let levels = record_levels(&stretches, settings, &kept)?;
         let section_spectra = match settings.section_levels {
-            true => section_spectra(&stretches, &ends, settings),
+            true => section_spectra(&stretches, &ends, settings, &kept),
             false => Vec::new(),
         };
         progress();
@@ -283,9 +285,10 @@ impl RailAnalysis {
 fn record_levels(
     stretches: &[Profile],
     settings: &AnalysisSettings,
+    kept: &KeptLines,
 ) -> Result<RecordLevels, Error> {
     let shortest = settings.felt.map_or(0.0, |felt| felt.from());
-    RecordLevels::new(stretches, shortest, settings.longest_wavelength)
+    RecordLevels::new(stretches, shortest, settings.longest_wavelength, kept)
 }
 
 /// The levels of each section, on all cores; those too short for any are left out.
@@ -293,6 +296,7 @@ fn section_spectra(
     stretches: &[Profile],
     ends: &[(f64, f64)],
     settings: &AnalysisSettings,
+    kept: &KeptLines,
 ) -> Vec<SectionSpectrum> {
     let pieces = pieces(ends);
     if pieces.len() < 2 {
@@ -307,7 +311,7 @@ fn section_spectra(
         let own = own.filter(|(_, number)| **number == stretch);
         let parts = own.filter_map(|(stretch, _)| stretch.between(from, to));
         let parts: Vec<Profile> = parts.collect();
-        let levels = record_levels(&parts, settings).ok()?;
+        let levels = record_levels(&parts, settings, kept).ok()?;
         Some(SectionSpectrum {
             stretch,
             from,

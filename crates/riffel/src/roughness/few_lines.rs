@@ -1,0 +1,268 @@
+//! A few lines of the transform of parts of a record, each a sum over its samples.
+
+use std::collections::BTreeMap;
+use std::f64::consts::TAU;
+use std::ops::RangeInclusive;
+use std::sync::{Arc, Mutex, PoisonError};
+
+use pulp::{Arch, Simd, WithSimd};
+use rayon::prelude::*;
+
+use super::hann_window::{BATCH, window};
+
+/// Most lines for which sums take less time than a transform: those of a band in 48 waves are 12.
+const MOST_LINES: usize = 32;
+/// Rows of waves that are kept, of some 300 kB each.
+const MOST_KEPT: usize = 128;
+/// Lines that are summed at once.
+const AT_ONCE: usize = 4;
+/// Numbers of which a row has a multiple, as registers have at most as many lanes.
+const LANES: usize = 8;
+
+/// The rows that were needed, made once for all parts of one length.
+#[derive(Default)]
+pub(super) struct KeptLines(Mutex<BTreeMap<(usize, usize, usize), Arc<FewLines>>>);
+
+impl KeptLines {
+    /// The lines of parts of so many samples; none where they are so many that a transform takes less time, or have no
+    /// counterpart at negative wavenumbers.
+    pub(super) fn of(&self, samples: usize, lines: RangeInclusive<usize>) -> Option<Arc<FewLines>> {
+        let (first, last) = (*lines.start(), *lines.end());
+        if first == 0 || 2 * last >= samples || last >= first + MOST_LINES {
+            return None;
+        }
+        let kept = || self.0.lock().unwrap_or_else(PoisonError::into_inner);
+        let key = (samples, first, last);
+        if let Some(known) = kept().get(&key) {
+            return Some(Arc::clone(known));
+        }
+        let made = Arc::new(FewLines::new(samples, lines));
+        let mut kept = kept();
+        if kept.len() < MOST_KEPT {
+            kept.insert(key, Arc::clone(&made));
+        }
+        Some(made)
+    }
+}
+
+/// Waves over half a part: of sums and differences of two heights as far from either end, cosines see the sums and sines
+/// the differences.
+pub(super) struct FewLines {
+    samples: usize,
+    /// Hann window, zero behind the middle; half of it in the middle, which is its own counterpart.
+    window: Vec<f64>,
+    /// Distance from the middle in samples, twice, times the window.
+    ramp: Vec<f64>,
+    /// Of each line the cosine and the sine.
+    waves: Vec<[Vec<f64>; 2]>,
+    /// Of |DFT|² to the mean square of both signs of a wavenumber.
+    scale: f64,
+}
+
+impl FewLines {
+    fn new(samples: usize, lines: RangeInclusive<usize>) -> Self {
+        let half = samples / 2;
+        let row = (half + 1).next_multiple_of(LANES);
+        let mut weights = window(samples);
+        let energy: f64 = weights.iter().map(|weight| weight * weight).sum();
+        weights.truncate(half + 1);
+        if 2 * half == samples {
+            weights[half] *= 0.5;
+        }
+        weights.resize(row, 0.0);
+        let places = (0..row).map(|index| 2.0 * index as f64 - samples as f64);
+        let circle: Vec<(f64, f64)> = (0..samples)
+            .map(|index| (TAU * index as f64 / samples as f64).sin_cos())
+            .collect();
+        let wave = |line: usize, part: fn(&(f64, f64)) -> f64| {
+            let mut values: Vec<f64> = (0..=half)
+                .map(|index| part(&circle[line * index % samples]))
+                .collect();
+            values.resize(row, 0.0);
+            values
+        };
+        Self {
+            samples,
+            ramp: places
+                .zip(&weights)
+                .map(|(place, weight)| place * weight)
+                .collect(),
+            window: weights,
+            waves: lines
+                .map(|line| [wave(line, |at| at.1), wave(line, |at| at.0)])
+                .collect(),
+            scale: 2.0 / (samples as f64 * energy),
+        }
+    }
+
+    /// Mean square of each line, as [`line_powers`](super::hann_window::line_powers).
+    pub(super) fn powers(&self, parts: &[(&[f64], f64)]) -> Vec<f64> {
+        let arch = Arch::new();
+        let batches: Vec<Vec<f64>> = parts
+            .par_chunks(BATCH)
+            .map(|parts| arch.dispatch(Batch { lines: self, parts }))
+            .collect();
+        let mut sums = vec![0.0; self.waves.len()];
+        for batch in &batches {
+            for (sum, part) in sums.iter_mut().zip(batch) {
+                *sum += self.scale * part;
+            }
+        }
+        sums
+    }
+
+    /// Sums and differences of heights as far from either end, without mean and trend, through the window.
+    #[inline(always)]
+    fn fold(&self, heights: &[f64], sums: &mut [f64], differences: &mut [f64]) {
+        let (count, half) = (self.samples as f64, self.samples / 2);
+        // The first height, which the window hides, has no counterpart.
+        sums[0] = heights[0];
+        let pairs = heights[1..=half].iter().zip(heights.iter().rev());
+        let folded = sums[1..].iter_mut().zip(&mut differences[1..]);
+        for ((sum, difference), (one, other)) in folded.zip(pairs) {
+            (*sum, *difference) = (one + other, one - other);
+        }
+        let mut total = [0.0; LANES];
+        let mut moment = [0.0; LANES];
+        let mut place = std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * lane as f64 - count);
+        let all = sums.as_chunks().0.iter().zip(differences.as_chunks().0);
+        for (sums, differences) in all {
+            let (sums, differences): (&[f64; LANES], &[f64; LANES]) = (sums, differences);
+            for lane in 0..LANES {
+                total[lane] += sums[lane];
+                moment[lane] += place[lane] * differences[lane];
+                place[lane] += 2.0 * LANES as f64;
+            }
+        }
+        let middle = if 2 * half == self.samples {
+            heights[half]
+        } else {
+            0.0
+        };
+        let mean = (total.iter().sum::<f64>() - middle) / count;
+        // About the middle of the samples, half a step before that of the window.
+        let moment = 0.5 * (moment.iter().sum::<f64>() - count * heights[0]) + 0.5 * count * mean;
+        let slope = moment / (count * (count * count - 1.0) / 12.0);
+        let twice = 2.0 * mean + slope;
+        let rows = self.window.iter().zip(&self.ramp);
+        let folded = sums.iter_mut().zip(differences.iter_mut());
+        for ((sum, difference), (weight, ramp)) in folded.zip(rows) {
+            *sum = weight * (*sum - twice);
+            *difference = weight * *difference - slope * ramp;
+        }
+    }
+}
+
+/// Parts whose powers are added one after the other.
+struct Batch<'a> {
+    lines: &'a FewLines,
+    parts: &'a [(&'a [f64], f64)],
+}
+
+impl WithSimd for Batch<'_> {
+    type Output = Vec<f64>;
+
+    #[inline(always)]
+    fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
+        let Self { lines, parts } = self;
+        let mut powers = vec![0.0; lines.waves.len()];
+        let mut sums = vec![0.0; lines.window.len()];
+        let mut differences = sums.clone();
+        for (heights, share) in parts {
+            lines.fold(heights, &mut sums, &mut differences);
+            let seen = [&sums[..], &differences];
+            let (waves, rest) = lines.waves.as_chunks::<AT_ONCE>();
+            let (some, last) = powers.as_chunks_mut::<AT_ONCE>();
+            for (powers, waves) in some.iter_mut().zip(waves) {
+                add_powers(simd, powers, seen, waves, *share);
+            }
+            for (power, wave) in last
+                .as_chunks_mut()
+                .0
+                .iter_mut()
+                .zip(rest.as_chunks::<1>().0)
+            {
+                add_powers(simd, power, seen, wave, *share);
+            }
+        }
+        powers
+    }
+}
+
+/// Add the powers of N lines.
+#[inline(always)]
+fn add_powers<S: Simd, const N: usize>(
+    simd: S,
+    powers: &mut [f64; N],
+    seen: [&[f64]; 2],
+    waves: &[[Vec<f64>; 2]; N],
+    share: f64,
+) {
+    let [sums, differences] = seen.map(|row| S::as_simd_f64s(row).0);
+    let count = sums.len();
+    let differences = &differences[..count];
+    let rows: [[&[S::f64s]; 2]; N] = std::array::from_fn(|line| {
+        std::array::from_fn(|part| &S::as_simd_f64s(&waves[line][part]).0[..count])
+    });
+    let mut found = [[simd.splat_f64s(0.0); 2]; N];
+    for index in 0..count {
+        let (sum, difference) = (sums[index], differences[index]);
+        for ([cosine, sine], [re, im]) in rows.iter().zip(&mut found) {
+            *re = simd.mul_add_e_f64s(cosine[index], sum, *re);
+            *im = simd.mul_add_e_f64s(sine[index], difference, *im);
+        }
+    }
+    for (power, [re, im]) in powers.iter_mut().zip(found) {
+        *power += share * (simd.reduce_sum_f64s(re).powi(2) + simd.reduce_sum_f64s(im).powi(2));
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::hann_window::line_powers;
+    use super::*;
+
+    /// Both are sums of rounded products: relative to the strongest line they differ by some of the last digits.
+    #[test]
+    fn sums_and_transforms_are_one() {
+        for samples in [97, 1200, 1201, 1999] {
+            let height = |index: usize| {
+                let x = index as f64;
+                3.0 + 0.01 * x + (0.7 * x).sin() + ((x * x * 0.37) % 1.0)
+            };
+            let record: Vec<f64> = (0..samples + 40).map(height).collect();
+            let parts: Vec<(&[f64], f64)> = (0..=40)
+                .map(|start| (&record[start..start + samples], 0.5 + start as f64))
+                .collect();
+            let expected = line_powers(&parts, samples);
+            let strongest = expected.iter().copied().fold(0.0, f64::max);
+            for lines in [1..=1, 2..=8, 5..=16, 20..=44] {
+                let kept = KeptLines::default();
+                let found = kept
+                    .of(samples, lines.clone())
+                    .map(|few| few.powers(&parts));
+                for (line, found) in lines.zip(found.unwrap()) {
+                    let error = (found - expected[line]).abs();
+                    assert!(
+                        error < 1e-13 * strongest,
+                        "{samples} {line}: {error:e} {strongest:e}"
+                    );
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn transforms_are_left_what_takes_them_less_time() {
+        let kept = KeptLines::default();
+        for (lines, are_few) in [
+            (0..=3, false),
+            (1..=32, true),
+            (1..=33, false),
+            (480..=499, true),
+            (480..=500, false),
+        ] {
+            assert_eq!(kept.of(1000, lines.clone()).is_some(), are_few, "{lines:?}");
+        }
+    }
+}
