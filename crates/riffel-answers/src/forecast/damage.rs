@@ -6,6 +6,7 @@ use riffel_keys::{Message, Value, number as numeral, say, significant};
 use serde::Serialize;
 
 use super::number;
+use super::words::millions;
 
 /// Where flow that hardens takes the waves of a band by itself.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -77,7 +78,7 @@ impl HardenedWave {
                 when = match (band.rests_after(), on.passages_per_month()) {
                     (None, _) => Value::from(""),
                     (Some(passages), None) => {
-                        say!(rests_after_passages, passages = number(passages)).into()
+                        say!(rests_after_passages, passages = millions(passages)).into()
                     }
                     (Some(passages), Some(per_month)) => {
                         say!(rests_after_months, months = number(passages / per_month)).into()
@@ -142,7 +143,7 @@ impl CrackedWave {
                 cracks_grow,
                 at = at,
                 wavelength = wavelength,
-                passages = number(passages),
+                passages = millions(passages),
                 length = length,
                 opposite = opposite,
                 other = other_length
