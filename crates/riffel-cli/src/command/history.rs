@@ -106,7 +106,7 @@ fn days_between(earlier: Date, later: Date) -> Option<f64> {
 }
 
 /// `Ok` if there is a date for each record, each later than the one before, or none at all.
-fn check_dates(earlier: &Earlier) -> Result<(), CliError> {
+pub(crate) fn check_dates(earlier: &Earlier) -> Result<(), CliError> {
     let (dates, records) = (&earlier.dates, earlier.files.len() + 1);
     if dates.is_empty() || (dates.len() == records && dates.is_sorted_by(|one, next| one < next)) {
         return Ok(());

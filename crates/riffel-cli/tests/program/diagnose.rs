@@ -110,6 +110,15 @@ fn corrugation_on_the_ridge_is_led_by_it() {
         "{finding}"
     );
     assert!(share(finding, "grinding mark") < 0.05);
+    let swapped = sandbox.riffel(
+        "diagnose cases/nominal.toml --roughness new.csv --earlier old.csv --dates 2025-03-01,2024-03-01 \
+         --speed \"108 km/h\"",
+    );
+    let sentence = swapped.sentence();
+    assert!(
+        swapped.status == Some(2) && sentence.contains("the oldest first"),
+        "{sentence}"
+    );
     // Read the other way round it fades from record to record, and the mark leads.
     record(&sandbox, "between.csv", 0.0559, 6.0);
     let document = sandbox.json(

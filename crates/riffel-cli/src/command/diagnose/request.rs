@@ -2,7 +2,6 @@
 
 use std::path::Path;
 
-use jiff::civil::Date;
 use riffel::diagnosis::{Instrument, TrafficSpeeds};
 use riffel_answers::diagnose::{Diagnosis, DiagnosisSettings};
 use riffel_case::Case;
@@ -13,6 +12,7 @@ use riffel_rail::history::SpectraChoice;
 use riffel_rail::{RailRecord, RoughnessFile};
 
 use crate::arguments::{DiagnosisArguments, positive, within};
+use crate::command::history::check_dates;
 use crate::command::roughness::{choose_nothing, read};
 use crate::error::CliError;
 
@@ -39,7 +39,7 @@ pub(crate) fn diagnosis(
             Instrument::Trolley
         },
     };
-    check_dates(arguments)?;
+    check_dates(&arguments.earlier)?;
     let files: Vec<RoughnessFile> = arguments
         .earlier
         .files
@@ -79,20 +79,6 @@ fn modes(
     modes
         .map(|&frequency| positive(argument, frequency))
         .collect()
-}
-
-/// A date for each record, or none at all.
-fn check_dates(arguments: &DiagnosisArguments) -> Result<(), CliError> {
-    let (dates, records) = (&arguments.earlier.dates, arguments.earlier.files.len() + 1);
-    if dates.is_empty() || dates.len() == records {
-        return Ok(());
-    }
-    let written: Vec<String> = dates.iter().map(Date::to_string).collect();
-    Err(CliError::Argument {
-        argument: "--dates",
-        value: written.join(","),
-        rule: format!("{records} dates, one for each --earlier and one for --roughness"),
-    })
 }
 
 /// The speeds asked for, or those of the usual traffic with a remark that says so.
