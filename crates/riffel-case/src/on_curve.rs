@@ -116,10 +116,8 @@ impl Case {
 
     /// Width \[m\] of a contact of a curve that is wider than the band of wear: wear comes off it in place of the band.
     pub(crate) fn wider_than_its_band(&self) -> Option<f64> {
-        let width = 2.0 * self.hertz.semi_axis_lateral();
-        let band = self.file.wear.band_width.map(|band| band.si());
-        (self.unfilled.keys.has("contact.from") && band.is_some_and(|band| band < width))
-            .then_some(width)
+        let [_, width] = self.keys.band_under_wider_contact(self.hertz)?;
+        self.unfilled.keys.has("contact.from").then_some(width)
     }
 }
 

@@ -168,6 +168,13 @@ impl CheckedKeys {
         PlaceOfWear::new(phase, hertz.semi_axis_longitudinal(), tractive_ratio)
     }
 
+    /// Widths \[m\] of the band of wear and of a contact that is wider than it.
+    pub(crate) fn band_under_wider_contact(&self, hertz: HertzContact) -> Option<[f64; 2]> {
+        let contact = 2.0 * hertz.semi_axis_lateral();
+        let band = self.file.wear.band_width?.si();
+        (band < contact).then_some([band, contact])
+    }
+
     /// Wear under a contact. A band narrower than the contact is refused where the case gives that contact; where it follows from a
     /// curve, and on the rail that is not under study, wear comes off the contact's own width.
     fn wear(
@@ -214,14 +221,11 @@ impl CheckedKeys {
                 self.physics("wear.law", law)?
             }
         };
-        match wear.band_width {
-            Some(width)
-                if studied && !self.text.keys.has("contact.from")
-                    || width.si() >= 2.0 * hertz.semi_axis_lateral() =>
-            {
-                self.physics("wear.band_width", law.over_band(width.si()))
-            }
-            _ => Ok(law),
+        let takes_its_width = (!studied || self.text.keys.has("contact.from"))
+            && self.band_under_wider_contact(hertz).is_some();
+        match wear.band_width.filter(|_| !takes_its_width) {
+            Some(width) => self.physics("wear.band_width", law.over_band(width.si())),
+            None => Ok(law),
         }
     }
 

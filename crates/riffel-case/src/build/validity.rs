@@ -65,16 +65,11 @@ pub(crate) fn remarks(
             highest = fixed(highest, 0)
         ));
     }
-    let contact_width = 2.0 * hertz.semi_axis_lateral();
-    if let Some(band) = file
-        .wear
-        .band_width
-        .filter(|band| band.si() < contact_width)
-    {
+    if let Some([band, contact]) = keys.band_under_wider_contact(hertz) {
         remarks.push(say!(
             band_narrower_than_contact,
-            band = fixed(1e3 * band.si(), 0),
-            contact = fixed(1e3 * contact_width, 1)
+            band = fixed(1e3 * band, 0),
+            contact = fixed(1e3 * contact, 1)
         ));
     }
     if !measured && bends_only && file.track.model.is_periodic() {
