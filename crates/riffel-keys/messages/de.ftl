@@ -373,6 +373,8 @@ shorter-waves = kürzere
 longer-waves = längere
 one-wavelength = { $wavelength } mm
 grows-fastest-under = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time }
+rates-faster-than-known = das Modell wächst schneller als jede bekannte Bahn, seine Wellenlängen und ihre Reihenfolge gelten, seine Raten nicht
+rates-of-unstable-loop = der Kreis schwingt bei { $frequency } Hz von selbst, und seine Wachstumsraten bedeuten nichts
 faster-than-known = schneller als jede bekannte Bahn
 grows-fastest-without-rate = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt, schneller als bei jeder bekannten Bahn: Wellenlängen und Reihenfolge gelten, die Rate nicht
 grows-fastest-by-damage = am schnellsten wächst { $range } unter { $traffic }; { $wavelength } mm führt und verdoppelt sich in { $time }, wenn die Tiefen von { KEY("damage") } so sind, wie sie geschrieben stehen, was keine Messung gesagt hat
@@ -439,11 +441,13 @@ noise-becomes-to-linear-end = unter dem Verkehr werden aus { $from } in { $month
 noise-falls-below = { $sentence }; jetzt liegt er über { $limit } dB(A) und fällt darunter
 noise-limit-now = { $sentence }; { $limit } dB(A) sind jetzt erreicht
 noise-limit-in-months = { $sentence }; { $limit } dB(A) sind in { $months } Monaten erreicht
+noise-limit-not-known = { $sentence }; ob { $limit } dB(A) erreicht werden, lässt sich nicht sagen
 noise-limit-not-reached = { $sentence }; { $limit } dB(A) werden nicht erreicht
 
 ## Gemessenes Wachstum
 
 decaying-bands-stay = Bänder, die abklingen, behalten den Pegel von heute: nichts im Modell macht die Rauheit, die der Verkehr auf einer Schiene macht
+fit-of-several-rails = die Anpassung und die Änderungen daneben gelten für { $rails } zusammen, im Mittel; was jede Schiene für sich tut, steht in der Tabelle je Band
 growth-unexplained = kein Verschleißbeiwert: das Modell erklärt das Wachstum bei { $wavelengths } mm nicht, { $measured } dB gemessen und { $fitted } dB mit dem besten Beiwert
 grew-in-a-year = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen
 grew-in-a-year-within = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen, 95-%-Intervall { $low } bis { $high }
@@ -811,6 +815,7 @@ over-the-limit-now = jetzt über der Grenze: { $edition } bei { $wavelength } mm
 mean-over-the-record = { $sentence }, im Mittel über die Messung; Stellen über dem Mittel erreichen ihn früher
 limit-reached-after = { $edition } ist bei { $wavelength } mm erreicht nach { $amount }
 no-band-reaches = kein vorhergesagtes Band erreicht je { $edition }
+limit-reached-without-time = { $edition } ist zuerst bei { $wavelength } mm erreicht; in welcher Zeit, ist nicht zu sagen: { $reason }
 limit-not-reached-before = { $edition } ist nicht erreicht, bevor das Rad von der Schiene abhebt, wo die Prognose endet
 beyond-linear-range-now = jetzt außerhalb des linearen Bereichs: |P₁| ist { $ratio } P₀ unter "{ $vehicle }", Rad und Schiene trennen sich also; dann wächst die Riffel anders, als der lineare Kreis sagt, und nichts wird vorhergesagt
 linear-range-ends = linearer Bereich: |P₁| ist jetzt { $ratio } P₀ und erreicht P₀ unter "{ $vehicle }" nach { $amount }; dort hebt das Rad von der Schiene ab, und die Prognose endet

@@ -380,6 +380,8 @@ shorter-waves = shorter
 longer-waves = longer
 one-wavelength = { $wavelength } mm
 grows-fastest-under = { $range } grows fastest under { $traffic }; { $wavelength } mm leads and doubles in { $time }
+rates-faster-than-known = the model grows faster than any railway known, its wavelengths and order hold, its rates do not
+rates-of-unstable-loop = the loop oscillates by itself near { $frequency } Hz, and its growth rates mean nothing
 faster-than-known = faster than any railway known
 grows-fastest-without-rate = { $range } grows fastest under { $traffic }; { $wavelength } mm leads, faster than any railway known: wavelengths and order hold, the rate does not
 grows-fastest-by-damage = { $range } grows fastest under { $traffic }; { $wavelength } mm leads, and doubles in { $time } if the depths of { KEY("damage") } are as written, which no measurement has told
@@ -446,11 +448,13 @@ noise-becomes-to-linear-end = under the traffic { $from } become { $to } in { $m
 noise-falls-below = { $sentence }; it is above { $limit } dB(A) now and falls below
 noise-limit-now = { $sentence }; { $limit } dB(A) are reached now
 noise-limit-in-months = { $sentence }; { $limit } dB(A) are reached in { $months } months
+noise-limit-not-known = { $sentence }; whether { $limit } dB(A) are reached cannot be told
 noise-limit-not-reached = { $sentence }; { $limit } dB(A) are not reached
 
 ## Measured growth
 
 decaying-bands-stay = bands that decay keep today's level: nothing in the model makes the roughness that traffic makes on a rail
+fit-of-several-rails = the fit and the changes beside it are of { $rails } together, in their mean; what each rail does by itself stands in the table by band
 growth-unexplained = no wear coefficient: the model does not explain the growth at { $wavelengths } mm, { $measured } dB measured and { $fitted } dB with the best coefficient
 grew-in-a-year = { $wavelength } mm has grown by { $rate } dB a year
 grew-in-a-year-within = { $wavelength } mm has grown by { $rate } dB a year, 95 % interval { $low } to { $high }
@@ -818,6 +822,7 @@ over-the-limit-now = over the limit now: { $edition } at { $wavelength } mm by {
 mean-over-the-record = { $sentence }, in the mean over the record; places above the mean reach it sooner
 limit-reached-after = { $edition } is reached at { $wavelength } mm after { $amount }
 no-band-reaches = no band forecast ever reaches { $edition }
+limit-reached-without-time = { $edition } is reached first at { $wavelength } mm; in what time is not told: { $reason }
 limit-not-reached-before = { $edition } is not reached before the wheel leaves the rail, where the forecast ends
 beyond-linear-range-now = beyond the linear range now: |P₁| is { $ratio } P₀ under "{ $vehicle }", so that wheel and rail part; corrugation then grows otherwise than the linear loop says, and nothing is forecast
 linear-range-ends = linear range: |P₁| is { $ratio } P₀ now and reaches P₀ under "{ $vehicle }" after { $amount }; there the wheel leaves the rail, and the forecast ends

@@ -15,6 +15,8 @@ use crate::ridge::{best_fit_frequency, ridge_of};
 pub struct Comparison {
     /// The bands.
     pub bands: Vec<ThirdOctave>,
+    /// Growth of the case as it is by its model.
+    pub model: TrafficGrowth,
     /// The case as it is, then the variants in their order.
     pub outcomes: Vec<Outcome>,
 }
@@ -24,12 +26,14 @@ pub struct Comparison {
 pub struct Outcome {
     /// Its title.
     pub title: String,
-    /// Growth by vehicle and line.
+    /// Growth by vehicle and line; in bands of the rail that leads whose growth was measured, as that changes.
     pub growth: TrafficGrowth,
     /// Wear coefficient that growth goes by \[kg/J\].
     pub wear_coefficient: f64,
     /// Axle passages a day, if known.
     pub passages_per_day: Option<f64>,
+    /// Why no months follow from how the rail that leads grows.
+    pub without_time: Option<Message>,
     /// The line of highest growth.
     pub fastest: FastestLine,
     /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
@@ -152,37 +156,55 @@ impl Comparison {
         let bands = bands_of(case);
         let as_it_is = Variant::none("as it is");
         let mut outcomes: Vec<Outcome> = Vec::new();
+        let first = traffic.on(case, &bands, &as_it_is, progress)?;
+        let model = first.growth.clone();
+        let mut first = Some(first);
         for variant in std::iter::once(&as_it_is).chain(variants) {
-            let on = traffic.on(case, &bands, variant, progress)?;
+            let on = match first.take() {
+                Some(on) => on,
+                None => traffic.on(case, &bands, variant, progress)?,
+            };
             let changed = variant.applied_to(case)?;
             let ridge = ridge_of(&changed, &changed.feedback);
             let mut rails = starts(on.passages_per_day);
-            if let Some(base) = outcomes.first() {
+            let is_base = outcomes.is_empty();
+            if !is_base {
                 for start in &mut rails {
-                    *start = start.clone().changed(&base.growth, &on.growth);
+                    *start = start.clone().changed(&model, &on.growth);
                 }
             }
             let rails = RailForecast::of_rails(&rails, &on, limit)
                 .map_err(|error| CaseError::data("spectrum", error.to_string()))?;
-            let effect = match outcomes.first() {
-                None => Effect::None,
-                Some(base) => Effect::of(variant, &changed, &base.growth, &on.growth),
+            let effect = match is_base {
+                true => Effect::None,
+                false => Effect::of(variant, &changed, &model, &on.growth),
+            };
+            let leading = rails.first();
+            let own = leading.and_then(|rail| rail.start.growth.as_ref());
+            let growth = match own {
+                Some(own) => on.growth.clone().as_measured(own),
+                None => on.growth.clone(),
             };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
-                fastest: FastestLine::of(&on.growth, case, rails.first()),
+                fastest: FastestLine::of(&growth, case, leading),
+                without_time: leading.and_then(|rail| rail.without_time(&on)),
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,
                 wear_coefficient: on.wear_coefficient,
-                growth: on.growth,
+                growth,
                 rails,
                 held: on.held,
                 effect,
                 remarks: on.remarks,
             });
         }
-        Ok(Self { bands, outcomes })
+        Ok(Self {
+            bands,
+            model,
+            outcomes,
+        })
     }
 
     /// The case as it is.
@@ -214,7 +236,10 @@ impl Outcome {
 
     /// Months that some axle passages take, if the axles a day are known.
     pub fn months(&self, passages: f64) -> Option<f64> {
-        Some(passages / self.passages_per_day? / DAYS_PER_MONTH)
+        let per_day = self
+            .passages_per_day
+            .filter(|_| self.without_time.is_none())?;
+        Some(passages / per_day / DAYS_PER_MONTH)
     }
 
     /// The name of what is held where friction or load change: force, ratio, creepage, or mixed where that differs
@@ -236,7 +261,7 @@ impl Outcome {
 }
 
 impl FastestLine {
-    /// Of the bands of the case; of a rail whose growth was measured, within a tenth of the wavelength that grows fastest on it.
+    /// Of the bands of the case; of a rail whose growth was measured, the wavelength that grows fastest on it.
     fn of(growth: &TrafficGrowth, case: &Case, rail: Option<&RailForecast>) -> Self {
         let own = rail.and_then(|rail| rail.start.growth.as_ref()?.fastest());
         let near = own.and_then(|own| growth.fastest_near(own.band.wavelength()));

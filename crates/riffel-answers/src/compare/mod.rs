@@ -168,6 +168,9 @@ impl CompareAnswer {
     /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<Message> {
         let spread = self.wear_spread.filter(|_| self.over_posterior.is_none());
+        // Rates and times of a rail that goes by its own growth hold no coefficient.
+        let is_measured = |rail: &RailForecast| rail.start.growth.is_some();
+        let spread = spread.filter(|_| !self.leading().is_some_and(is_measured));
         let known_to = spread.map(|spread| {
             let [_, either_way] = spread.band_80(1.0);
             say!(rates_hold_to, factor = fixed(either_way, 1))
@@ -196,7 +199,26 @@ impl CompareAnswer {
             })
             .chain(at_edge)
             .chain(known_to);
-        self.unlikely_wear.iter().cloned().chain(outcomes).collect()
+        let mut effects = self.measured_first();
+        if effects.is_empty() {
+            effects.extend(self.unlikely_wear.clone());
+        }
+        effects.extend(outcomes);
+        effects
+    }
+
+    /// How the rail that leads grew, which its forecast goes by, and whether the model explains it; else empty.
+    fn measured_first(&self) -> Vec<Message> {
+        let Comparison { model, .. } = &self.comparison;
+        let per_day = self.comparison.base().passages_per_day;
+        let own = self
+            .leading()
+            .and_then(|rail| Some((rail, rail.own_growth(model, per_day)?)));
+        own.map_or_else(Vec::new, |(rail, own)| {
+            let unlike = !rail.is_explained_by(model);
+            let follows = unlike.then(|| say!(model_does_not_explain_growth));
+            std::iter::once(own).chain(follows).collect()
+        })
     }
 
     /// Heads of the table without that of the titles: those of what is known of some outcome.

@@ -215,6 +215,7 @@ pub(super) fn document<'a>(
         .and_then(|(band, _)| rail.growth_within(band, answer.wear_spread));
     let banded = |per: f64| fastest.map(|within| within.times(per));
     let millions_a_month = answer.on.passages_per_month().map(|it| 1e-6 * it);
+    let millions_a_month = millions_a_month.filter(|_| rail.without_time(&answer.on).is_none());
     let warnings = answer.warnings.iter();
     let mut remarks: Vec<Message> = warnings.cloned().collect();
     remarks.extend(answer.on.remarks.iter().cloned());
@@ -230,10 +231,8 @@ pub(super) fn document<'a>(
         spectrum_then: forecast.bands().iter().map(then).collect(),
         valid_to_passages: valid_to,
         valid_to_mgt: valid_to.map(|passages| traffic.mgt(passages)),
-        valid_to_months: valid_to.and_then(|passages| answer.months(passages)),
-        valid_to_date: valid_to
-            .and_then(|passages| answer.date_after(passages))
-            .map(|date| date.to_string()),
+        valid_to_months: valid_to.and_then(|passages| answer.months_of(rail, passages)),
+        valid_to_date: valid_to.and_then(|passages| answer.date_of(rail, passages)),
         growth_rate_per_passage: rates(forecast, &|band| forecast.growth_rate(band)),
         growth_rate_error: traffic.rate_error(),
         wear_limit: WearLimitDocument::under(
@@ -251,11 +250,9 @@ pub(super) fn document<'a>(
             Some(forecast.grinding_interval(&answer.limit).name()),
             first.map(|first| first.passages),
             traffic,
-            |passages| answer.months(passages),
+            |passages| answer.months_of(rail, passages),
         ),
-        date_of_limit: first
-            .and_then(|first| answer.date_after(first.passages))
-            .map(|date| date.to_string()),
+        date_of_limit: first.and_then(|first| answer.date_of(rail, first.passages)),
         wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
         linear_range: LinearDocument::of(forecast),
         bands: bands(answer, rail),
@@ -362,11 +359,9 @@ impl<'a> RailDocument<'a> {
                 rail.reach.map(Reach::name),
                 passages_to_limit,
                 answer.growth(),
-                |passages| answer.months(passages),
+                |passages| answer.months_of(rail, passages),
             ),
-            date_of_limit: passages_to_limit
-                .and_then(|passages| answer.date_after(passages))
-                .map(|date| date.to_string()),
+            date_of_limit: passages_to_limit.and_then(|it| answer.date_of(rail, it)),
             wavelength_of_limit_m: first.map(|first| first.band.now.band.wavelength()),
             valid_to_passages: rail.forecast.linear_range(rail.forecast.bands()).passages,
             bands: bands(answer, rail),

@@ -2,15 +2,12 @@
 
 use riffel::forecast::{MeasuredBand, Reach};
 use riffel_case::traffic::{SpreadEffect, vehicle_in_words};
-use riffel_keys::{Message, fixed, number as numeral, say, significant};
+use riffel_keys::{Message, fixed, number as numeral, say};
 
 use super::damage::{CrackedWave, HardenedWave};
 use super::rail_forecast::RailForecast;
-use super::words::{millions, number};
+use super::words::number;
 use super::{Crossing, ForecastAnswer, WearReport};
-
-/// Growth by the model over that of a rail which it explains.
-const EXPLAINS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
 /// What a spread does, where it is worth a word.
 fn spread_in_words(spread: &SpreadEffect) -> Option<Message> {
@@ -51,7 +48,7 @@ impl ForecastAnswer {
             passages,
         } = crossings.first().filter(|it| it.passages > 0.0)?;
         let [early, late] = rail.passages_80(band, *limit, *passages, self.wear_spread)?;
-        Some([self.months(early)?, self.months(late)?])
+        Some([self.months_of(rail, early)?, self.months_of(rail, late)?])
     }
 
     /// Sentence on the months between which the leading rail reaches its limit.
@@ -68,12 +65,9 @@ impl ForecastAnswer {
         })
     }
 
-    /// The band that grows fastest on the leading rail as it was measured, and what part of that the model has there, within a tenth of
-    /// the wavelength; none where no growth was measured.
+    /// The band that grows fastest on the leading rail as it was measured, and what part of that the model has there.
     pub(super) fn model_beside(&self) -> Option<(&MeasuredBand, f64)> {
-        let own = self.leading().start.growth.as_ref()?.fastest()?;
-        let model = self.on.growth.fastest_near(own.band.wavelength())?;
-        Some((own, 20.0 / std::f64::consts::LN_10 * model / own.slope))
+        self.leading().model_beside(&self.on.growth)
     }
 
     /// What growth goes by: how the leading rail grew, or else a mean wear that no rail has.
@@ -83,49 +77,24 @@ impl ForecastAnswer {
 
     /// Where the model does not explain how the leading rail grew, the sentence that says so and what follows of it; else empty.
     pub(crate) fn unexplained(&self) -> Vec<Message> {
-        let beside = self.model_beside().filter(|(own, _)| own.slope > 0.0);
-        let unlike = beside.filter(|(_, ratio)| !EXPLAINS.contains(ratio));
-        let why = unlike.and_then(|_| self.own_growth());
-        let by_fit = || self.wear.as_ref().and_then(WearReport::unexplained);
-        let why = why.or_else(by_fit).into_iter();
+        let (rail, model) = (self.leading(), &self.on.growth);
+        // Where it has several dates they decide, else the fit of two.
+        let why = match rail.model_beside(model) {
+            Some((own, _)) if own.slope > 0.0 => {
+                let unlike = !rail.is_explained_by(model);
+                unlike.then(|| self.own_growth()).flatten()
+            }
+            _ => self.wear.as_ref().and_then(WearReport::unexplained),
+        };
+        let why = why.into_iter();
         why.flat_map(|why| [why, say!(model_does_not_explain_growth)])
             .collect()
     }
 
     /// How the leading rail grew, and what of it the model explains.
     fn own_growth(&self) -> Option<Message> {
-        let (own, ratio) = self.model_beside().filter(|(own, _)| own.slope > 0.0)?;
-        let wavelength = numeral(own.band.nominal_millimetres());
-        let decibels = fixed(own.slope * own.span(), 1);
-        let amount = match self.months(own.span()) {
-            Some(months) => say!(months_of, months = number(months)),
-            None => say!(so_many_passages, passages = millions(own.span())),
-        };
-        let ratio_in_words = significant(ratio, 2);
-        Some(if ratio <= 0.0 {
-            say!(
-                grew_where_model_decays,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount
-            )
-        } else if EXPLAINS.contains(&ratio) {
-            say!(
-                grew_as_model_explains,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount,
-                ratio = ratio_in_words
-            )
-        } else {
-            say!(
-                grew_unlike_model,
-                wavelength = wavelength,
-                decibels = decibels,
-                amount = amount,
-                ratio = ratio_in_words
-            )
-        })
+        let own = self.leading();
+        own.own_growth(&self.on.growth, self.on.passages_per_day)
     }
 
     /// Between what the fastest growth lies.
@@ -139,7 +108,9 @@ impl ForecastAnswer {
             Some(_) => say!(as_this_rail_grew),
             None => say!(as_the_coefficient_may_be),
         };
-        let said = match self.on.passages_per_month() {
+        let per_month = self.on.passages_per_month();
+        let per_month = per_month.filter(|_| rail.without_time(&self.on).is_none());
+        let said = match per_month {
             None => say!(
                 grows_within,
                 wavelength = wavelength,
@@ -247,13 +218,24 @@ impl ForecastAnswer {
                 wavelength = first.band.now.band.nominal_millimetres(),
                 decibels = fixed(first.band.now.level - first.limit, 1)
             ),
-            (Some(first), _) => say!(
-                limit_reached_after,
-                edition = edition,
-                wavelength = first.band.now.band.nominal_millimetres(),
-                amount = self.amount(first.passages)
-            )
-            .about(interval),
+            (Some(first), _) => {
+                let wavelength = first.band.now.band.nominal_millimetres();
+                match rail.without_time(&self.on) {
+                    None => say!(
+                        limit_reached_after,
+                        edition = edition,
+                        wavelength = wavelength,
+                        amount = self.amount(first.passages)
+                    ),
+                    Some(reason) => say!(
+                        limit_reached_without_time,
+                        edition = edition,
+                        wavelength = wavelength,
+                        reason = reason
+                    ),
+                }
+                .about(interval)
+            }
             (None, Some(Reach::Never)) => say!(no_band_reaches, edition = edition),
             (None, _) => say!(limit_not_reached_before, edition = edition).about(interval),
         }
@@ -270,7 +252,7 @@ impl ForecastAnswer {
                 linear_range_ends,
                 ratio = ratio,
                 vehicle = vehicle,
-                amount = self.amount(passages)
+                amount = self.amount_of(rail, passages)
             ),
             None => say!(linear_range_never_ends, ratio = ratio, vehicle = vehicle),
         }

@@ -236,11 +236,20 @@ impl ForecastAnswer {
         Some(passages / self.on.passages_per_day? / DAYS_PER_MONTH)
     }
 
+    /// Months from now until something befalls a rail, where its growth tells them.
+    pub(crate) fn months_of(&self, rail: &RailForecast, passages: f64) -> Option<f64> {
+        match rail.without_time(&self.on) {
+            None => self.months(passages),
+            Some(_) => None,
+        }
+    }
+
     /// Months from grinding until the limit is reached, where the forecast begins with a ground rail.
     pub fn months_between_grindings(&self) -> Option<f64> {
         self.ground.as_ref()?;
-        match self.leading().reach? {
-            Reach::After(passages) => self.months(passages),
+        let rail = self.leading();
+        match rail.reach? {
+            Reach::After(passages) => self.months_of(rail, passages),
             Reach::BeyondLinearRange | Reach::Never => None,
         }
     }
@@ -252,6 +261,12 @@ impl ForecastAnswer {
         (days < 4e6)
             .then(|| self.date?.checked_add((days as i64).days()).ok())
             .flatten()
+    }
+
+    /// The date at which something befalls a rail, where its growth tells it.
+    fn date_of(&self, rail: &RailForecast, passages: f64) -> Option<String> {
+        self.months_of(rail, passages)?;
+        Some(self.date_after(passages)?.to_string())
     }
 
     /// The rail that leads: its limit is reached first.
@@ -291,6 +306,18 @@ impl ForecastAnswer {
                 .then(excess(b).total_cmp(&excess(a)))
         });
         crossings
+    }
+
+    /// Passages until something befalls a rail, in every unit that is known.
+    fn amount_of(&self, rail: &RailForecast, passages: f64) -> Message {
+        match rail.without_time(&self.on) {
+            None => self.amount(passages),
+            Some(_) => say!(
+                amount_of_traffic,
+                passages = words::millions(passages),
+                tonnes = number(self.growth().mgt(passages))
+            ),
+        }
     }
 
     /// Passages in every unit that is known.

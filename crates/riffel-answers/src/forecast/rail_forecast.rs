@@ -4,12 +4,15 @@ use riffel::forecast::{
     Forecast, ForecastBand, MeasuredBand, MeasuredGrowth, Reach, TrafficGrowth, WearSpread,
 };
 use riffel::roughness::{LevelLimit, ThirdOctave};
-use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::{Message, say};
+use riffel_case::traffic::{DAYS_PER_MONTH, TrafficOnCase, is_faster_than_known};
+use riffel_keys::{Message, fixed, number, say, significant};
 use riffel_rail::{GroundRail, RailSpectrum, Survey};
 
-use super::per_million;
+use super::{per_million, words};
 use crate::Banded;
+
+/// Growth by the model over that of a rail which it explains.
+const EXPLAINS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
 
 /// What is known of a rail when a forecast begins.
 #[derive(Debug, Clone, PartialEq)]
@@ -172,6 +175,24 @@ impl RailForecast {
         Ok(found)
     }
 
+    /// Why no months follow from how the rail grows under a traffic: as the model says, that oscillates by itself or grows faster than any
+    /// railway known. None where they do.
+    pub fn without_time(&self, on: &TrafficOnCase) -> Option<Message> {
+        if self.start.growth.is_some() {
+            return None;
+        }
+        if let Some(frequency) = on.unstable {
+            return Some(say!(
+                rates_of_unstable_loop,
+                frequency = fixed(frequency, 0)
+            ));
+        }
+        let per_day = on.passages_per_day?;
+        let mut bands = self.forecast.bands().iter();
+        let is_faster = |band| is_faster_than_known(self.forecast.growth_rate(band), per_day);
+        bands.any(is_faster).then(|| say!(rates_faster_than_known))
+    }
+
     /// Name of the rail.
     pub fn name(&self) -> Option<&str> {
         self.start.levels.rail.as_deref()
@@ -180,6 +201,65 @@ impl RailForecast {
     /// The growth of a band as it was measured, times in axle passages.
     pub fn own(&self, band: &ForecastBand) -> Option<&MeasuredBand> {
         self.start.growth.as_ref()?.band(band.now.band)
+    }
+
+    /// The band that grows fastest on it as it was measured, and what part of that a model has there, within a tenth of the wavelength;
+    /// none where no growth was measured.
+    pub(super) fn model_beside(&self, model: &TrafficGrowth) -> Option<(&MeasuredBand, f64)> {
+        let own = self.start.growth.as_ref()?.fastest()?;
+        let near = model.fastest_near(own.band.wavelength())?;
+        Some((own, 20.0 / std::f64::consts::LN_10 * near / own.slope))
+    }
+
+    /// Whether a model explains how it grew; so where no growth was measured, or none is there.
+    pub(crate) fn is_explained_by(&self, model: &TrafficGrowth) -> bool {
+        let beside = self.model_beside(model).filter(|(own, _)| own.slope > 0.0);
+        beside.is_none_or(|(_, ratio)| EXPLAINS.contains(&ratio))
+    }
+
+    /// How it grew, and what of it a model explains, under so many axles a day.
+    pub(crate) fn own_growth(
+        &self,
+        model: &TrafficGrowth,
+        passages_per_day: Option<f64>,
+    ) -> Option<Message> {
+        let (own, ratio) = self
+            .model_beside(model)
+            .filter(|(own, _)| own.slope > 0.0)?;
+        let wavelength = number(own.band.nominal_millimetres());
+        let decibels = fixed(own.slope * own.span(), 1);
+        let amount = match passages_per_day {
+            Some(per_day) => {
+                let months = own.span() / per_day / DAYS_PER_MONTH;
+                say!(months_of, months = words::number(months))
+            }
+            None => say!(so_many_passages, passages = words::millions(own.span())),
+        };
+        let ratio_in_words = significant(ratio, 2);
+        Some(if ratio <= 0.0 {
+            say!(
+                grew_where_model_decays,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount
+            )
+        } else if EXPLAINS.contains(&ratio) {
+            say!(
+                grew_as_model_explains,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount,
+                ratio = ratio_in_words
+            )
+        } else {
+            say!(
+                grew_unlike_model,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount,
+                ratio = ratio_in_words
+            )
+        })
     }
 
     /// Growth of the level of a band \[dB per million axles\] with its bands: as measured, or by what the wear coefficient may be.

@@ -4,7 +4,7 @@ use riffel::forecast::{FittedBand, LARGE_CHANGE, WearFit, WearSpread, WearVerdic
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
-use riffel_rail::Survey;
+use riffel_rail::{Survey, rail_in_words};
 use serde::Serialize;
 
 use super::words::millions;
@@ -70,6 +70,14 @@ fn remarks_of(survey: &Survey) -> impl Iterator<Item = Message> {
     warnings.map(|warning| warning.about(survey.path().display()))
 }
 
+/// That a fit is of several rails, which grow differently.
+fn taken_together(survey: &Survey) -> Option<Message> {
+    let rails = survey.rail_means();
+    let names = rails.iter().filter_map(|rail| rail.rail.as_deref());
+    let names: Value = names.map(rail_in_words).collect();
+    (rails.len() > 1).then(|| say!(fit_of_several_rails, rails = names))
+}
+
 impl WearReport {
     /// The fit of the change from one measurement to a later one by the growth of a case under traffic.
     ///
@@ -89,7 +97,9 @@ impl WearReport {
             days: on.passages_per_day.map(|per_day| passages / per_day),
             coefficient: on.wear_coefficient,
             records: [earlier.records.len(), later.records.len()],
-            remarks: [earlier, later].into_iter().flat_map(remarks_of).collect(),
+            remarks: (taken_together(later).into_iter())
+                .chain([earlier, later].into_iter().flat_map(remarks_of))
+                .collect(),
         })
     }
 

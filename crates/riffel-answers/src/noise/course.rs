@@ -119,6 +119,9 @@ impl Course {
                     months = months
                 )
             }
+            None if up_to.is_some() => {
+                say!(noise_limit_not_known, sentence = course, limit = limit)
+            }
             None => say!(noise_limit_not_reached, sentence = course, limit = limit),
         }
     }

@@ -250,6 +250,10 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
             (number(&base["fastest_wavelength_m"]) - 0.0398).abs() < 1e-4,
             "{base}"
         );
+        // The rate of the row is that of its months.
+        let rate = 20e6 / 10f64.ln() * number(&base["fastest_growth_rate_per_passage"]);
+        let own = number(&table["growth_db_per_million_axles"]["median"]);
+        assert!((rate / own - 1.0).abs() < 1e-9, "{rate} {own}");
     }
     let ground = "--from-limit=-6 --spectrum rail.csv";
     let forecast = sandbox.json(&format!("forecast {CASE} {ground} --json"));
@@ -296,4 +300,42 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
         (number(&grown["growth_db_per_year"]) - 4.0 * YEAR).abs() < 1e-9,
         "{grown}"
     );
+}
+
+/// A model that grows faster than any railway known, or oscillates by itself, tells no months in forecast and comparison, in sentences,
+/// tables or documents: only at which wavelength the limit is reached first.
+#[test]
+fn a_model_that_no_railway_knows_tells_no_months() {
+    let sandbox = Sandbox::new();
+    let traffic = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
+                   speed = { mean = \"44 km/h\", standard_deviation = \"5 km/h\" }\n";
+    std::fs::write(sandbox.path("metro.toml"), traffic).unwrap();
+    for (case, reason) in [
+        (
+            "cases/metro-curve.toml --set wear.coefficient=8e-9",
+            "faster than any railway known",
+        ),
+        ("cases/curve.toml", "the loop oscillates by itself near"),
+    ] {
+        let asked = format!("{case} --traffic metro.toml --from-limit=-6dB");
+        let forecast = sandbox.json(&format!("forecast {asked} --json"));
+        for key in [
+            "months_to_limit",
+            "date_of_limit",
+            "months_to_limit_band_80",
+            "growth_db_per_month",
+            "valid_to_months",
+        ] {
+            assert!(forecast[key].is_null(), "{case}: {key} {}", forecast[key]);
+        }
+        let findings = forecast["findings"].to_string();
+        let told = "is reached first at";
+        assert!(
+            findings.contains(told) && findings.contains(reason),
+            "{findings}"
+        );
+        let compared = format!("compare {asked} --with cases/soft-pads.toml --json");
+        let compared = sandbox.json(&compared);
+        assert!(compared["outcomes"][0]["months_to_limit"].is_null());
+    }
 }
