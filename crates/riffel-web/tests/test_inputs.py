@@ -203,8 +203,8 @@ def test_messages_speak_of_labels_and_the_unit_of_the_field(open_page):
     page = open_page()
     faults = page.page.locator(".row .fault:visible")
     for key, text, words in [
-        ("contact.normal_load", "-50", ["normal load P₀ is -50 kN", "0.001 kN and 2000 kN"]), ("contact.grid", "1.5", ["grid", "whole number"]), ("map.wavelength.points", "abc", ["Wavelengths, points"]),
-        ("map.wavelength.points", "5000", ["points"]), ("contact.contact_angle", "5", ["is 5 rad", "between -1.5708 rad and 1.5708 rad", 'mean "5 deg"']), ("map.wavelength.min", "200", ["Wavelengths, to is 80 mm", "200 mm"]), ("contact.friction", "3", ["friction μ is 3"]),
+        ("contact.normal_load", "-50", ["normal load P₀ is −50 kN", "0.001 kN and 2000 kN"]), ("contact.grid", "1.5", ["grid", "whole number"]), ("map.wavelength.points", "abc", ["Wavelengths, points"]),
+        ("map.wavelength.points", "5000", ["points"]), ("contact.contact_angle", "5", ["is 5 rad", "between −1.5708 rad and 1.5708 rad", 'mean "5 deg"']), ("map.wavelength.min", "200", ["Wavelengths, to is 80 mm", "200 mm"]), ("contact.friction", "3", ["friction μ is 3"]),
     ]:
         before = field(page, key).input_value()
         page.set(key, text)

@@ -497,7 +497,7 @@ def test_in_german(open_page):
     fault = page.page.locator("#key-contact-normal_load-fault")
     page.until(fault.is_visible)
     assert fault.get_attribute("lang") == "de"
-    assert fault.inner_text().startswith("Radlast P₀ ist -50 kN, muss aber zwischen 0,001 kN und 2000 kN liegen")
+    assert fault.inner_text().startswith("Radlast P₀ ist −50 kN, muss aber zwischen 0,001 kN und 2000 kN liegen")
     page.page.select_option("#language", "en")
     assert "must be between 0.001 kN and 2000 kN" in fault.inner_text() and fault.get_attribute("lang") == "en"
     page.page.select_option("#language", "de")
