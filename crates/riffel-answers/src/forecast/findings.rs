@@ -6,7 +6,7 @@ use riffel_keys::{Message, fixed, number as numeral, say};
 
 use super::damage::{CrackedWave, HardenedWave};
 use super::rail_forecast::RailForecast;
-use super::words::number;
+use super::words::{millions, number};
 use super::{Crossing, ForecastAnswer, WearReport};
 
 /// What a spread does, where it is worth a word.
@@ -198,7 +198,7 @@ impl ForecastAnswer {
             say!(
                 band_bends_over,
                 wavelength = numeral(band.now.band.nominal_millimetres()),
-                passages = number(passages),
+                passages = millions(passages),
                 wear = fixed(1e3 * wear.depth_per_100_mgt(), 2)
             )
         })
