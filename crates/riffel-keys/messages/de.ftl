@@ -1662,3 +1662,23 @@ cell-in-brackets = Spalte { $column } ist "{ $cell }": Klammern sind für die ei
 cell-with-letters = Spalte { $column } ist "{ $cell }", keine bloße Zahl: eine Einheit steht im Kopf, eine Bemerkung in einer eigenen Spalte
 cell-with-marks = Spalte { $column } ist "{ $cell }", keine bloße Zahl: was die übrigen Zeichen bedeuten, gehört in eine eigene Spalte
 cell-is-no-number = Spalte { $column } ist "{ $cell }", keine Zahl
+
+## Achslager
+
+train-is-too-slow = der Zug fährt nirgends lange genug für die längste Wellenlänge, { $longest } m, schneller als { $slowest } km/h
+stretch-is-too-slow = das längste Stück ohne Lücke ist { $length } m lang und wird im Mittel mit { $speed } km/h befahren, müsste aber mit mindestens { $slowest } km/h befahren werden; { $said }
+stretch-is-too-short = das längste Stück ohne Lücke ist { $length } m lang, für Wellen bis { $longest } m müssten es aber bei { $speed } km/h { $least } m sein; { $said }
+roughness-of-rail-and-wheel = die Rauheit ist die von Schiene und Rad zusammen, ohne das, was über mindestens 16 Umdrehungen mit dem Rad wiederkehrt
+roughness-through-patch = die Rauheit ist das, was die Kontaktfläche durchlässt, die { $patch } mm lang ist: bei Wellenlängen unter etwa dem Fünffachen davon ist die Schiene selbst rauer; --contact-filter gibt das zurück
+axle-box-moves-as-wheelset = das Achslager bewegt sich nach Annahme wie der Radsatz am Kontakt: die Biegung der Welle zwischen Rad und Lager bleibt außer Acht
+waves-of-other-wheels-left-out = die Wellen, die die anderen Räder von [train] die Schiene entlang senden, bleiben außer Acht
+
+## Daten, die abgelehnt werden
+
+no-date = "{ $text }" ist kein Datum; zu schreiben als 2026-01-31 oder 31.01.2026 oder als Tageszahl einer Tabellenkalkulation von 40000 bis 60000
+year-of-two-digits = "{ $text }" hat ein Jahr aus zwei Ziffern; alle vier schreiben
+days-in-two-orders = "{ $text }" und "{ $other }" haben Tag und Monat in verschiedener Reihenfolge; beide wie 2026-01-31 schreiben
+date-may-be-two = "{ $text }" kann zweierlei Datum sein; { $one } oder { $other } schreiben
+year-is-out-of-range = "{ $text }" ist kein Tag zwischen { $first } und { $last }
+day-is-not-in-calendar = "{ $text }" steht nicht im Kalender
+of-column = Spalte `{ $column }`: { $sentence }

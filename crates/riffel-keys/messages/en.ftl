@@ -1678,3 +1678,23 @@ cell-in-brackets = column { $column } is "{ $cell }": brackets are a minus to so
 cell-with-letters = column { $column } is "{ $cell }", not a number alone: a unit stands in the head, a remark in a column of its own
 cell-with-marks = column { $column } is "{ $cell }", not a number alone: write what its other signs mean into a column of its own
 cell-is-no-number = column { $column } is "{ $cell }", not a number
+
+## Axle boxes
+
+train-is-too-slow = the train never runs faster than { $slowest } km/h long enough for the longest wavelength, { $longest } m
+stretch-is-too-slow = the longest stretch without a gap is { $length } m, at { $speed } km/h in the mean, but must be run at { $slowest } km/h or more; { $said }
+stretch-is-too-short = the longest stretch without a gap is { $length } m, but must be { $least } m at { $speed } km/h for waves of up to { $longest } m; { $said }
+roughness-of-rail-and-wheel = the roughness is that of rail and wheel together, but for what repeats with the wheel's turn over 16 turns or more
+roughness-through-patch = the roughness is what the patch lets through, which is { $patch } mm long: the rail itself is rougher at shorter wavelengths than some five of it; --contact-filter gives it back
+axle-box-moves-as-wheelset = the axle box is taken to move as the wheelset does at the contact: bending of the axle between wheel and box is left out
+waves-of-other-wheels-left-out = the waves that the other wheels of [train] send along the rail are left out
+
+## Dates that are refused
+
+no-date = "{ $text }" is no date; write it as 2026-01-31 or 31.01.2026, or as the day number of a spreadsheet from 40000 to 60000
+year-of-two-digits = "{ $text }" has a year of two digits; write all four
+days-in-two-orders = "{ $text }" and "{ $other }" have day and month in different orders; write both as in 2026-01-31
+date-may-be-two = "{ $text }" may be two dates; write { $one } or { $other }
+year-is-out-of-range = "{ $text }" is not a day between { $first } and { $last }
+day-is-not-in-calendar = "{ $text }" is not in the calendar
+of-column = column `{ $column }`: { $sentence }

@@ -5,7 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use miette::Diagnostic;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use thiserror::Error;
 
 /// What is wrong with surveys, by the file of their record.
@@ -123,7 +123,7 @@ pub enum NetworkError {
 
     /// A date that cannot be read.
     #[error("the date {0}")]
-    Date(String),
+    Date(Message),
 
     /// A limit table that does not fit the store.
     #[error("the limit \"{name}\" {reason}")]

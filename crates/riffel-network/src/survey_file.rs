@@ -489,7 +489,7 @@ fn csv_error(path: &Path, error: &csv::Error) -> CaseError {
     }
 }
 
-fn at(path: &Path, line: usize, message: String) -> CaseError {
+fn at(path: &Path, line: usize, message: impl Into<riffel_keys::Message>) -> CaseError {
     CaseError::Data {
         path: path.to_owned(),
         line: Some(line),

@@ -81,7 +81,7 @@ pub(crate) fn survey((now, earlier, dates): &GivenDates<'_>) -> PyResult<Survey>
         return Ok(now);
     }
     let read: Result<Vec<Date>, _> = dates.iter().map(|date| read_date(date)).collect();
-    let read = read.map_err(wrong)?;
+    let read = read.map_err(|said| wrong(said.to_string()))?;
     let [before @ .., last] = &read[..] else {
         return Err(wrong(
             "dates is empty, but must be the dates of all records",

@@ -182,7 +182,7 @@ fn expected_of(
 }
 
 fn day(text: &str) -> PyResult<jiff::civil::Date> {
-    read_date(text).map_err(wrong)
+    read_date(text).map_err(|said| wrong(said.to_string()))
 }
 
 fn answer<'py, T: Serialize + Send + 'static>(

@@ -60,7 +60,7 @@ pub(crate) fn read(py: Python<'_>, path: &Path, layout: &Layout) -> PyResult<Rou
 /// A date as in 2026-01-31, from any way to write it that leaves no doubt.
 #[pyfunction]
 pub(crate) fn read_date(text: &str) -> PyResult<String> {
-    let date = riffel_rail::read_date(text).map_err(wrong)?;
+    let date = riffel_rail::read_date(text).map_err(|said| wrong(said.to_string()))?;
     Ok(date.to_string())
 }
 

@@ -5,17 +5,19 @@ use std::ops::RangeInclusive;
 use jiff::ToSpan as _;
 use jiff::civil::{Date, date};
 use riffel_keys::table::{is_one_of, words};
+use riffel_keys::text_file::printable;
+use riffel_keys::{Message, say};
 
 /// Days that spreadsheets write in place of dates, counted from 1899-12-30: 2009 to 2064.
 const DAY_NUMBERS: RangeInclusive<i32> = 40_000..=60_000;
 
 /// A text that is no date, or may be two.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct NoDate {
     /// Place of the text among all.
     pub(super) place: usize,
     /// A sentence that begins with the text.
-    pub(super) message: String,
+    pub(super) message: Message,
 }
 
 /// Years of what is measured and of what is planned: another one is a slip, or stands for no date.
@@ -35,7 +37,7 @@ enum DateNumbers {
 ///
 /// # Errors
 /// A sentence on the text.
-pub fn read_date(text: &str) -> Result<Date, String> {
+pub fn read_date(text: &str) -> Result<Date, Message> {
     let dates = read_dates([text]).map_err(|no_date| no_date.message)?;
     Ok(dates[0])
 }
@@ -50,7 +52,7 @@ pub(super) fn read_dates<'a>(
     texts: impl IntoIterator<Item = &'a str>,
 ) -> Result<Vec<Date>, NoDate> {
     let texts: Vec<&str> = texts.into_iter().collect();
-    let at = |place: usize| move |message: String| NoDate { place, message };
+    let at = |place: usize| move |message: Message| NoDate { place, message };
     let written = texts.iter().enumerate();
     let written: Vec<DateNumbers> = written
         .map(|(place, text)| DateNumbers::of(text).map_err(at(place)))
@@ -65,9 +67,10 @@ pub(super) fn read_dates<'a>(
     let day_first = open().find(|([first, ..], _)| *first > 12);
     let month_first = open().find(|([_, second, _], _)| *second > 12);
     if let (Some((_, day)), Some((_, month))) = (day_first, month_first) {
-        return Err(at(day)(format!(
-            "\"{}\" and \"{}\" have day and month in different orders; write both as in 2026-01-31",
-            texts[day], texts[month]
+        return Err(at(day)(say!(
+            days_in_two_orders,
+            text = texts[day],
+            other = texts[month]
         )));
     }
     if day_first.is_none()
@@ -75,9 +78,11 @@ pub(super) fn read_dates<'a>(
         && let Some(([first, second, year], place)) =
             open().find(|([day, month, _], _)| day != month)
     {
-        return Err(at(place)(format!(
-            "\"{}\" may be two dates; write {year}-{second:02}-{first:02} or {year}-{first:02}-{second:02}",
-            texts[place]
+        return Err(at(place)(say!(
+            date_may_be_two,
+            text = texts[place],
+            one = format!("{year}-{second:02}-{first:02}"),
+            other = format!("{year}-{first:02}-{second:02}")
         )));
     }
     let dates = written.into_iter().zip(&texts).enumerate();
@@ -91,13 +96,16 @@ pub(super) fn read_dates<'a>(
         };
         if !YEARS.contains(&year) {
             let (first, last) = (YEARS.start(), YEARS.end());
-            return Err(at(place)(format!(
-                "\"{text}\" is not a day between {first} and {last}"
+            return Err(at(place)(say!(
+                year_is_out_of_range,
+                text = *text,
+                first = first.to_string(),
+                last = last.to_string()
             )));
         }
         let small = |number: i16| i8::try_from(number).unwrap_or(0);
         Date::new(year, small(month), small(day))
-            .map_err(|_| at(place)(format!("\"{text}\" is not in the calendar")))
+            .map_err(|_| at(place)(say!(day_is_not_in_calendar, text = *text)))
     });
     dates.collect()
 }
@@ -141,13 +149,8 @@ fn are_digits(text: &str) -> bool {
 }
 
 impl DateNumbers {
-    fn of(text: &str) -> Result<Self, String> {
-        let wrong = |rule: &str| format!("\"{}\" {rule}", riffel_keys::text_file::printable(text));
-        let no_date = || {
-            wrong(
-                "is no date; write it as 2026-01-31 or 31.01.2026, or as the day number of a spreadsheet from 40000 to 60000",
-            )
-        };
+    fn of(text: &str) -> Result<Self, Message> {
+        let no_date = || say!(no_date, text = printable(text));
         if let Some(day) = of_day_number(text) {
             return Ok(Self::Day(day));
         }
@@ -173,7 +176,7 @@ impl DateNumbers {
             (4, 1..=2, 1..=2, _) => Ok(Self::YearFirst(numbers)),
             (1..=2, 1..=2, 4, '.') => Ok(Self::DayFirst(numbers)),
             (1..=2, 1..=2, 4, _) => Ok(Self::Open(numbers)),
-            (1..=2, 1..=2, 2, _) => Err(wrong("has a year of two digits; write all four")),
+            (1..=2, 1..=2, 2, _) => Err(say!(year_of_two_digits, text = printable(text))),
             _ => Err(no_date()),
         }
     }
@@ -235,7 +238,7 @@ mod tests {
                         .collect::<Vec<_>>()
                         .join(" ")
                 })
-                .map_err(|no_date| no_date.message)
+                .map_err(|no_date| no_date.message.to_string())
         };
         assert_eq!(
             words(&["03/04/2024", "25/04/2024"]).unwrap(),
@@ -276,7 +279,8 @@ mod tests {
             ("2024-03-99999999999999999999", "no date"),
         ] {
             let wrong = read_date(text).unwrap_err();
-            assert!(wrong.contains(part), "{wrong}");
+            assert!(wrong.to_string().contains(part), "{wrong}");
+            assert_ne!(wrong.id(), "verbatim", "{wrong} is in one language");
         }
     }
 }

@@ -77,7 +77,7 @@ pub(super) fn date_column(heads: &[&str], cells: &dyn Fn(usize) -> Vec<String>) 
 ///
 /// # Errors
 /// The place of the first cell that is no date, or may be two, with a sentence.
-pub fn ends_of_dates(head: &str, cells: &[String]) -> Result<Option<[Date; 2]>, (usize, String)> {
+pub fn ends_of_dates(head: &str, cells: &[String]) -> Result<Option<[Date; 2]>, (usize, Message)> {
     if date_column(&[head], &|_| cells.to_vec()).is_none() {
         return Ok(None);
     }
@@ -170,7 +170,7 @@ impl NoDate {
     pub(super) fn of(self, head: &str) -> Self {
         let message = match head {
             "" => self.message,
-            head => format!("column `{head}`: {}", self.message),
+            head => say!(of_column, column = head, sentence = self.message),
         };
         Self { message, ..self }
     }

@@ -16,7 +16,7 @@ pub struct AxleBoxDocument<'a> {
     rails: Vec<RailDocument<'a>>,
     /// Flats of wheels and waves around them, left out of all else.
     wheels: &'a [WheelMark],
-    remarks: &'a [String],
+    remarks: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -81,7 +81,7 @@ pub(super) fn document(answer: &AxleBoxAnswer) -> AxleBoxDocument<'_> {
             .collect(),
         rails: answer.rails.iter().map(rail).collect(),
         wheels: &answer.wheels,
-        remarks: &answer.remarks,
+        remarks: answer.remarks.iter().map(ToString::to_string).collect(),
     }
 }
 

@@ -13,7 +13,7 @@ use riffel::axlebox::RunSettings;
 use riffel::contact::ContactFilter;
 use riffel::roughness::{GrindSettings, RailAnalysis, ThirdOctave, WavelengthBand};
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, fixed, number, say};
 use riffel_plot::LineFigure;
 use riffel_rail::{
     AxleBoxFile, DefectsAre, LimitTable, RunEnd, check_felt, defects_in_words, rail_in_words,
@@ -105,7 +105,7 @@ pub struct AxleBoxAnswer {
     /// What turns with wheels, and is left out of their rails.
     pub wheels: Vec<WheelMark>,
     /// What the reader should know.
-    pub remarks: Vec<String>,
+    pub remarks: Vec<Message>,
 }
 
 impl AxleBoxAnswer {
@@ -143,17 +143,18 @@ impl AxleBoxAnswer {
                 return Err(CaseError::data(path, message).into());
             }
             let said = warnings.into_iter();
-            remarks.extend(said.map(|warning| format!("{}: {warning}", path.display())));
+            let file = path.display().to_string();
+            remarks.extend(said.map(|warning| Message::from(warning).about(file.as_str())));
         }
         let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
             return Self::judged(case, files, limits, request, heard, remarks);
         };
-        let message = format!(
-            "the train never runs faster than {:.1} km/h long enough for the longest wavelength, {} m",
-            3.6 * request.slowest,
-            request.longest
+        let slow = say!(
+            train_is_too_slow,
+            slowest = fixed(3.6 * request.slowest, 1),
+            longest = number(request.longest)
         );
-        Err(CaseError::data(path, message).into())
+        Err(CaseError::data(path, slow).into())
     }
 
     fn judged(
@@ -162,7 +163,7 @@ impl AxleBoxAnswer {
         limits: &[LimitTable],
         request: &AxleBoxRequest,
         heard: Vec<Heard>,
-        mut remarks: Vec<String>,
+        mut remarks: Vec<Message>,
     ) -> Result<Self, AnswerError> {
         let heard: Vec<Heard> = heard.into_iter().filter(|one| !one.is_empty()).collect();
         let several = heard.len() > 1;
@@ -170,7 +171,7 @@ impl AxleBoxAnswer {
         for channel in heard {
             let (marks, said) = wheels::marks(&channel.name, &channel.wheel);
             wheels.extend(marks);
-            remarks.extend(said.map(|said| said.to_string()));
+            remarks.extend(said);
             let (speeds, known, name) = (channel.speeds(), channel.known, channel.name);
             let Some(analysis) = RailAnalysis::joined(channel.parts) else {
                 continue;
@@ -204,7 +205,7 @@ impl AxleBoxAnswer {
         let defects = rails.iter().flat_map(|AxleBoxRail { rail, .. }| {
             defects_in_words(&rail.name, &rail.analysis.defects, are)
         });
-        remarks.extend(defects.map(|said| said.to_string()));
+        remarks.extend(defects);
         remarks.extend(validity(case, request));
         Ok(Self {
             files: files.iter().map(|(path, _)| path.clone()).collect(),
@@ -300,50 +301,41 @@ impl Judged for AxleBoxRail {
 }
 
 /// Why nothing is heard between gaps.
-fn too_short(longest: &Longest, run: &RunSettings, warnings: &[String]) -> String {
-    let (speed, length) = (longest.speed, longest.length);
-    if speed < run.slowest {
-        return format!(
-            "the longest stretch without a gap is {length:.1} m, at {:.1} km/h in the mean, but must be run at {:.1} km/h or more; {}",
-            3.6 * speed,
-            3.6 * run.slowest,
-            warnings.join("; ")
+fn too_short(longest: &Longest, run: &RunSettings, warnings: &[String]) -> Message {
+    let (length, speed) = (fixed(longest.length, 1), fixed(3.6 * longest.speed, 1));
+    let said = warnings.join("; ");
+    if longest.speed < run.slowest {
+        return say!(
+            stretch_is_too_slow,
+            length = length,
+            speed = speed,
+            slowest = fixed(3.6 * run.slowest, 1),
+            said = said
         );
     }
-    format!(
-        "the longest stretch without a gap is {length:.1} m, but must be {:.1} m at {:.1} km/h for waves of up to {} m; {}",
-        2.0 * run.lost_at_ends(speed) + 4.0 * run.longest,
-        3.6 * speed,
-        run.longest,
-        warnings.join("; ")
+    let least = 2.0 * run.lost_at_ends(longest.speed) + 4.0 * run.longest;
+    say!(
+        stretch_is_too_short,
+        length = length,
+        least = fixed(least, 1),
+        speed = speed,
+        longest = number(run.longest),
+        said = said
     )
 }
 
 /// What the model leaves out.
-fn validity(case: &Case, request: &AxleBoxRequest) -> Vec<String> {
-    let mut remarks = vec![
-        "the roughness is that of rail and wheel together, but for what repeats with the wheel's turn over 16 turns or more"
-            .to_owned(),
-    ];
+fn validity(case: &Case, request: &AxleBoxRequest) -> Vec<Message> {
+    let mut remarks = vec![say!(roughness_of_rail_and_wheel)];
     if !request.contact_filter {
         let patch = 2e3 * case.hertz.semi_axis_longitudinal();
-        remarks.push(format!(
-            "the roughness is what the patch lets through, which is {patch:.0} mm long: the rail itself is rougher at shorter \
-             wavelengths than some five of it; --contact-filter gives it back"
-        ));
+        remarks.push(say!(roughness_through_patch, patch = fixed(patch, 0)));
     }
     if case.file.wheelset.is_some() {
-        remarks.push(
-            "the axle box is taken to move as the wheelset does at the contact: bending of the axle between wheel and box is \
-             left out"
-                .to_owned(),
-        );
+        remarks.push(say!(axle_box_moves_as_wheelset));
     }
     if case.file.train.is_some() {
-        remarks.push(
-            "the waves that the other wheels of [train] send along the rail are left out"
-                .to_owned(),
-        );
+        remarks.push(say!(waves_of_other_wheels_left_out));
     }
     remarks
 }

@@ -4,7 +4,6 @@ use std::path::PathBuf;
 
 use clap::Args;
 use jiff::civil::Date;
-use riffel_rail::read_date;
 
 /// Earlier records of the rail that is measured.
 #[derive(Args, Clone, Default)]
@@ -14,6 +13,11 @@ pub(crate) struct Earlier {
     pub(crate) files: Vec<PathBuf>,
 
     /// Dates of all records, as 2026-01-31 or 31.01.2026, separated by commas, the oldest first and that of now last.
-    #[arg(long, value_name = "DATES", value_delimiter = ',', requires = "files", value_parser = read_date)]
+    #[arg(long, value_name = "DATES", value_delimiter = ',', requires = "files", value_parser = date)]
     pub(crate) dates: Vec<Date>,
+}
+
+/// A date on the command line.
+pub(super) fn date(text: &str) -> Result<Date, String> {
+    riffel_rail::read_date(text).map_err(|said| said.to_string())
 }

@@ -2,12 +2,12 @@
 
 use std::path::PathBuf;
 
+use super::earlier::date;
 use clap::{Args, ValueEnum};
 use jiff::civil::Date;
 use riffel_case::Hold;
 use riffel_case::model::{FieldModel, UnknownModel};
 use riffel_keys::quantity::{Quantity, Speed};
-use riffel_rail::read_date;
 
 use super::number::{plain_number, sum_of_money};
 use super::{Asked, CaseArguments, Earlier, Layout, Posterior, ResultsArguments};
@@ -44,7 +44,7 @@ pub(crate) struct Forecast {
     pub(crate) horizon: Horizon,
 
     /// Date of the spectrum, from which dates are counted [default: that of --date-column].
-    #[arg(long, value_name = "DATE", value_parser = read_date)]
+    #[arg(long, value_name = "DATE", value_parser = date)]
     pub(crate) date: Option<Date>,
 
     #[command(flatten)]

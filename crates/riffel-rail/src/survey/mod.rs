@@ -369,7 +369,7 @@ impl Survey {
         }))
     }
 
-    fn refuse(&self, message: String) -> CaseError {
+    fn refuse(&self, message: impl Into<Message>) -> CaseError {
         CaseError::data(&self.path, message)
     }
 }

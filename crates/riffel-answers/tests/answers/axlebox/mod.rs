@@ -7,7 +7,11 @@ use std::f64::consts::TAU;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, RunSettings, Sample};
 use riffel::roughness::{BandPass, ColouredNoise, Profile, Recipe, Spectrum, WavelengthBand};
+use riffel_answers::AnswerError;
+use riffel_answers::axlebox::{AxleBoxAnswer, AxleBoxRequest};
 use riffel_case::{Case, NOMINAL_CASE};
+use riffel_keys::{CaseError, Language};
+use riffel_rail::{AxleBoxFile, AxleBoxLayout};
 
 /// A train over a rail.
 struct Journey {
@@ -396,5 +400,49 @@ fn settings_beyond_any_run_are_refused() {
     ] {
         let refused = Run::new(&transfer, settings).err().unwrap();
         assert!(refused.to_string().contains(what), "{refused}");
+    }
+}
+
+/// Runs at 1 kHz that are too slow or too short between two gaps, in the words of either language.
+#[test]
+fn runs_without_a_stretch_are_refused_in_german_too() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("run.csv");
+    for (speed, rows_between_gaps, english, german) in [
+        (
+            10.0,
+            8000,
+            "never runs faster than 20.0 km/h",
+            "schneller als 20,0 km/h",
+        ),
+        (
+            10.0,
+            1000,
+            "must be run at 20.0 km/h",
+            "mit mindestens 20,0 km/h",
+        ),
+        (
+            72.0,
+            1000,
+            "for waves of up to 0.4 m",
+            "für Wellen bis 0,4 m",
+        ),
+    ] {
+        let rows = (0..4000).map(|row| {
+            let time = 1e-3 * f64::from(row + 500 * (row / rows_between_gaps));
+            format!("{time:.3};{};{speed}\n", (row * 7919) % 1000 - 500)
+        });
+        let head = "time_s;acceleration_left_m_per_s2;speed_km_per_h\n";
+        std::fs::write(&path, head.to_owned() + &rows.collect::<String>()).unwrap();
+        let file = AxleBoxFile::open(&path, &AxleBoxLayout::default()).unwrap();
+        let files = [(path.clone(), file)];
+        let answer = AxleBoxAnswer::new(&case(), &files, &[], &AxleBoxRequest::default(), &|_| ());
+        let Err(AnswerError::Case(CaseError::Data { message, .. })) = answer else {
+            panic!("{english}");
+        };
+        for (language, part) in [(Language::English, english), (Language::German, german)] {
+            let said = message.text(language);
+            assert!(said.contains(part), "{said}");
+        }
     }
 }
