@@ -7,7 +7,7 @@ use riffel_keys::quantity::Quantity;
 use toml::Value;
 
 use crate::checked_keys::CheckedKeys;
-use crate::file::CaseFile;
+use crate::file::{CaseFile, FromCurve};
 use crate::substitutes::Substitutes;
 use crate::window::Window;
 use crate::{Case, CaseKey, Track};
@@ -145,6 +145,11 @@ impl Case {
     pub fn is_beside_mean_state(key: &str) -> bool {
         let beside = ["rail.loss_factor", "wear.coefficient"];
         key.starts_with("track.") || beside.contains(&key)
+    }
+
+    /// Which contact of which curve the mean state is that of, the curve here or in another file; none without one.
+    pub fn from_curve(&self) -> Option<FromCurve> {
+        self.unfilled.asks_for().ok()
     }
 
     /// None where a key is not known here, or a curve, a wheelset or the wear may depend on one.

@@ -143,7 +143,7 @@ impl ForecastAnswer {
             let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
             RailStart::without_growth(&measured, has_dates, is_ground, on.passages_per_day)
         }));
-        if let (Some(from), true) = (&case.file.contact.from, rails.len() > 1) {
+        if let (Some(from), true) = (case.from_curve(), rails.len() > 1) {
             let of_rail = match from.rail {
                 CurveRail::Low => say!(of_low),
                 CurveRail::High => say!(of_high),

@@ -11,7 +11,7 @@ use riffel_answers::report::{
 };
 use riffel_answers::roughness::SpectraAnswer;
 use riffel_case::traffic::{Traffic, bands_of};
-use riffel_case::{Case, NOMINAL_CASE, TRAFFIC};
+use riffel_case::{Case, CurvingCase, METRO_CURVE_CASE, NOMINAL_CASE, TRAFFIC};
 use riffel_keys::{Language, Message, say};
 use riffel_rail::{LabelledSpectrum, Limit, LimitTable, Survey};
 
@@ -36,13 +36,22 @@ fn limit() -> LimitTable {
 }
 
 fn forecast(case: &Case, horizon: ForecastHorizon) -> Result<ForecastAnswer, AnswerError> {
+    forecast_of(case, TRAFFIC, survey(case), horizon)
+}
+
+fn forecast_of(
+    case: &Case,
+    traffic: &str,
+    survey: Survey,
+    horizon: ForecastHorizon,
+) -> Result<ForecastAnswer, AnswerError> {
     let table = limit();
     let Limit::Levels(levels) = table.limit.clone() else {
         panic!("{} is a table of levels", table.name);
     };
     let request = ForecastRequest {
-        traffic: Traffic::parse("traffic.toml", TRAFFIC)?,
-        survey: Some(survey(case)),
+        traffic: Traffic::parse("traffic.toml", traffic)?,
+        survey: Some(survey),
         ground: None,
         horizon,
         limit: (table, levels),
@@ -99,5 +108,27 @@ fn a_report_needs_no_diagnosis_for_its_forecast() -> Result<(), AnswerError> {
     assert!(page.contains("One-third-octave levels under"), "{page}");
     assert!(page.contains("the roughness was not diagnosed."), "{page}");
     assert!(!page.contains("no roughness was given."), "{page}");
+    Ok(())
+}
+
+/// A wheel of a curve is on one rail, wherever the curve is written: the others are said to be given its growth.
+#[test]
+fn rails_of_a_curve_in_another_file_are_said_to_grow_alike() -> Result<(), AnswerError> {
+    let folder = tempfile::tempdir().unwrap();
+    let curve = CurvingCase::parse("curve", METRO_CURVE_CASE, &[])?;
+    std::fs::write(folder.path().join("curve.toml"), curve.toml()).unwrap();
+    let case = case().on_curve(folder.path(), "curve.toml")?;
+    let levels = || bands_of(&case).into_iter().map(|band| (band, -8.0));
+    let rail = |name| LabelledSpectrum::of_rail(name, Spectrum::new(levels()).unwrap());
+    let survey = Survey::new(
+        Path::new("rail.csv"),
+        vec![rail("left"), rail("right")],
+        Vec::new(),
+    )?;
+    let (line, _) = TRAFFIC.split_once("[[vehicle]]").unwrap();
+    let traffic = format!("{line}[[vehicle]]\nname = \"metro\"\nshare = 1\nspeed.mean = \"60 km/h\"\n");
+    let answer = forecast_of(&case, &traffic, survey, ForecastHorizon::Months(1.0))?;
+    let said = say!(all_rails_grow_alike, of_rail = say!(of_low));
+    assert!(answer.warnings.contains(&said), "{:?}", answer.warnings);
     Ok(())
 }
