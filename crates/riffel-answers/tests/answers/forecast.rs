@@ -126,7 +126,8 @@ fn rails_of_a_curve_in_another_file_are_said_to_grow_alike() -> Result<(), Answe
         Vec::new(),
     )?;
     let (line, _) = TRAFFIC.split_once("[[vehicle]]").unwrap();
-    let traffic = format!("{line}[[vehicle]]\nname = \"metro\"\nshare = 1\nspeed.mean = \"60 km/h\"\n");
+    let traffic =
+        format!("{line}[[vehicle]]\nname = \"metro\"\nshare = 1\nspeed.mean = \"60 km/h\"\n");
     let answer = forecast_of(&case, &traffic, survey, ForecastHorizon::Months(1.0))?;
     let said = say!(all_rails_grow_alike, of_rail = say!(of_low));
     assert!(answer.warnings.contains(&said), "{:?}", answer.warnings);
