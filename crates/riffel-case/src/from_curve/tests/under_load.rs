@@ -129,7 +129,8 @@ fn a_patch_under_load_enters_the_loop() {
     let count = told
         .iter()
         .filter(|remark| remark.contains("profiles under load"));
-    assert_eq!(count.count(), 2, "{told:?}");
+    // The other rail has no waves.
+    assert_eq!(count.count(), 1, "{told:?}");
     // On the flange root the wheel stands on two points.
     let high = self::case(&[ASK, "contact.from.rail=high"]).unwrap();
     let told: Vec<String> = high.remarks.iter().map(ToString::to_string).collect();
