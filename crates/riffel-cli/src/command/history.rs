@@ -115,8 +115,11 @@ pub(crate) fn check_dates(earlier: &Earlier) -> Result<(), CliError> {
     Err(CliError::Argument {
         argument: "--dates",
         value: written.join(","),
-        rule: format!(
-            "{records} dates, one for each --earlier and one for the record of now, the oldest first"
-        ),
+        rule: match dates.len() == records {
+            true => "days that rise from each record to the next, that of now last".to_owned(),
+            false => {
+                format!("{records} dates, one for each --earlier and one for the record of now")
+            }
+        },
     })
 }

@@ -116,7 +116,7 @@ fn corrugation_on_the_ridge_is_led_by_it() {
     );
     let sentence = swapped.sentence();
     assert!(
-        swapped.status == Some(2) && sentence.contains("the oldest first"),
+        swapped.status == Some(2) && sentence.contains("days that rise"),
         "{sentence}"
     );
     // Read the other way round it fades from record to record, and the mark leads.

@@ -90,7 +90,7 @@ fn dates_are_sorted_as_dates() {
     );
     assert_eq!(outcome.status, Some(2), "{}", outcome.text);
     assert!(
-        unwrapped(&outcome.text).contains("do not rise"),
+        unwrapped(&outcome.text).contains("days that rise from each record to the next"),
         "{}",
         outcome.text
     );
