@@ -7,8 +7,6 @@ use riffel::growth::GrowthCourse;
 use riffel_case::Case;
 use serde::Serialize;
 
-use crate::FastestGrowth;
-
 /// The wavelength that grows fastest.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Highest {
@@ -49,16 +47,6 @@ impl Highest {
         let [wavelengths, rates] =
             [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
         Self::of(&GrowthCourse::of_values(wavelengths, rates), speed)
-    }
-
-    /// Of what grows fastest under a traffic of a mean speed \[m/s\].
-    pub(crate) fn of_traffic(fastest: &FastestGrowth, speed: f64) -> Self {
-        Self {
-            wavelength: fastest.wavelength_m,
-            frequency: speed / fastest.wavelength_m,
-            rate: fastest.growth_rate_per_passage,
-            at_edge: fastest.at_edge,
-        }
     }
 
     /// Passages in which the amplitude doubles.

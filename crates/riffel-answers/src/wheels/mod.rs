@@ -221,9 +221,12 @@ impl WheelGrowth {
         let stability = case.stability(speed);
         Ok(Self {
             map: MapAnswer::new(&case, progress),
-            highest: under
-                .fastest
-                .map(|fastest| Highest::of_traffic(&fastest, speed)),
+            highest: under.fastest.map(|fastest| Highest {
+                wavelength: fastest.wavelength_m,
+                frequency: speed / fastest.wavelength_m,
+                rate: fastest.growth_rate_per_passage,
+                at_edge: fastest.at_edge,
+            }),
             remarks: case.remarks_at(speed),
             unstable: stability.and_then(|stability| stability.frequency),
             rates: under.curve.iter().map(|[_, rate]| *rate).collect(),

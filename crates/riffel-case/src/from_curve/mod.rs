@@ -170,31 +170,7 @@ impl CaseText {
             !at_tractive_ratio,
             &mut instead,
         )?;
-        let opposite = self.keys.text_of("wheelset.opposite_rail");
-        let is_smooth = opposite == Some("smooth");
-        if opposite.is_some_and(|kind| kind != "absent") {
-            let told = self.curve_remarks.len();
-            let on_tread = FromCurve {
-                contact: None,
-                ..from.clone()
-            };
-            let mut other = self.contact_of(&on_tread, curving, &states[0], rail.opposite())?;
-            self.take_patch(patch, curving, rail.opposite(), &mut other, quick)?;
-            self.put_friction("opposite_contact", other.friction, &mut instead);
-            self.fill_contact(
-                "opposite_contact",
-                rail.opposite(),
-                &other,
-                false,
-                true,
-                &mut instead,
-            )?;
-            self.tell_of_second_point(rail.opposite(), other.elsewhere);
-            if is_smooth {
-                // A rail without waves is not asked about.
-                self.curve_remarks.truncate(told);
-            }
-        }
+        self.fill_opposite(from, equilibrium, quick, &mut instead)?;
         self.tell_where_from(from, rail, &vehicle.curve, &study);
         self.tell_of_second_point(rail, study.elsewhere);
         if instead.is_empty() {
@@ -203,6 +179,48 @@ impl CaseText {
             let instead = instead.join(", ");
             self.curve_remarks
                 .push(say!(case_has_own_values, instead = instead));
+        }
+        Ok(())
+    }
+
+    /// The keys of the contact on the other rail, where that takes part; those that were written are named.
+    fn fill_opposite(
+        &mut self,
+        from: &FromCurve,
+        equilibrium: &Equilibrium,
+        quick: bool,
+        instead: &mut Vec<String>,
+    ) -> Result<(), CaseError> {
+        let opposite = self.keys.text_of("wheelset.opposite_rail");
+        let is_smooth = opposite == Some("smooth");
+        if opposite.is_none_or(|kind| kind == "absent") {
+            return Ok(());
+        }
+        let Equilibrium {
+            curving,
+            vehicle,
+            states,
+        } = equilibrium;
+        let rail = from.rail.in_curve(vehicle.curve.radius).opposite();
+        let told = self.curve_remarks.len();
+        let on_tread = FromCurve {
+            contact: None,
+            ..from.clone()
+        };
+        let mut other = self.contact_of(&on_tread, curving, &states[0], rail)?;
+        self.take_patch(
+            from.patch.unwrap_or_default(),
+            curving,
+            rail,
+            &mut other,
+            quick,
+        )?;
+        self.put_friction("opposite_contact", other.friction, instead);
+        self.fill_contact("opposite_contact", rail, &other, false, true, instead)?;
+        self.tell_of_second_point(rail, other.elsewhere);
+        if is_smooth {
+            // A rail without waves is not asked about.
+            self.curve_remarks.truncate(told);
         }
         Ok(())
     }

@@ -161,7 +161,7 @@ class OutlookOfCase(KeysOfCase):
         >>> metro = riffel.Case.from_toml("cases/metro.toml")
         >>> best = metro.remedies()["remedies"][0]
         >>> best["id"], round(100 * best["change_of_fastest_growth"])
-        ('softer-pads', -54)
+        ('softer-pads', -52)
         >>> metro.remedies(costs={"slower-trains": 1.0})["remedies"][0]["id"]
         'slower-trains'
         """
