@@ -355,7 +355,7 @@ field-high-over-low = Außenschiene zu Innenschiene
 field-outer-over-inner = äußere zu innerer Schiene
 field-with-modifier = Wachstum mit Reibmittel zu dem ohne
 decibels-per-million-axles = dB je Million Achsen
-field-is-kept = vorhergesagt von riffel { $version } beim Verschleiß von Schienen im Betrieb mit { $samples } Stichproben je Ort, einmal, und vom Projekt neben der ersten Tafel, beim Verschleiß im Labor, aufbewahrt: { $inside } von { $outcomes } gemessenen Werten liegen darin, die logarithmische Bewertung ist { $score }
+field-is-kept = vorhergesagt von riffel { $version } beim Verschleiß von Schienen im Betrieb mit { $samples } Stichproben je Ort, einmal, und vom Projekt aufbewahrt: { $inside } von { $outcomes } gemessenen Werten liegen darin, die logarithmische Bewertung ist { $score }
 
 ## Wachstum unter dem Verkehr einer Strecke
 

@@ -362,7 +362,7 @@ field-high-over-low = high rail over low rail
 field-outer-over-inner = outer rail over inner rail
 field-with-modifier = growth with a friction modifier, over that without
 decibels-per-million-axles = dB per million axles
-field-is-kept = predicted by riffel { $version } at the wear of rails in service with { $samples } samples of each site, once, and kept by the project beside the first table, at the wear of a laboratory: { $inside } of { $outcomes } measured values lie inside, the logarithmic score is { $score }
+field-is-kept = predicted by riffel { $version } at the wear of rails in service with { $samples } samples of each site, once, and kept by the project: { $inside } of { $outcomes } measured values lie inside, the logarithmic score is { $score }
 
 ## Growth under the traffic of a line
 

@@ -61,6 +61,7 @@ export class Sweep {
     offer(header, () => (this.answer ? { name: `sweep-${this.kind}`, plot: this.plot } : null), save);
     this.panel = element('article', { className: 'panel wide', id: 'sweep' }, header,
       element('div', { className: 'buttons wrap' }, ...this.buttons, this.keep), this.note, this.plot, element('div', { className: 'sideways' }, this.table));
+    this.show();
   }
 
   choose(kind) {

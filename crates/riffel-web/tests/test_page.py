@@ -169,8 +169,8 @@ def test_by_keyboard_alone(page):
 def test_a_wheelset_is_shown_and_edited(open_page):
     page = open_page()
     text = (ROOT / "cases/curve.toml").read_text()
-    assert '"150 mm" }' in text and '"15 m/s" }' in text
-    text = text.replace('"150 mm" }', '"150 mm", points = 31 }').replace('"15 m/s" }', '"15 m/s", points = 21 }')
+    assert '"300 mm" }' in text and '"15 m/s" }' in text
+    text = text.replace('"300 mm" }', '"300 mm", points = 31 }').replace('"15 m/s" }', '"15 m/s", points = 21 }')
     page.open_case(text, "curve.toml")
     value = lambda key: page.page.locator(f"#key-{key}").input_value()
     page.until(lambda: value("wheelset-model") == "flexible")
