@@ -99,17 +99,16 @@ impl ModelsAnswer {
             true => request.models.clone(),
             false => FieldModel::ALL.to_vec(),
         };
-        let usual_traffic = request.speed.is_none().then(|| UsualTraffic::of(case));
-        let (case, passing) = match (request.speed, &usual_traffic) {
-            (_, Some(usual)) => {
+        let (case, passing, usual_traffic) = match request.speed {
+            None => {
+                let usual = UsualTraffic::of(case);
                 let speeds = usual.traffic()?.speeds()[0].clone();
                 let case = usual.case_under(&case.sharing_parts())?;
-                (case, Passing::Traffic(speeds))
+                (case, Passing::Traffic(speeds), Some(usual))
             }
-            (speed, None) => {
-                let speed = speed.unwrap_or_default();
+            Some(speed) => {
                 case.check_points([case.wavelength.min(), case.wavelength.max()], [speed; 2])?;
-                (case.sharing_parts(), Passing::Speed(speed))
+                (case.sharing_parts(), Passing::Speed(speed), None)
             }
         };
         let growth = |model: &'static FieldModel| {
