@@ -208,12 +208,13 @@ impl CaseText {
             ..from.clone()
         };
         let mut other = self.contact_of(&on_tread, curving, &states[0], rail)?;
+        // Nothing will be said of a smooth rail.
         self.take_patch(
             from.patch.unwrap_or_default(),
             curving,
             rail,
             &mut other,
-            quick,
+            quick || is_smooth,
         )?;
         self.put_friction("opposite_contact", other.friction, instead);
         self.fill_contact("opposite_contact", rail, &other, false, true, instead)?;
