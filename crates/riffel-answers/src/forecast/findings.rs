@@ -77,14 +77,10 @@ impl ForecastAnswer {
 
     /// Where the model does not explain how the leading rail grew, the sentence that says so and what follows of it; else empty.
     pub(crate) fn unexplained(&self) -> Vec<Message> {
-        let (rail, model) = (self.leading(), &self.on.growth);
         // Where it has several dates they decide, else the fit of two.
-        let why = match rail.model_beside(model) {
-            Some((own, _)) if own.slope > 0.0 => {
-                let unlike = !rail.is_explained_by(model);
-                unlike.then(|| self.own_growth()).flatten()
-            }
-            _ => self.wear.as_ref().and_then(WearReport::unexplained),
+        let why = match self.own_growth() {
+            Some(own) => (!self.leading().is_explained_by(&self.on.growth)).then_some(own),
+            None => self.wear.as_ref().and_then(WearReport::unexplained),
         };
         let why = why.into_iter();
         why.flat_map(|why| [why, say!(model_does_not_explain_growth)])

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use riffel::forecast::WearSpread;
+use riffel_case::file::MeasuredWear;
 use riffel_keys::CaseError;
 
 use super::{Block, Observable, Place, table};
@@ -10,10 +11,6 @@ use crate::file::Kind;
 use crate::gaussian::Gaussian;
 use crate::matrix::Matrix;
 use crate::model::Trial;
-
-/// Factor within which 80 % of measurements lie where a table does not say it: two surveys of a head with 0.2 mm of error each, a
-/// millimetre apart.
-const FACTOR: f64 = 1.5;
 
 /// Depths worn off under some gross mass: ln of what is lost per 100 million tonnes, with normal errors, rows independent.
 #[derive(Clone)]
@@ -36,7 +33,7 @@ impl Wear {
         let [depth, mgt] = [0, 1].map(|column| &numbers.needed[column]);
         let factor = match &numbers.others[0] {
             Some(factors) => factors.clone(),
-            None => vec![FACTOR; depth.len()],
+            None => vec![MeasuredWear::FACTOR; depth.len()],
         };
         let above_zero = "must be greater than zero";
         numbers.check(path, "depth_mm", depth, above_zero, |depth| depth > 0.0)?;
