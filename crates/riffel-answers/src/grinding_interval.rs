@@ -21,13 +21,10 @@ pub struct GrindingInterval {
 }
 
 impl GrindingInterval {
-    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run, or where the
-    /// fastest grows faster than any railway known.
+    /// Under a traffic on a case, or on what a variant made of it; none where it is not known how many axles run, or where no
+    /// time follows from the fastest.
     pub(crate) fn new(case: &Case, growth: &LineGrowth) -> Option<Self> {
-        if growth
-            .fastest
-            .is_some_and(|fastest| fastest.faster_than_known)
-        {
+        if growth.fastest.is_some_and(|fastest| !fastest.has_times()) {
             return None;
         }
         let per_month = growth.passages_per_day? * DAYS_PER_MONTH;

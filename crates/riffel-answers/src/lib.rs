@@ -81,7 +81,7 @@ pub use calibration::{Calibration, four_digits};
 pub use capital::{capital, sentence};
 pub use cause::Cause;
 pub use error::AnswerError;
-pub use expected_growth::{expected_growth, expected_growth_over};
+pub use expected_growth::ExpectedRates;
 pub use grinding_interval::GrindingInterval;
 pub use highest::Highest;
 pub use level_limit::level_limit;

@@ -5,11 +5,11 @@ use std::f64::consts::LN_2;
 use riffel::MeanWear;
 use riffel::forecast::{SpeedDistribution, TrafficGrowth};
 use riffel_case::traffic::{
-    DAYS_PER_MONTH, LineKind, Traffic, UsualTraffic, bands_of, is_faster_than_known,
+    DAYS_PER_MONTH, LineKind, Traffic, TrafficOnCase, UsualTraffic, bands_of, is_faster_than_known,
     reported_growth, traffic_at_speeds,
 };
 use riffel_case::{Case, Variant};
-use riffel_keys::{CaseError, Message, number, range, say, significant, significant_digits};
+use riffel_keys::{CaseError, Message, fixed, number, range, say, significant, significant_digits};
 use serde::{Serialize, Serializer};
 
 use crate::{Banded, Cause, unlikely_wear, wear_spread};
@@ -24,6 +24,8 @@ pub struct LineGrowth {
     pub speeds_m_per_s: [f64; 2],
     /// Axles a day, if that is known.
     pub passages_per_day: Option<f64>,
+    /// Frequency \[Hz\] at which the loop of a vehicle oscillates by itself, if one does: growth rates mean nothing then.
+    pub unstable_frequency_hz: Option<f64>,
     /// What grows fastest; none where nothing grows.
     pub fastest: Option<FastestGrowth>,
     /// What that follows; none where nothing grows under the wheel of the case.
@@ -55,7 +57,10 @@ pub struct FastestGrowth {
     pub doubling_passages_banded: Option<Banded>,
     /// It grows faster than any railway known: wavelengths and order hold, the rate does not, so no months follow.
     pub faster_than_known: bool,
-    /// Months of that, if it is known how many axles run.
+    /// The loop of a vehicle oscillates by itself, so that its rate means nothing.
+    #[serde(skip)]
+    pub oscillates: bool,
+    /// Months of that, if it is known how many axles run and the rate has a meaning.
     pub doubling_months: Option<f64>,
     /// The same with its bands.
     pub doubling_months_banded: Option<Banded>,
@@ -80,7 +85,7 @@ impl LineGrowth {
         growth.usual_traffic_of = line;
         growth.remarks.extend(unlikely_wear(case, growth.mean_wear));
         growth.remarks.push(growth.sentence(case));
-        if let Some(fastest) = growth.fastest {
+        if let Some(fastest) = growth.fastest.filter(|fastest| !fastest.oscillates) {
             growth.cause = Cause::of(case, fastest.wavelength_m, growth.speeds_m_per_s);
             let cause = growth.cause.iter().map(|cause| cause.sentence().clone());
             growth.remarks.extend(cause);
@@ -102,13 +107,14 @@ impl LineGrowth {
         let speeds = traffic.speeds().iter().map(span);
         let speeds = speeds.reduce(|a, b| [a[0].min(b[0]), a[1].max(b[1])]);
         let per_day = on.passages_per_day;
-        let fastest = FastestGrowth::of(case, &on.growth, per_day);
+        let fastest = FastestGrowth::of(case, &on);
         let rates = on.growth.rates().iter();
         let lines = on.growth.wavelengths().into_iter().zip(rates);
         Ok(Self {
             usual_traffic_of: None,
             speeds_m_per_s: speeds.unwrap_or_default(),
             passages_per_day: per_day,
+            unstable_frequency_hz: on.unstable,
             fastest,
             cause: None,
             remarks: Vec::new(),
@@ -132,6 +138,13 @@ impl LineGrowth {
     fn sentence(&self, case: &Case) -> Message {
         let millimetres = |wavelength: f64| significant(1e3 * wavelength, 2);
         let traffic = self.whose();
+        if let Some(frequency) = self.unstable_frequency_hz {
+            return say!(
+                oscillates_under,
+                frequency = fixed(frequency, 0),
+                traffic = traffic
+            );
+        }
         let Some(fastest) = &self.fastest else {
             return say!(
                 nothing_grows_under,
@@ -181,7 +194,8 @@ impl LineGrowth {
 }
 
 impl FastestGrowth {
-    fn of(case: &Case, growth: &TrafficGrowth, per_day: Option<f64>) -> Option<Self> {
+    fn of(case: &Case, on: &TrafficOnCase) -> Option<Self> {
+        let (growth, per_day) = (&on.growth, on.passages_per_day);
         let (wavelength, rate, at_edge) = case.fastest_under(growth)?;
         if rate <= 0.0 {
             return None;
@@ -189,8 +203,9 @@ impl FastestGrowth {
         let spread = wear_spread(case);
         let passages = LN_2 / rate;
         let faster_than_known = per_day.is_some_and(|per_day| is_faster_than_known(rate, per_day));
+        let oscillates = on.unstable.is_some();
         let months = per_day
-            .filter(|_| !faster_than_known)
+            .filter(|_| !faster_than_known && !oscillates)
             .map(|per_day| passages / per_day / DAYS_PER_MONTH);
         let banded = |value: f64| Some(Banded::by_wear(value, spread?));
         Some(Self {
@@ -201,9 +216,15 @@ impl FastestGrowth {
             doubling_passages: passages,
             doubling_passages_banded: banded(passages),
             faster_than_known,
+            oscillates,
             doubling_months: months,
             doubling_months_banded: months.and_then(banded),
         })
+    }
+
+    /// Whether times follow from its rate: none do from one that oscillates or is faster than any railway known.
+    pub(crate) fn has_times(&self) -> bool {
+        !self.oscillates && !self.faster_than_known
     }
 
     /// Whether it sits at the edge of the bands, and whether it is faster than any growth that was seen.
@@ -233,6 +254,9 @@ impl FastestGrowth {
 
     /// The same in the unit of another, so that both can be compared at a glance.
     pub(crate) fn time_beside(&self, other: &Self) -> Message {
+        if self.oscillates {
+            return say!(oscillates_by_itself);
+        }
         if self.faster_than_known {
             return say!(faster_than_known);
         }

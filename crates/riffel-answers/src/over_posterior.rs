@@ -278,7 +278,7 @@ mod tests {
     use riffel_keys::quantity::Quantity;
     use serde_json::json;
 
-    use crate::expected_growth::{expected_growth, expected_growth_over};
+    use crate::ExpectedRates;
 
     /// Cases whose wear coefficient is 1 to 101 times 10⁻¹⁰ kg/J.
     fn ramp() -> PosteriorDraws {
@@ -345,9 +345,10 @@ mod tests {
     fn growth_of_a_line_over_draws_is_banded_by_them() {
         let draws = ramp();
         let bands = [[0.04, 0.05], [0.05, 0.06]];
-        let over = expected_growth_over(&draws, &bands, &|_| ()).unwrap();
-        let middle = expected_growth(&draws.drawn[50].case, None, &bands).unwrap();
-        for (over, middle) in over.iter().zip(middle) {
+        let over = ExpectedRates::over(&draws, &bands, &|_| ()).unwrap();
+        let middle = ExpectedRates::new(&draws.drawn[50].case, None, &bands).unwrap();
+        assert_eq!(over.without_rate, None);
+        for (over, middle) in over.of_bands.iter().zip(middle.of_bands) {
             let (over, middle) = (over.unwrap(), middle.unwrap().median);
             assert!((over.median / middle - 1.0).abs() < 1e-9);
             let [low, high] = over.band_80.map(|end| end / middle);

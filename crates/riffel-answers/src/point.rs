@@ -199,19 +199,24 @@ impl PointAnswer {
             }
             None => None,
         };
+        let stability = case.stability(speed).map(StabilityDocument::from);
+        let oscillates = stability.as_ref().is_some_and(|it| it.oscillates());
+        let per_day = UsualTraffic::of(case).passages_per_day;
+        let reported = reported_growth(wavelength, state.growth_rate, per_day);
         Ok(Self {
             quantities: Point::new(case, &state),
             wear_limit: WearLimitDocument::new(case, Some(state.growth_rate)),
-            reported_growth: reported_growth(
-                wavelength,
-                state.growth_rate,
-                UsualTraffic::of(case).passages_per_day,
-            ),
+            reported_growth: reported.filter(|_| !oscillates),
             state,
-            stability: case.stability(speed).map(StabilityDocument::from),
+            stability,
             sensitivity,
             with_neighbours,
             irregular_supports,
         })
+    }
+
+    /// Whether the loop oscillates by itself at the speed, so that its growth rate means nothing.
+    pub fn oscillates(&self) -> bool {
+        self.stability.as_ref().is_some_and(|it| it.oscillates())
     }
 }

@@ -34,6 +34,13 @@ pub(crate) struct StabilityAtSpeed {
     stability: StabilityDocument,
 }
 
+impl StabilityDocument {
+    /// Whether an oscillation grows by itself that the track's model reaches.
+    pub(crate) fn oscillates(&self) -> bool {
+        self.frequency_hz.is_some()
+    }
+}
+
 impl From<Stability> for StabilityDocument {
     fn from(stability: Stability) -> Self {
         Self {

@@ -2,7 +2,7 @@
 
 use riffel::feedback::{Stability, UnstableRoot};
 use riffel::{Axis, Error, Loop};
-use riffel_keys::{Message, Value, fixed, number, say, shown_speed, significant};
+use riffel_keys::{Message, Value, fixed, number, say, shown_speeds, significant};
 
 use crate::Case;
 use crate::build::validity::shorter_than_patch;
@@ -31,7 +31,7 @@ impl Case {
         ];
         let other = |remark: &&Message| of_stability.iter().all(|of| of.id() != remark.id());
         let own = judged(&self.feedback, self.keys.track_known_to(), speed)
-            .and_then(|found| said(speed, &found));
+            .and_then(|found| said([speed; 2], &found));
         self.remarks
             .iter()
             .filter(other)
@@ -61,9 +61,9 @@ impl Case {
     }
 }
 
-/// What is to be said of a loop at a speed \[m/s\], if anything: that it oscillates, or that it cannot be told.
-pub(crate) fn said(speed: f64, found: &Result<Stability, Error>) -> Option<Message> {
-    let speed = shown_speed(speed, 0);
+/// What is to be said of a loop from a speed to another \[m/s\], if anything: that it oscillates, or that it cannot be told.
+pub(crate) fn said(speeds: [f64; 2], found: &Result<Stability, Error>) -> Option<Message> {
+    let speed = shown_speeds(speeds);
     let Ok(found) = found else {
         return Some(say!(loop_not_judged, speed = speed));
     };

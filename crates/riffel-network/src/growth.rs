@@ -51,6 +51,8 @@ pub struct SectionGrowth {
     /// Months from the last date until the limit is reached as the level grows; 0 where it is reached, none where it does not
     /// grow by more than the surveys scatter.
     pub months_to_limit: Option<f64>,
+    /// Between what months by 80 %, by the scatter of the surveys or by what is expected; an end that may never come is infinite.
+    pub months_to_limit_band_80: Option<[f64; 2]>,
     /// Whether the level fell by more than 3 dB to the last survey: the rail was ground, and no growth is known since.
     pub ground: bool,
 }
@@ -72,6 +74,15 @@ impl SectionGrowth {
                 (expected > 0.0).then_some(expected)
             }
         }
+    }
+
+    /// Between what years what is expected rises by some decibels, by 80 %.
+    fn expected_years_80(&self, rise: f64) -> Option<[f64; 2]> {
+        let [slow, fast] = self.expected_growth_db_per_year?.band_80;
+        Some([fast, slow].map(|growth| match growth > 0.0 {
+            true => rise / growth,
+            false => f64::INFINITY,
+        }))
     }
 
     /// What lasts over its limit, so many months behind the last date, if it grows on.
@@ -270,6 +281,7 @@ fn of_line(
                         lasting_over_limit: band.lasting,
                         kind: band.kind(),
                         months_to_limit: None,
+                        months_to_limit_band_80: None,
                         ground: only_ground,
                     },
                 ));
@@ -282,13 +294,20 @@ fn of_line(
     let sections = grown.into_iter().map(|(trend, fall, mut section)| {
         let is_ground = fall.is_some_and(|fall| fall > CERTAIN_FALL * scatter);
         section.kind = section.kind.or(is_ground.then_some(DefectKind::Ground));
-        section.growth_error_db_per_year =
-            trend.and_then(|trend| trend.growth().map(|_| trend.growth_error(scatter)));
+        let trend = trend.filter(|trend| trend.growth().is_some());
+        let error = trend.as_ref().map(|trend| trend.growth_error(scatter));
+        section.growth_error_db_per_year = error;
         let left = -20.0 * section.rms_over_limit.log10();
         section.months_to_limit = match left <= 0.0 {
             true => Some(0.0),
             false => section.reckoned().map(|growth| 12.0 * left / growth),
         };
+        let years_80 = match (section.months_to_limit, trend.filter(|_| !section.ground)) {
+            (Some(months), Some(trend)) if months > 0.0 => trend.time_80(left, scatter),
+            (Some(months), None) if months > 0.0 => section.expected_years_80(left),
+            _ => None,
+        };
+        section.months_to_limit_band_80 = years_80.map(|years| years.map(|year| 12.0 * year));
         section
     });
     Ok(sections.collect())

@@ -1,12 +1,13 @@
 //! Surveys of many lines and dates.
 
 use std::collections::BTreeMap;
+use std::ffi::CString;
 use std::io;
 use std::path::PathBuf;
 
-use pyo3::exceptions::{PyFileNotFoundError, PyOSError};
+use pyo3::exceptions::{PyFileNotFoundError, PyOSError, PyUserWarning};
 use pyo3::prelude::*;
-use riffel_answers::expected_growth;
+use riffel_answers::ExpectedRates;
 use riffel_network::{
     Aim, Budget, ExpectedGrowth, Judgement, NetworkError, Store, StoreSettings, StripChart,
     SurveyFile, growth, plan, status, worst,
@@ -169,9 +170,14 @@ fn expected_of(
     let traffic = traffic.map(|given| given.traffic()).transpose()?;
     let bands = judgement.ends_of_bands();
     let growth = case.compute(py, move |case| {
-        expected_growth(case, traffic.as_ref(), &bands)
+        ExpectedRates::new(case, traffic.as_ref(), &bands)
     })?;
-    let growth = growth.map_err(of_answer)?.into_iter().map(|growth| {
+    let growth = growth.map_err(of_answer)?;
+    if let Some(reason) = &growth.without_rate {
+        let said = CString::new(reason.to_string()).unwrap_or_default();
+        PyErr::warn(py, &py.get_type::<PyUserWarning>(), &said, 2)?;
+    }
+    let growth = growth.of_bands.into_iter().map(|growth| {
         growth.map(|growth| ExpectedGrowth {
             median: growth.median,
             band_50: growth.band_50,

@@ -32,6 +32,7 @@ pub use document::ForecastDocument;
 pub(crate) use figure::{rate_panel, zero};
 pub use horizon::ForecastHorizon;
 pub use over_posterior::PosteriorForecast;
+pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport};

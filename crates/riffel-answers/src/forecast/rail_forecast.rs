@@ -60,6 +60,34 @@ impl RailStart {
             false => of_ground,
         }
     }
+
+    /// Why no months follow from how the rail grows under a traffic: as the model says, that oscillates by itself or grows faster than
+    /// any railway known. None where they do.
+    pub(crate) fn without_time(&self, forecast: &Forecast, on: &TrafficOnCase) -> Option<Message> {
+        if self.growth.is_some() {
+            return None;
+        }
+        let rates = forecast.bands().iter();
+        rates_without_time(on, rates.map(|band| forecast.growth_rate(band)))
+    }
+}
+
+/// Why no months follow from some growth rates of a model under a traffic: its loop oscillates by itself, or one is faster than any
+/// railway known. None where they do.
+pub(crate) fn rates_without_time(
+    on: &TrafficOnCase,
+    mut rates: impl Iterator<Item = f64>,
+) -> Option<Message> {
+    if let Some(frequency) = on.unstable {
+        return Some(say!(
+            rates_of_unstable_loop,
+            frequency = fixed(frequency, 0)
+        ));
+    }
+    let per_day = on.passages_per_day?;
+    rates
+        .any(|rate| is_faster_than_known(rate, per_day))
+        .then(|| say!(rates_faster_than_known))
 }
 
 impl RailStart {
@@ -175,22 +203,9 @@ impl RailForecast {
         Ok(found)
     }
 
-    /// Why no months follow from how the rail grows under a traffic: as the model says, that oscillates by itself or grows faster than any
-    /// railway known. None where they do.
+    /// Why no months follow from how the rail grows under a traffic; none where they do.
     pub fn without_time(&self, on: &TrafficOnCase) -> Option<Message> {
-        if self.start.growth.is_some() {
-            return None;
-        }
-        if let Some(frequency) = on.unstable {
-            return Some(say!(
-                rates_of_unstable_loop,
-                frequency = fixed(frequency, 0)
-            ));
-        }
-        let per_day = on.passages_per_day?;
-        let mut bands = self.forecast.bands().iter();
-        let is_faster = |band| is_faster_than_known(self.forecast.growth_rate(band), per_day);
-        bands.any(is_faster).then(|| say!(rates_faster_than_known))
+        self.start.without_time(&self.forecast, on)
     }
 
     /// Name of the rail.

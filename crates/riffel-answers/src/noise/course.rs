@@ -31,15 +31,15 @@ pub struct Course {
 }
 
 impl Course {
-    /// The level of a train while the rail changes under traffic, and remarks on its growth; wavelengths outside the map of the
-    /// case keep their level.
+    /// The level of a train while the rail changes under traffic, none where no months follow from how it grows, and remarks on its
+    /// growth; wavelengths outside the map of the case keep their level.
     pub(super) fn new(
         case: &Case,
         train: &Train<'_>,
         radiation: &Radiation<'_>,
         traffic: &Traffic,
         progress: &(dyn Fn(usize) + Sync),
-    ) -> Result<(Self, Vec<Message>), AnswerError> {
+    ) -> Result<(Option<Self>, Vec<Message>), AnswerError> {
         let question = train.question;
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), progress)?;
         let per_month = on
@@ -56,6 +56,12 @@ impl Course {
         let without =
             RailStart::without_growth(std::slice::from_ref(&start), has_dates, false, per_day);
         let forecast = start.forecast(&on).map_err(AnswerError::OutsideWindow)?;
+        let without_time = start.without_time(&forecast, &on);
+        let mut remarks: Vec<Message> = on.remarks.into_iter().chain(without).collect();
+        if let Some(reason) = without_time {
+            remarks.insert(0, say!(noise_without_course, reason = reason));
+            return Ok((None, remarks));
+        }
         // The course ends at one month whatever time is asked for, and so does a limit that is reached before.
         let linear = forecast.valid_to() / per_month;
         let end = question.months.min(linear);
@@ -83,8 +89,7 @@ impl Course {
             month,
             total_dba,
         };
-        let remarks = on.remarks.into_iter().chain(without);
-        Ok((course, remarks.collect()))
+        Ok((Some(course), remarks))
     }
 
     /// The course in a sentence without its full stop, its levels lower bounds where the bands end at a frequency \[Hz\].

@@ -210,17 +210,16 @@ impl NoiseQuestion {
         let left_out: Vec<FrequencyBand> = FrequencyBand::all()
             .filter(|band| levels.bands.iter().all(|level| level.band != *band))
             .collect();
-        let course = match &self.traffic {
-            Some(traffic) => Some(Course::new(case, &train, &radiation, traffic, progress)?),
-            None => None,
+        let (course, of_traffic) = match &self.traffic {
+            Some(traffic) => Course::new(case, &train, &radiation, traffic, progress)?,
+            None => (None, Vec::new()),
         };
         let mut remarks = remarks::remarks(case, &train, &powers, &left_out);
         let levels_of_rail = self.roughness.levels().iter();
         remarks.extend(levels_unlike_a_rail(
             levels_of_rail.map(|level| level.level),
         ));
-        let (course, of_traffic) = course.unzip();
-        remarks.extend(of_traffic.into_iter().flatten());
+        remarks.extend(of_traffic);
         let by_transfer_functions = match &train.transfer {
             Some([track, vehicle]) => {
                 let levels = train.levels_by_transfer(case, [track, vehicle])?;

@@ -141,9 +141,9 @@ impl RemediesAnswer {
         answer.remedies.sort_by(Remedy::by_effect);
         answer.left_out.push(LeftOut {
             title: say!(more_grinding),
-            reason: match before.faster_than_known {
-                true => say!(grinding_leaves_fast_growth),
-                false => say!(grinding_leaves_growth, time = before.time()),
+            reason: match before.has_times() {
+                true => say!(grinding_leaves_growth, time = before.time()),
+                false => say!(grinding_leaves_fast_growth),
             },
         });
         let interval = answer.grinding_interval;
@@ -196,11 +196,16 @@ impl RemediesAnswer {
             .map_or(0, |usual| steps(case, &usual).len())
     }
 
-    /// What helps most, in one sentence; none where nothing grows.
+    /// What helps most, in one sentence; none where nothing grows, or the loop oscillates by itself.
     pub fn helps_most(&self) -> Option<Message> {
-        self.under_traffic.fastest?;
+        self.under_traffic
+            .fastest
+            .filter(|fastest| !fastest.oscillates)?;
         let best = self.remedies.iter().min_by(|a, b| a.by_effect(b));
-        let Some(best) = best.filter(|best| best.change_of_fastest_growth < 0.0) else {
+        let helps = |best: &&Remedy| {
+            best.change_of_fastest_growth < 0.0 && best.fastest.is_none_or(|it| !it.oscillates)
+        };
+        let Some(best) = best.filter(helps) else {
             return Some(say!(helps_nothing));
         };
         let title = best.title.clone();
@@ -221,10 +226,13 @@ impl RemediesAnswer {
 }
 
 impl Remedy {
-    /// What it does to growth, the most first.
+    /// What it does to growth, the most first; one under which the loop oscillates by itself is last.
     fn by_effect(&self, other: &Self) -> Ordering {
-        let [own, other] = [self, other].map(|it| it.change_of_fastest_growth);
-        own.total_cmp(&other)
+        let oscillates = |it: &Self| it.fastest.is_some_and(|fastest| fastest.oscillates);
+        let changes = [self, other].map(|it| it.change_of_fastest_growth);
+        oscillates(self)
+            .cmp(&oscillates(other))
+            .then(changes[0].total_cmp(&changes[1]))
     }
 
     /// Months that are gained for one of the currency; none without a cost, and where none are gained.

@@ -241,18 +241,22 @@ fn readable(growth: f64) -> Value {
 /// A loop on all axes that oscillates by itself at a speed of the window, or of which that cannot be told, for want of any loss or
 /// of measured frequencies; only these can.
 fn unstable(feedback: &Loop, known_to: f64, speed: Axis) -> Option<Message> {
-    let judged: Vec<_> = stability::over(feedback, known_to, speed).collect();
-    let said = |(speed, found): &(f64, Result<Stability, Error>)| stability::said(*speed, found);
-    let grows = |judged: &&(f64, Result<Stability, Error>)| {
-        judged
-            .1
-            .as_ref()
-            .is_ok_and(|found| found.frequency.is_some())
+    type Judged = (f64, Result<Stability, Error>);
+    let judged: Vec<Judged> = stability::over(feedback, known_to, speed).collect();
+    let grows = |found: &Result<Stability, Error>| {
+        found.as_ref().is_ok_and(|found| found.frequency.is_some())
     };
-    match judged.iter().find(grows) {
-        Some(judged) => said(judged),
-        None => judged.iter().find_map(said),
-    }
+    let unknown = |found: &Result<Stability, Error>| found.is_err();
+    // From the slowest speed of which that is so to the last one in a row.
+    let first = |is: &dyn Fn(&Result<Stability, Error>) -> bool| {
+        let from = judged.iter().position(|(_, found)| is(found))?;
+        let last = judged[from..]
+            .iter()
+            .take_while(|(_, found)| is(found))
+            .last()?;
+        stability::said([judged[from].0, last.0], &judged[from].1)
+    };
+    first(&grows).or_else(|| first(&unknown))
 }
 
 /// Pinned-pinned frequency \[Hz\] that an evenly supported track of Timoshenko's rail would have on

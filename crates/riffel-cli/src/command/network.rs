@@ -1,6 +1,6 @@
 //! `riffel network`
 
-use riffel_answers::{expected_growth, expected_growth_over};
+use riffel_answers::ExpectedRates;
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
 use riffel_keys::range;
@@ -267,16 +267,17 @@ fn expecting(
     let growth = match posterior.draws(&CaseArguments::of(case, &[]))? {
         Some(draws) => {
             let progress = Progress::new("draws of the calibration", draws.count());
-            expected_growth_over(&draws, &bands, &|by| progress.advance(by))
+            ExpectedRates::over(&draws, &bands, &|by| progress.advance(by))
         }
         None => {
             let case = Case::read(case, &[])?;
             let traffic = expected.traffic.as_deref().map(Traffic::read).transpose()?;
-            expected_growth(&case, traffic.as_ref(), &bands)
+            ExpectedRates::new(&case, traffic.as_ref(), &bands)
         }
     };
     let growth = growth.map_err(CliError::from)?;
-    let growth = growth.into_iter().map(|growth| {
+    print_remarks(growth.without_rate.as_slice());
+    let growth = growth.of_bands.into_iter().map(|growth| {
         growth.map(|growth| ExpectedGrowth {
             median: growth.median,
             band_50: growth.band_50,
@@ -291,6 +292,14 @@ fn day(argument: &'static str, text: &str) -> Result<jiff::civil::Date, CliError
         argument,
         message: format!(": {sentence}"),
     })
+}
+
+/// Between what months: "9.1–14.2", "more than 9.1" where there may be no end.
+fn months_of([early, late]: [f64; 2]) -> String {
+    match late.is_finite() {
+        true => range([early, late], |months| format!("{months:.1}")),
+        false => format!("more than {early:.1}"),
+    }
 }
 
 fn millimetres(band: [f64; 2]) -> String {
@@ -387,7 +396,7 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
         "surveys",
         "over limit",
         "kind",
-        "months to limit",
+        "months to limit (80 %)",
     ];
     header.extend(expected.then_some("expected dB a year (80 %)"));
     let mut rows = table(&header);
@@ -415,9 +424,10 @@ fn growth_in_words(sections: &[SectionGrowth]) -> String {
                     true => "not known".to_owned(),
                     false => "no growth".to_owned(),
                 },
-                |months| match months > 0.0 {
-                    true => format!("{months:.1}"),
-                    false => "over it".to_owned(),
+                |months| match (months > 0.0, section.months_to_limit_band_80) {
+                    (true, Some(band)) => format!("{months:.1} ({})", months_of(band)),
+                    (true, None) => format!("{months:.1}"),
+                    (false, _) => "over it".to_owned(),
                 },
             ),
         ];

@@ -41,7 +41,7 @@ pub(crate) fn run(arguments: &Arguments) -> miette::Result<()> {
     } else {
         let unlikely = answer.wear_limit.unlikely_wear.iter();
         let unlikely: String = unlikely.map(|it| it.text(language()) + "\n").collect();
-        print(&(unlikely + &readable(&case, &answer.state)))?;
+        print(&(unlikely + &readable(&case, &answer)))?;
         if let Some(growth) = &answer.with_neighbours {
             print(&with_neighbours(growth))?;
         }
@@ -140,7 +140,8 @@ fn short(value: f64) -> String {
 }
 
 /// Amplitudes and phases in engineers' units.
-fn readable(case: &Case, state: &LoopState) -> String {
+fn readable(case: &Case, answer: &PointAnswer) -> String {
+    let state = &answer.state;
     let mut table = table(&["oscillation for exp(+iωt)", "amplitude", "unit", "phase"]);
     let w = state.angular_frequency;
     let [_, wheel] = case.feedback.normal_receptances(w, state.speed);
@@ -174,7 +175,9 @@ fn readable(case: &Case, state: &LoopState) -> String {
         ]);
     }
     let rate = state.growth_rate;
-    let verdict = if rate > 0.0 {
+    let verdict = if answer.oscillates() {
+        "the loop oscillates by itself, and the rate means nothing".to_owned()
+    } else if rate > 0.0 {
         format!(
             "grows: doubles in {:.2e} passages",
             std::f64::consts::LN_2 / rate

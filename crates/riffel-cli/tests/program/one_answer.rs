@@ -302,14 +302,30 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
     );
 }
 
-/// A model that grows faster than any railway known, or oscillates by itself, tells no months in forecast and comparison, in sentences,
-/// tables or documents: only at which wavelength the limit is reached first.
+/// A model that grows faster than any railway known, or oscillates by itself, tells no months in any command, in sentences, tables or
+/// documents: only at which wavelength the limit is reached first, and where the loop oscillates no wave that leads.
 #[test]
 fn a_model_that_no_railway_knows_tells_no_months() {
     let sandbox = Sandbox::new();
     let traffic = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
                    speed = { mean = \"44 km/h\", standard_deviation = \"5 km/h\" }\n";
     std::fs::write(sandbox.path("metro.toml"), traffic).unwrap();
+    let levels: String = [200, 160, 125, 100, 80, 63, 50, 40]
+        .iter()
+        .map(|wavelength| format!("{wavelength},-2\n"))
+        .collect();
+    std::fs::write(
+        sandbox.path("short.csv"),
+        format!("wavelength_mm,level_db\n{levels}"),
+    )
+    .unwrap();
+    for (date, rms) in [("2025-03-01", 0.9), ("2026-03-01", 1.0)] {
+        let blocks = format!("rail,from_m,to_m,rms_30_to_100_mm_um\nleft,0,100,{rms}\n");
+        std::fs::write(sandbox.path("blocks.csv"), blocks).unwrap();
+        sandbox.json(&format!(
+            "network ingest store blocks.csv --line L --date {date} --json"
+        ));
+    }
     for (case, reason) in [
         (
             "cases/metro-curve.toml --set wear.coefficient=8e-9",
@@ -337,5 +353,20 @@ fn a_model_that_no_railway_knows_tells_no_months() {
         let compared = format!("compare {asked} --with cases/soft-pads.toml --json");
         let compared = sandbox.json(&compared);
         assert!(compared["outcomes"][0]["months_to_limit"].is_null());
+        let noise = format!("noise {case} --traffic metro.toml --roughness short.csv --json");
+        let noise = sandbox.json(&format!("{noise} --speed \"44 km/h\""));
+        assert!(noise["course"].is_null(), "{noise}");
+        assert!(noise["remarks"].to_string().contains(reason), "{noise}");
     }
+    let network = "network growth store --traffic metro.toml --json --case cases/curve.toml";
+    let section = &sandbox.json(network)[0];
+    assert!(
+        section["expected_growth_db_per_year"].is_null(),
+        "{section}"
+    );
+    let under = &sandbox.json("map cases/curve.toml --json")["under_traffic"];
+    assert!(number(&under["unstable_frequency_hz"]) > 50.0, "{under}");
+    assert!(under["fastest"]["doubling_months"].is_null() && under["cause"].is_null());
+    let remedies = sandbox.json("compare cases/curve.toml --remedies --json");
+    assert!(remedies["helps_most"].is_null(), "{remedies}");
 }

@@ -25,6 +25,7 @@ _UNITS = {
     "expected_growth_band_80": ("expected_growth_band_80", "dB/year", "80 % of what it may be"),
     "lasting_over_limit": ("lasting_over_limit", "1", "RMS over limit without single places"),
     "months_to_limit": ("months_to_limit", "month", "months until the limit is reached; NaN where it never is"),
+    "months_to_limit_band_80": ("months_to_limit_band_80", "month", "80 % of what they may be; infinite where it may never be reached"),
     "cost": ("cost", "1", "cost"),
 }
 
@@ -154,12 +155,14 @@ class Network:
         -------
         xarray.Dataset
             As of `worst`, with ``growth`` and ``growth_error`` (half of its interval of 95 %), ``surveys``, ``lasting_over_limit`` (without
-            single places), ``months_to_limit``, ``ground``, and both ``dates`` and ``rms`` over ``survey``; ``expected_growth`` and
+            single places), ``months_to_limit`` with ``months_to_limit_band_80``, ``ground``, and both ``dates`` and ``rms`` over ``survey``; ``expected_growth`` and
             ``expected_growth_band_80`` where a case was given.
         """
         expected = _expected(case, traffic, line)
         found = _riffel.network_growth(self._judged(section, limit), between, _count(most), expected)
         for place in found:
+            months = place["months_to_limit_band_80"]
+            place["months_to_limit_band_80"] = [np.nan, np.nan] if months is None else [np.inf if end is None else end for end in months]
             growth = place.pop("expected_growth_db_per_year")
             if case is not None:
                 place["expected_growth"] = None if growth is None else growth["median"]
@@ -302,7 +305,7 @@ def _table(rows: Sequence[dict[str, Any]], dimension: str) -> xr.Dataset:
         column = [missing if row[key] is None else row[key] for row in rows]
         name, units, meaning = _UNITS.get(key, (key.removesuffix("_m"), "m" if key.endswith("_m") else "", ""))
         values = np.array(column)
-        inner = "end" if key in ("band_m", "expected_growth_band_80") else "survey"
+        inner = "end" if key == "band_m" or key.endswith("_band_80") else "survey"
         dimensions = (dimension,) if values.ndim == 1 else (dimension, inner)
         described = {"units": units, "long_name": meaning}
         variables[name] = (dimensions, values, {name: text for name, text in described.items() if text})
