@@ -152,6 +152,17 @@ impl Case {
         self.unfilled.asks_for().ok()
     }
 
+    /// Names of the rail that a mean state from a curve is of: which one of the curve, and which side; none without such a state, where
+    /// both rails are alike.
+    pub fn rail_in_curve(&self) -> Vec<&'static str> {
+        let Some(from) = self.from_curve() else {
+            return Vec::new();
+        };
+        let wheelset = self.file.wheelset.as_ref();
+        let side = wheelset.map(|wheelset| wheelset.rail.of_track().name());
+        std::iter::once(from.rail.name()).chain(side).collect()
+    }
+
     /// None where a key is not known here, or a curve, a wheelset or the wear may depend on one.
     fn keys_with_numbers(&self, numbers: &[(&str, f64)]) -> Option<CheckedKeys> {
         let file = &self.keys.file;

@@ -56,7 +56,13 @@ impl Begins {
 
     /// The rails under so many axle passages a day.
     pub(crate) fn starts(&self, passages_per_day: Option<f64>) -> Vec<RailStart> {
-        RailStart::of(self.survey.as_ref(), self.ground.as_ref(), passages_per_day)
+        // The rail has no name.
+        RailStart::of(
+            &[],
+            self.survey.as_ref(),
+            self.ground.as_ref(),
+            passages_per_day,
+        )
     }
 
     /// Why the dates of the rail do not tell how it grows, if they do not.

@@ -65,6 +65,14 @@ fn usual(name: &str) -> Option<usize> {
     USUAL.iter().position(|words| is_one_of(word, words))
 }
 
+/// Whether two names mean the two rails of one track: left and right, or low and high.
+pub fn are_opposite(name: &str, other: &str) -> bool {
+    match (usual(name), usual(other)) {
+        (Some(one), Some(other)) => one != other && one / 2 == other / 2,
+        _ => false,
+    }
+}
+
 /// Which of the usual rails a channel of several is on, by the only word for one in its name: "left front", "bogie 2 L". Numbers
 /// are those of bogies, axles and channels.
 pub fn rail_of_channel(name: &str) -> Option<usize> {

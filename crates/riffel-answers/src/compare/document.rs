@@ -25,6 +25,8 @@ pub struct CompareDocument<'a> {
     /// What the rail will be ground to, if that is where the months to the limit begin.
     ground: Option<&'a Message>,
     limit: Option<&'a str>,
+    /// Where the model does not explain how the rail that leads grew, or is of the other one: what follows; else empty.
+    unexplained: Vec<Message>,
     /// The case as it is first.
     outcomes: Vec<OutcomeDocument<'a>>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -98,6 +100,7 @@ pub(super) fn document<'a>(answer: &'a CompareAnswer, case: &'a Case) -> Compare
         spectrum_now: rail.map(|rail| levels(&rail.start.levels.spectrum)),
         ground: answer.ground.as_ref().map(|ground| &ground.words),
         limit: rail.map(|_| answer.table.edition.as_str()),
+        unexplained: answer.unexplained(),
         outcomes: answer
             .comparison
             .outcomes

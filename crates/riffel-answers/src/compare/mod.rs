@@ -93,7 +93,8 @@ impl CompareAnswer {
         let survey = survey.map(|survey| survey.latest().0);
         let of_survey = survey.iter().filter(|_| ground.is_none());
         warnings.extend(of_survey.flat_map(|survey| survey.warnings.clone()));
-        let starts = |per_day| RailStart::of(survey.as_ref(), ground.as_ref(), per_day);
+        let of_case = case.rail_in_curve();
+        let starts = |per_day| RailStart::of(&of_case, survey.as_ref(), ground.as_ref(), per_day);
         let rails = starts(None);
         if !rails.is_empty() {
             let bands = bands_of(case);
@@ -207,18 +208,24 @@ impl CompareAnswer {
         effects
     }
 
+    /// Where the model does not explain how the rail that leads grew, or is of the other one: how it grew, and what follows; else empty.
+    pub(crate) fn unexplained(&self) -> Vec<Message> {
+        let per_day = self.comparison.base().passages_per_day;
+        let rail = self.leading();
+        rail.map_or_else(Vec::new, |rail| {
+            rail.unexplained(&self.comparison.model, per_day)
+        })
+    }
+
     /// How the rail that leads grew, which its forecast goes by, and whether the model explains it; else empty.
     fn measured_first(&self) -> Vec<Message> {
-        let Comparison { model, .. } = &self.comparison;
+        let unexplained = self.unexplained();
+        if !unexplained.is_empty() {
+            return unexplained;
+        }
         let per_day = self.comparison.base().passages_per_day;
-        let own = self
-            .leading()
-            .and_then(|rail| Some((rail, rail.own_growth(model, per_day)?)));
-        own.map_or_else(Vec::new, |(rail, own)| {
-            let unlike = !rail.is_explained_by(model);
-            let follows = unlike.then(|| say!(model_does_not_explain_growth));
-            std::iter::once(own).chain(follows).collect()
-        })
+        let own = |rail: &RailForecast| rail.own_growth(&self.comparison.model, per_day);
+        self.leading().and_then(own).into_iter().collect()
     }
 
     /// Heads of the table without that of the titles: those of what is known of some outcome.

@@ -78,11 +78,11 @@ impl ForecastAnswer {
     /// Where the model does not explain how the leading rail grew, the sentence that says so and what follows of it; else empty.
     pub(crate) fn unexplained(&self) -> Vec<Message> {
         // Where it has several dates they decide, else the fit of two.
-        let why = match self.own_growth() {
-            Some(own) => (!self.leading().is_explained_by(&self.on.growth)).then_some(own),
-            None => self.wear.as_ref().and_then(WearReport::unexplained),
-        };
-        let why = why.into_iter();
+        if self.own_growth().is_some() {
+            let per_day = self.on.passages_per_day;
+            return self.leading().unexplained(&self.on.growth, per_day);
+        }
+        let why = self.wear.iter().filter_map(WearReport::unexplained);
         why.flat_map(|why| [why, say!(model_does_not_explain_growth)])
             .collect()
     }

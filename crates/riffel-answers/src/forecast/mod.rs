@@ -130,7 +130,12 @@ impl ForecastAnswer {
             Some((survey, date)) => (Some(survey), date),
             None => (None, None),
         };
-        let measured = RailStart::of(survey.as_ref(), ground.as_ref(), on.passages_per_day);
+        let measured = RailStart::of(
+            &case.rail_in_curve(),
+            survey.as_ref(),
+            ground.as_ref(),
+            on.passages_per_day,
+        );
         if measured.is_empty() {
             return Err(AnswerError::NoSpectrum);
         }
@@ -144,7 +149,8 @@ impl ForecastAnswer {
             let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
             RailStart::without_growth(&measured, has_dates, is_ground, on.passages_per_day)
         }));
-        if let (Some(from), true) = (case.from_curve(), rails.len() > 1) {
+        let by_model = rails.iter().any(|rail| rail.start.growth.is_none());
+        if let (Some(from), true) = (case.from_curve(), by_model && rails.len() > 1) {
             let of_rail = match from.rail {
                 CurveRail::Low => say!(of_low),
                 CurveRail::High => say!(of_high),

@@ -6,7 +6,7 @@ use riffel::forecast::{
 use riffel::roughness::{LevelLimit, ThirdOctave};
 use riffel_case::traffic::{DAYS_PER_MONTH, TrafficOnCase, is_faster_than_known};
 use riffel_keys::{Message, fixed, number, say, significant};
-use riffel_rail::{GroundRail, RailSpectrum, Survey};
+use riffel_rail::{GroundRail, RailSpectrum, Survey, are_opposite};
 
 use super::{per_million, words};
 use crate::Banded;
@@ -21,13 +21,17 @@ pub struct RailStart {
     pub levels: RailSpectrum,
     /// Whether these were measured; else they are what grinding leaves.
     pub is_measured: bool,
+    /// Whether the case may be of this rail: not so of one in a curve whose case is of the other.
+    pub is_of_case: bool,
     /// How it grew from date to date, in axle passages.
     pub growth: Option<MeasuredGrowth>,
 }
 
 impl RailStart {
-    /// The rails of a survey, which begin as they are or as they will be ground; each with its own growth where it has several dates.
+    /// The rails of a survey, which begin as they are or as they will be ground; each with its own growth where it has several dates. The
+    /// case is of the rail of these names, or of both without any.
     pub fn of(
+        of_case: &[&str],
         survey: Option<&Survey>,
         ground: Option<&GroundRail>,
         passages_per_day: Option<f64>,
@@ -36,7 +40,10 @@ impl RailStart {
         let history = survey.and_then(|survey| survey.history.as_ref());
         let starts = rails.into_iter().map(|levels| {
             let growth = history.and_then(|it| it.growth(levels.rail.as_deref(), passages_per_day));
+            let name = levels.rail.as_deref();
+            let is_other = |of: &&str| name.is_some_and(|name| are_opposite(name, of));
             Self {
+                is_of_case: !of_case.iter().any(is_other),
                 levels,
                 is_measured: true,
                 growth,
@@ -143,6 +150,7 @@ impl<T: Into<RailSpectrum>> From<T> for RailStart {
         Self {
             levels: levels.into(),
             is_measured: false,
+            is_of_case: true,
             growth: None,
         }
     }
@@ -219,17 +227,36 @@ impl RailForecast {
     }
 
     /// The band that grows fastest on it as it was measured, and what part of that a model has there, within a tenth of the wavelength;
-    /// none where no growth was measured.
+    /// none where no growth was measured, or the case is of the other rail.
     pub(super) fn model_beside(&self, model: &TrafficGrowth) -> Option<(&MeasuredBand, f64)> {
-        let own = self.start.growth.as_ref()?.fastest()?;
+        let own = self.grown().filter(|_| self.start.is_of_case)?;
         let near = model.fastest_near(own.band.wavelength())?;
         Some((own, 20.0 / std::f64::consts::LN_10 * near / own.slope))
     }
 
-    /// Whether a model explains how it grew; so where no growth was measured, or none is there.
-    pub(crate) fn is_explained_by(&self, model: &TrafficGrowth) -> bool {
-        let beside = self.model_beside(model).filter(|(own, _)| own.slope > 0.0);
-        beside.is_none_or(|(_, ratio)| EXPLAINS.contains(&ratio))
+    /// The band that grows fastest on it as it was measured; none where none grows, or no growth was measured.
+    fn grown(&self) -> Option<&MeasuredBand> {
+        let fastest = self.start.growth.as_ref()?.fastest();
+        fastest.filter(|own| own.slope > 0.0)
+    }
+
+    /// Where a model does not explain how it grew under so many axles a day, or is of the other rail: how it grew, and that no variant of the
+    /// model tells what would lower that; else empty.
+    pub(crate) fn unexplained(
+        &self,
+        model: &TrafficGrowth,
+        passages_per_day: Option<f64>,
+    ) -> Vec<Message> {
+        let beside = self.model_beside(model);
+        if beside.is_some_and(|(_, ratio)| EXPLAINS.contains(&ratio)) {
+            return Vec::new();
+        }
+        let own = self.own_growth(model, passages_per_day).into_iter();
+        own.flat_map(|own| match self.start.is_of_case {
+            true => [own, say!(model_does_not_explain_growth)],
+            false => [own, say!(model_is_of_the_other_rail)],
+        })
+        .collect()
     }
 
     /// How it grew, and what of it a model explains, under so many axles a day.
@@ -238,9 +265,7 @@ impl RailForecast {
         model: &TrafficGrowth,
         passages_per_day: Option<f64>,
     ) -> Option<Message> {
-        let (own, ratio) = self
-            .model_beside(model)
-            .filter(|(own, _)| own.slope > 0.0)?;
+        let own = self.grown()?;
         let wavelength = number(own.band.nominal_millimetres());
         let decibels = fixed(own.slope * own.span(), 1);
         let amount = match passages_per_day {
@@ -249,6 +274,14 @@ impl RailForecast {
                 say!(months_of, months = words::number(months))
             }
             None => say!(so_many_passages, passages = words::millions(own.span())),
+        };
+        let Some((_, ratio)) = self.model_beside(model) else {
+            return Some(say!(
+                grew_by_its_own,
+                wavelength = wavelength,
+                decibels = decibels,
+                amount = amount
+            ));
         };
         let ratio_in_words = significant(ratio, 2);
         Some(if ratio <= 0.0 {

@@ -239,14 +239,18 @@ impl WearReport {
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows && band.has_grown() {
+            } else if !band.grows && band.predicted < 0.0 && band.has_grown() {
                 sentences.push(say!(
                     band_grows_against_model,
                     wavelength = wavelength,
                     measured = measured,
                     predicted = predicted
                 ));
-            } else if !band.grows && band.measured < -LARGE_CHANGE && band.has_fallen() {
+            } else if !band.grows
+                && band.predicted < 0.0
+                && band.measured < -LARGE_CHANGE
+                && band.has_fallen()
+            {
                 sentences.push(say!(
                     band_fades_as_in_model,
                     wavelength = wavelength,

@@ -48,6 +48,7 @@ impl Course {
         let start = RailStart {
             levels: question.roughness.clone().into(),
             is_measured: true,
+            is_of_case: true,
             growth: (question.history.as_ref())
                 .and_then(|history| history.growth(None, on.passages_per_day)),
         };

@@ -111,6 +111,16 @@ pub enum RailSide {
     Left,
 }
 
+impl RailSide {
+    /// The rail of the track.
+    pub fn of_track(self) -> riffel::Rail {
+        match self {
+            Self::Right => riffel::Rail::Right,
+            Self::Left => riffel::Rail::Left,
+        }
+    }
+}
+
 /// Springs and dampers between axle boxes and a frame at rest, per side.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(deny_unknown_fields, default)]

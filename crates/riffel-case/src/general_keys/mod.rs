@@ -11,7 +11,7 @@ use riffel_keys::quantity::{Dimension, Quantity};
 use crate::case_text::REPLACED_BY_WHEELSET;
 use crate::checked_keys::CheckedKeys;
 use crate::file::{
-    Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, RailSide, TrackModel,
+    Comb, Contact, CreepLawName, Creepage, OppositeContact, OppositeRail, TrackModel,
 };
 
 pub(crate) use wheelset::{AxleKeys, RigidBodyKeys, WheelsetKeys, WheelsetModelKeys};
@@ -148,10 +148,7 @@ impl CheckedKeys {
             wheelset: wheelset
                 .map(|wheelset| self.wheelset_keys(wheelset))
                 .transpose()?,
-            rail: match wheelset.map(|wheelset| wheelset.rail).unwrap_or_default() {
-                RailSide::Right => riffel::Rail::Right,
-                RailSide::Left => riffel::Rail::Left,
-            },
+            rail: (wheelset.map(|wheelset| wheelset.rail).unwrap_or_default()).of_track(),
             opposite,
             twist: self.twist()?,
             wheels,

@@ -204,8 +204,7 @@ pub(crate) struct Compare {
         ])]
     pub(crate) models: Option<Models>,
 
-    /// Speed of the wheel of the case, in m/s or with its unit [default: the usual traffic of its line; with --models,
-    /// the middle of map.speed].
+    /// Speed of the wheel of the case, in m/s or with its unit [default: the usual traffic of its line].
     #[arg(long, value_name = "SPEED", conflicts_with_all = ["traffic", "posterior"])]
     pub(crate) speed: Option<Asked<Speed>>,
 

@@ -2,6 +2,10 @@
 
 use crate::sandbox::{Sandbox, number};
 
+/// The traffic of a metro.
+const METRO: &str = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
+                     speed = { mean = \"44 km/h\", standard_deviation = \"5 km/h\" }\n";
+
 /// Wavelength \[m\] and growth rate of a row of a table with a heading, at a speed \[m/s\].
 fn of_ridge(sandbox: &Sandbox, path: &str, speed: f64) -> [f64; 2] {
     let text = std::fs::read_to_string(sandbox.path(path)).unwrap();
@@ -307,9 +311,7 @@ fn commands_agree_on_a_rail_that_was_measured_twice() {
 #[test]
 fn a_model_that_no_railway_knows_tells_no_months() {
     let sandbox = Sandbox::new();
-    let traffic = "[line]\npassages_per_day = 3900\n[[vehicle]]\nname = \"metro\"\nshare = 1\n\
-                   speed = { mean = \"44 km/h\", standard_deviation = \"5 km/h\" }\n";
-    std::fs::write(sandbox.path("metro.toml"), traffic).unwrap();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     let levels: String = [200, 160, 125, 100, 80, 63, 50, 40]
         .iter()
         .map(|wavelength| format!("{wavelength},-2\n"))
@@ -369,4 +371,91 @@ fn a_model_that_no_railway_knows_tells_no_months() {
     assert!(under["fastest"]["doubling_months"].is_null() && under["cause"].is_null());
     let remedies = sandbox.json("compare cases/curve.toml --remedies --json");
     assert!(remedies["helps_most"].is_null(), "{remedies}");
+}
+
+/// A case of the low rail of a curve, the right one, is held against that rail alone: of a left rail that leads the forecast says how it
+/// grew, and that the case is of the other, whatever the rails are called.
+#[test]
+fn a_case_of_one_rail_is_not_held_against_the_other() {
+    let sandbox = Sandbox::new();
+    let case = "cases/metro-curve.toml --set map.wavelength.points=7 --set map.speed.points=3";
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
+    for (names, is_other) in [
+        (["left", "right"], true),
+        (["links", "rechts"], true),
+        (["high", "low"], true),
+        (["right", "left"], false),
+        (["inside", "outside"], false),
+        (["A", "B"], false),
+    ] {
+        let mut text = "rail,date,wavelength_mm,level_db\n".to_owned();
+        for (name, rise) in names.iter().zip([4.0, 1.0]) {
+            for (date, grown) in [("2025-11-02", 0.0), ("2026-11-02", rise)] {
+                for wavelength in [200, 160, 125, 100] {
+                    text += &format!("{name},{date},{wavelength},{}\n", grown - 4.0);
+                }
+            }
+        }
+        std::fs::write(sandbox.path("rails.csv"), text).unwrap();
+        let asked = format!("{case} --spectrum rails.csv --traffic metro.toml");
+        let forecast = sandbox.json(&format!("forecast {asked} --date-column date --json"));
+        let first = forecast["findings"][0].as_str().unwrap();
+        assert!(first.contains("has grown by 4.0 dB"), "{first}");
+        assert_eq!(forecast["model_over_measured"].is_null(), is_other);
+        let compared = format!("compare {asked} --with cases/low-rail-friction.toml --json");
+        let compared = sandbox.json(&compared)["unexplained"].to_string();
+        for said in [forecast["unexplained"].to_string(), compared] {
+            let other = said.contains("the case is of the other rail of the curve");
+            assert_eq!(other, is_other, "{names:?}: {said}");
+        }
+    }
+}
+
+/// A rail that grows by 4 dB a year, ground by 9 dB in the middle of its four dates: the fit of the wear coefficient has the change and
+/// the passages since then, from a table and from files, and the forecast that growth.
+#[test]
+fn a_fit_begins_where_the_rail_was_ground() {
+    let sandbox = Sandbox::new();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
+    let dates = [
+        ("2022-03-01", 6.0),
+        ("2023-03-01", 10.0),
+        ("2023-06-01", 1.0),
+        ("2024-05-31", 5.0),
+    ];
+    let mut table = "date,wavelength_mm,level_db\n".to_owned();
+    for (number, (date, level)) in dates.iter().enumerate() {
+        let mut file = "wavelength_mm,level_db\n".to_owned();
+        for wavelength in [200, 160, 125, 100, 80, 63] {
+            table += &format!("{date},{wavelength},{level}\n");
+            file += &format!("{wavelength},{level}\n");
+        }
+        std::fs::write(sandbox.path(&format!("{number}.csv")), file).unwrap();
+    }
+    std::fs::write(sandbox.path("rail.csv"), table).unwrap();
+    let named: Vec<&str> = dates.iter().map(|(date, _)| *date).collect();
+    let files = format!(
+        "3.csv --earlier 0.csv --earlier 1.csv --earlier 2.csv --dates {}",
+        named.join(",")
+    );
+    let case = "cases/metro.toml --traffic metro.toml --json --spectrum";
+    for rail in ["rail.csv --date-column date", "rail.csv", &files] {
+        let forecast = sandbox.json(&format!("forecast {case} {rail}"));
+        let wear = &forecast["wear_fit"];
+        assert!(
+            (number(&wear["passages_between"]) - 365.0 * 3900.0).abs() < 1e-6,
+            "{rail}: {wear}"
+        );
+        for band in wear["bands"].as_array().unwrap() {
+            assert!(
+                (number(&band["measured_change_db"]) - 4.0).abs() < 1e-9,
+                "{rail}: {band}"
+            );
+        }
+        let own = number(&forecast["bands"][0]["growth_db_per_million_axles"]);
+        assert!(
+            (own / (4.0 / (365.0 * 3900.0 * 1e-6)) - 1.0).abs() < 1e-9,
+            "{rail}: {own}"
+        );
+    }
 }

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use riffel::diagnosis::{fall_of_bands, first_since_ground};
 use riffel::forecast::MeasuredGrowth;
 use riffel::roughness::Spectrum;
 
@@ -33,6 +34,20 @@ impl RailDates {
             dates: earlier.chain([(0.0, now.clone())]).collect(),
             elapsed,
         }
+    }
+
+    /// The first records since the rails were last ground, with their share of the time from the oldest to now; of rails that were ground
+    /// to the last date those before it, and none where nothing was ground or there are two dates: their change says it.
+    pub fn since_ground(&self) -> Option<(f64, &Survey)> {
+        let means: Vec<Spectrum> = self.dates.iter().map(|(_, survey)| survey.mean()).collect();
+        let fall = |pair: &[Spectrum]| {
+            let falls = pair[0].levels().iter();
+            fall_of_bands(falls.filter_map(|own| Some(own.level - pair[1].level(own.band)?)))
+        };
+        let place = first_since_ground(means.windows(2).map(fall));
+        let place = place.min(self.dates.len().checked_sub(2)?);
+        let (time, survey) = &self.dates[place];
+        (place > 0).then(|| (time / self.dates[0].0, survey))
     }
 
     /// The growth of a rail by its own dates, or of all rails together without a name, in axle passages; none where days are counted and

@@ -3,7 +3,7 @@
 use riffel_answers::forecast::WearReport;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::CaseError;
-use riffel_rail::Survey;
+use riffel_rail::{RailDates, Survey};
 
 use super::dated::Dated;
 use crate::arguments::Spectra;
@@ -34,10 +34,7 @@ pub(super) fn wear_report(
     let is_asked = spectra.date_column.is_some()
         || !spectra.earlier.files.is_empty()
         || !spectra.earlier_choose.is_empty();
-    let measured = Measured {
-        surveys: [earlier, &dated.now],
-        places: dated.places.clone(),
-    };
+    let measured = Measured::new(earlier, &dated.now, dated.places.as_ref());
     match spectra.passages_between.or(by_date) {
         Some(passages) if is_asked => Ok(Some(measured.fit(on, passages)?)),
         Some(passages) => Ok(measured.fit(on, passages).ok()),
@@ -54,17 +51,36 @@ pub(super) fn wear_report(
 
 /// A rail as it was measured before and now.
 pub(crate) struct Measured<'a> {
-    pub(crate) surveys: [&'a Survey; 2],
-    /// The same place by place, where both are profiles: more of them tell how sure a change is.
-    pub(crate) places: Option<[Survey; 2]>,
+    surveys: [&'a Survey; 2],
+    /// Share of the time since the oldest record.
+    share: f64,
 }
 
-impl Measured<'_> {
-    /// The fit of the change under so many passages.
+impl<'a> Measured<'a> {
+    /// A rail with its oldest record, or the first since it was ground, and where both are profiles place by place: more of them
+    /// tell how sure a change is.
+    pub(crate) fn new(
+        oldest: &'a Survey,
+        now: &'a Survey,
+        places: Option<&'a [Survey; 2]>,
+    ) -> Self {
+        let history = now.history.as_ref();
+        match (history.and_then(RailDates::since_ground), places) {
+            (Some((share, earlier)), _) => Self {
+                surveys: [earlier, now],
+                share,
+            },
+            (None, places) => Self {
+                surveys: places.map_or([oldest, now], |[oldest, now]| [oldest, now]),
+                share: 1.0,
+            },
+        }
+    }
+
+    /// The fit of the change, of so many passages since the oldest record.
     pub(crate) fn fit(&self, on: &TrafficOnCase, passages: f64) -> Result<WearReport, CaseError> {
-        let places = self.places.as_ref();
-        let [earlier, now] = places.map_or(self.surveys, |[earlier, now]| [earlier, now]);
-        WearReport::new(on, earlier, now, passages)
+        let [earlier, now] = self.surveys;
+        WearReport::new(on, earlier, now, self.share * passages)
     }
 }
 
@@ -90,10 +106,10 @@ pub(super) fn readable(report: &WearReport) -> String {
             format!("{:+.1}", band.predicted),
             fitted(band.fitted),
             fitted(band.residual()),
-            if band.grows {
-                ""
-            } else {
-                "decays in the model"
+            match (band.grows, band.predicted > 0.0) {
+                (true, _) => "",
+                (false, false) => "decays in the model",
+                (false, true) => "decays at first in the model",
             }
             .to_owned(),
         ]);

@@ -80,10 +80,7 @@ pub(super) fn fit(
     let Some(passages) = arguments.passages_between.or(by_date) else {
         return Ok(Err(say!(not_fitted_without_passages)));
     };
-    let measured = Measured {
-        surveys: [&before.survey, &now.survey],
-        places: before.places.clone(),
-    };
+    let measured = Measured::new(&before.survey, &now.survey, before.places.as_ref());
     let report = measured.fit(&on, passages);
     Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))
 }
