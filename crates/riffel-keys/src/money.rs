@@ -2,13 +2,28 @@
 
 use crate::{Message, say};
 
+/// Currencies that may stand behind a multiple, or wrongly before a sum.
+const CURRENCIES: [&str; 12] = [
+    "EUR", "€", "CHF", "GBP", "£", "USD", "$", "SEK", "NOK", "DKK", "PLN", "CZK",
+];
+
 /// The number of a sum, and what stands behind it.
 ///
 /// # Errors
 /// What is wrong with the number, a rule that goes on after the name of the sum: it may be thousands (`9.000`, `9,000`), its
-/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, it counts thousands or millions (`9 k EUR`), or it is none.
+/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, its currency stands before it, it counts thousands or millions (`9 k EUR`), or it is none.
 pub fn read(text: &str) -> Result<(f64, &str), Message> {
     let text = text.trim();
+    let before = |own: &&&str| text.starts_with(**own);
+    if let Some(currency) = CURRENCIES.iter().find(before) {
+        let (sum, _) = read(&text[currency.len()..])?;
+        let plain = format!("{sum} {currency}");
+        return Err(say!(
+            is_with_its_currency_before,
+            value = text,
+            plain = plain
+        ));
+    }
     let (number, behind) = text.split_at(end_of_number(text));
     let value = || text.to_owned();
     let marks: Vec<char> = number.chars().filter(|c| matches!(c, '.' | ',')).collect();
@@ -64,9 +79,6 @@ pub fn read(text: &str) -> Result<(f64, &str), Message> {
 
 /// How much a word before a currency multiplies a sum by, and the currency: `k EUR`, `TEUR`, `Mio. €`.
 fn multiple(behind: &str) -> Option<(f64, &str)> {
-    const CURRENCIES: [&str; 12] = [
-        "EUR", "€", "CHF", "GBP", "£", "USD", "$", "SEK", "NOK", "DKK", "PLN", "CZK",
-    ];
     const WORDS: [(f64, &[&str]); 2] = [
         (1e3, &["k", "K", "T", "Tsd", "tsd", "thousand"]),
         (
@@ -144,6 +156,8 @@ mod tests {
             ("1.2 Mio. €", "1200000 €"),
             ("2 million", "2000000"),
             ("9 k", "9000"),
+            ("EUR 9000", "9000 EUR"),
+            ("€ 9.5", "9.5 €"),
         ] {
             let rule = read(text).unwrap_err().to_string();
             assert!(rule.contains(plain), "{text}: {rule}");
@@ -162,6 +176,7 @@ mod tests {
             ("12.500 CHF", "12500 or 12.5:"),
             ("12.345", "12345 or 12.3450:"),
             ("1,250 EUR", "1250 or 1.25:"),
+            ("EUR 7.500", "7500 or 7.5:"),
         ] {
             let rule = read(text).unwrap_err().to_string();
             assert!(rule.contains(may_be), "{text}: {rule}");

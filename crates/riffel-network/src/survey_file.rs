@@ -61,7 +61,7 @@ impl Course {
         let is_again = (block.from - self.first).abs() < block.to - block.from;
         if goes_back && (self.blocks < STRETCH || back > FARTHEST_BACK || is_again) {
             return Err(format!(
-                "{name}: the block begins at {} m, before the end of the one above, {} m; blocks of a rail must rise and not \
+                "{name}: the block begins at {:.3} m, before the end of the one above, {:.3} m; blocks of a rail must rise and not \
                  overlap, but for a long kilometre, which goes back by {FARTHEST_BACK} m at most and not to the first block",
                 block.from, self.end
             ));

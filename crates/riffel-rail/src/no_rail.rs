@@ -32,7 +32,7 @@ const OF_SEVERAL: &str =
 const DERIVATIVE: &str = "derivative|slope|gradient|jerk|ableitung|steigung|ruck|dérivée|pente|derivada|pendiente|derivata|\
                           pendenza";
 /// Beginnings of words for what a filter leaves.
-const FILTERED: [&str; 26] = [
+const FILTERED: [&str; 33] = [
     "filt",
     "gefilt",
     "bandp",
@@ -59,6 +59,13 @@ const FILTERED: [&str; 26] = [
     "derived",
     "derivat",
     "comput",
+    "gliss",
+    "mobil",
+    "móvil",
+    "movil",
+    "glijd",
+    "voortschr",
+    "running",
 ];
 /// Whole words for it.
 const FILTERS: &str =
@@ -89,6 +96,11 @@ pub(crate) fn why_no_rail(names: &[&str]) -> Vec<Option<Message>> {
         .zip(by_itself)
         .map(|(name, why)| why.or_else(|| computed(name).then(|| say!(it_is_computed))))
         .collect()
+}
+
+/// Whether a name says that a filter has touched the column.
+pub(crate) fn is_filtered(name: &str) -> bool {
+    Name::of(name).is_filtered()
 }
 
 /// Whether the words of a name are those of a scatter, a count or a limit.
@@ -205,6 +217,10 @@ mod tests {
             (
                 "aceleración izquierda [m/s²]",
                 "aceleración izquierda (valor absoluto) [m/s²]",
+            ),
+            (
+                "gauche [um],sinistra [um],linkerspoorstaaf [um]",
+                "gauche glissant 1m [um],sinistra media mobile [um],linkerspoorstaaf voortschrijdend [um],sinistra running [um]",
             ),
             (
                 "left unfiltered [g]",

@@ -28,9 +28,9 @@ pub fn rail_in_words(name: &str) -> Message {
 
 /// Words for each of the usual rails, in the languages of instruments.
 const USUAL: [&str; 4] = [
-    "left|links|linke|linker|l|li|1|gauche|g|izquierda|izquierdo|izq|sinistra|sinistro|sx|esquerda|esquerdo|vänster|venstre|\
+    "left|links|linke|linker|linkerspoorstaaf|l|li|lh|1|gauche|g|izquierda|izquierdo|izq|sinistra|sinistro|sx|esquerda|esquerdo|vänster|venstre|\
      vasen|lewa|lewy|levá|levý|levo|bal",
-    "right|rechts|rechte|rechter|r|re|2|droite|droit|d|derecha|derecho|der|destra|destro|dx|direita|direito|höger|høyre|højre|\
+    "right|rechts|rechte|rechter|rechterspoorstaaf|r|re|rh|2|droite|droit|d|derecha|derecho|der|destra|destro|dx|direita|direito|höger|høyre|højre|\
      oikea|prawa|prawy|pravá|pravý|desno|jobb",
     "low|lower|inner|inside|innen|innere|bogeninnen|bogeninnere|basse|intérieur|intérieure|interieur|baja|interior|bassa|interna",
     "high|upper|outer|outside|außen|aussen|äußere|bogenaußen|bogenäußere|haute|extérieur|extérieure|exterieur|alta|exterior|esterna",

@@ -98,13 +98,13 @@ export class Outlook {
   #tell() {
     const { answer } = this;
     if (!answer) return;
-    const { fastest, doubles_in: time, cause, card: evidence } = answer;
+    const { fastest, doubles_in: time, cause, card: evidence, unstable_frequency_hz: oscillates } = answer;
     const helps = this.remedies.answer?.helps_most;
     const doubts = this.remedies.unexplained();
     this.verdict.textContent = inSentences(answer.fault ? [answer.fault.message] : [...doubts, ...answer.notes, ...(helps && !doubts.length ? [helps] : [])]);
     const isTooFast = fastest?.faster_than_known;
-    this.large.textContent = time ? (isTooFast ? sentence(inWords(time)) : `In ${inWords(time)}`) : t(answer.fault ? 'not_known' : 'nothing_grows_here');
-    this.until.textContent = isTooFast ? t('order_holds') : fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
+    this.large.textContent = time ? (isTooFast || oscillates ? sentence(inWords(time)) : `In ${inWords(time)}`) : t(answer.fault ? 'not_known' : 'nothing_grows_here');
+    this.until.textContent = oscillates ? '' : isTooFast ? t('order_holds') : fastest ? t('until_doubled', fastest.doubling_passages_banded !== null) : '';
     this.why.hidden = !cause;
     this.cause.replaceChildren(evidence ? this.#card(cause, evidence) : element('p', { className: 'why', textContent: t(answer.fault ? 'not_known' : 'no_cause') }));
     translate(this.panel);

@@ -261,11 +261,11 @@ impl ForecastAnswer {
         }
     }
 
-    /// The date after some passages, if it is before the year 10000.
+    /// The date after some passages, if it is within a hundred years: no rail lies longer.
     fn date_after(&self, passages: f64) -> Option<Date> {
+        const LIFE: f64 = 36_525.0;
         let days = (passages / self.on.passages_per_day?).round();
-        // Any date of the calendar is within four million days of any other.
-        (days < 4e6)
+        (days < LIFE)
             .then(|| self.date?.checked_add((days as i64).days()).ok())
             .flatten()
     }

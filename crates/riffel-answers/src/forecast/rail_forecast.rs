@@ -248,7 +248,7 @@ impl RailForecast {
         passages_per_day: Option<f64>,
     ) -> Vec<Message> {
         let beside = self.model_beside(model);
-        if beside.is_some_and(|(_, ratio)| EXPLAINS.contains(&ratio)) {
+        if self.grown().is_none() || beside.is_some_and(|(_, ratio)| EXPLAINS.contains(&ratio)) {
             return Vec::new();
         }
         let own = self.own_growth(model, passages_per_day).into_iter();
@@ -265,7 +265,10 @@ impl RailForecast {
         model: &TrafficGrowth,
         passages_per_day: Option<f64>,
     ) -> Option<Message> {
-        let own = self.grown()?;
+        let Some(own) = self.grown() else {
+            let is_measured = self.start.growth.is_some();
+            return is_measured.then(|| say!(no_band_has_grown));
+        };
         let wavelength = number(own.band.nominal_millimetres());
         let decibels = fixed(own.slope * own.span(), 1);
         let amount = match passages_per_day {

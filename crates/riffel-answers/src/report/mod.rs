@@ -362,7 +362,7 @@ fn measured(
             let mut sections = of_roughness()
                 .map(|heading| Section::LeftOut(heading, say!(levels_are_no_profile)));
             sections[2] = roughness::spectrum_of_means(path, &answer, limits, language)?;
-            let brief = answer.verdicts.iter().map(marked);
+            let brief = answer.verdicts_of_now().iter().map(marked);
             (sections, brief.collect())
         }
     })

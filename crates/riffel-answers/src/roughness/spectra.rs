@@ -34,8 +34,10 @@ pub struct SpectraAnswer {
     pub groups: Vec<MeanSpectra>,
     /// Over all spectra.
     all: MeanSpectra,
-    /// By limit table, the worst rail of a group first.
+    /// By limit table, the worst rail of a group first; of several dates the latest first.
     pub verdicts: Vec<Verdict>,
+    /// How many of these are of now: those of the latest of several dates, else all.
+    of_now: usize,
     /// What peaks do from group to group.
     pub findings: Vec<Message>,
 }
@@ -61,10 +63,17 @@ impl SpectraAnswer {
                 (name, group)
             })
             .collect();
-        let verdicts = surveys
+        let mut by_group: Vec<Vec<Verdict>> = surveys
             .iter()
-            .flat_map(|(name, group)| verdicts(name, group, limits));
-        let verdicts = verdicts.collect();
+            .map(|(name, group)| verdicts(name, group, limits))
+            .collect();
+        let has_dates = by.is_some() && by == survey.column_of_several_dates();
+        if has_dates {
+            by_group.reverse();
+        }
+        let of_now = by_group.iter().take(if has_dates { 1 } else { usize::MAX });
+        let of_now = of_now.map(Vec::len).sum();
+        let verdicts = by_group.into_iter().flatten().collect();
         let groups: Option<Vec<MeanSpectra>> = surveys
             .into_iter()
             .map(|(name, group)| MeanSpectra::of(name, &group.spectra()))
@@ -78,10 +87,16 @@ impl SpectraAnswer {
         };
         Ok(Self {
             verdicts,
+            of_now,
             findings: findings(&groups),
             groups,
             all,
         })
+    }
+
+    /// Verdicts on the rail as it is now: of several dates those of the latest.
+    pub fn verdicts_of_now(&self) -> &[Verdict] {
+        &self.verdicts[..self.of_now]
     }
 
     /// How many spectra there are.

@@ -18,6 +18,9 @@ pub struct MeasuredWear {
     pub factor: Quantity<Ratio>,
 }
 
+/// A million tonnes as sentences write it.
+const MILLION_TONNES: [&str; 4] = ["Mio. t", "Mio t", "million tonnes", "million t"];
+
 impl MeasuredWear {
     /// Factor within which a wear that was measured is known, where nothing is said of it (80 %). Chosen: two surveys of a head with 0.2 mm of
     /// error each, a millimetre apart.
@@ -39,7 +42,13 @@ impl MeasuredWear {
     /// Depth and traffic of the short text, "1.2 mm / 100 MGT" or "1.2 mm per 100 MGT"; a traffic of a unit alone is one of it.
     pub(crate) fn in_words(text: &str) -> Option<[String; 2]> {
         let (depth, per) = text.rsplit_once('/').or_else(|| text.split_once(" per "))?;
-        let (depth, per) = (depth.trim(), per.trim());
+        let depth = depth.trim();
+        let per = MILLION_TONNES
+            .iter()
+            .fold(per.trim().to_owned(), |per, words| {
+                per.strip_suffix(words)
+                    .map_or(per.clone(), |count| format!("{count}MGT"))
+            });
         let per = match per.starts_with(|first: char| first.is_ascii_digit() || first == '.') {
             true => per.to_owned(),
             false => format!("1 {per}"),
@@ -77,6 +86,8 @@ mod tests {
             ("1.2 mm per 100 MGT", "1.2 mm", "100 MGT"),
             ("12 um / MGT", "12 um", "1 MGT"),
             ("0.05 in / 1e8 t", "0.05 in", "1e8 t"),
+            ("1.2 mm / 100 Mio. t", "1.2 mm", "100 MGT"),
+            ("1.2 mm per 50 million tonnes", "1.2 mm", "50 MGT"),
         ] {
             let read = MeasuredWear::in_words(text);
             assert_eq!(read, Some([depth.to_owned(), per.to_owned()]), "{text}");

@@ -145,7 +145,7 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
     })?;
     let twice = found.goes_back.iter().map(|goes_back| {
         format!(
-            "line {}: {}: places go back from {} m to {} m, as at a long kilometre; cells of both stretches hold the mean of their energies",
+            "line {}: {}: places go back from {:.3} m to {:.3} m, as at a long kilometre; cells of both stretches hold the mean of their energies",
             goes_back.line, goes_back.rail, goes_back.end_m, goes_back.from_m
         )
     });

@@ -41,7 +41,7 @@ pub(super) fn wear_report(
         None if is_asked => Err(CliError::Argument {
             argument: "--passages-between",
             value: "left out".to_owned(),
-            rule: "given, or else --date-column and a traffic file that says how much traffic there is"
+            rule: "given, or else --dates or --date-column, and a traffic file that says how much traffic there is"
                 .to_owned(),
         }
         .into()),
