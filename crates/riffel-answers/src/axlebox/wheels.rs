@@ -43,7 +43,7 @@ pub enum WheelMarkKind {
 pub(super) type Piece = (usize, FeltProfile, Option<WheelPattern>);
 
 /// Take what turns with the wheels off pieces of line, each with the place of its channel among some names: pieces of the same length of one
-/// rail are compared.
+/// rail are compared, but for one that is a multiple of another, which is no second axle box.
 ///
 /// # Errors
 /// Those of [`WheelPattern::take_off`].
@@ -55,22 +55,41 @@ pub(super) fn taken_off(
     let circumference = TAU * case.hertz.rolling_radius();
     let supports = case.file.track.support_spacing.map(|spacing| spacing.si());
     let mut groups: BTreeMap<_, (Vec<usize>, Vec<FeltProfile>)> = BTreeMap::new();
+    let mut copies = Vec::new();
     for (place, felt) in finished {
         let name = name(place);
         // Rails of no name known are each another.
         let rail = rail_of_channel(&name).ok_or(name);
         let key = (rail, felt.profile.start().to_bits());
         let (places, all) = groups.entry(key).or_default();
-        places.push(place);
-        all.push(felt);
+        match all.iter().any(|other| is_multiple(&felt, other)) {
+            true => copies.push((vec![place], vec![felt])),
+            false => {
+                places.push(place);
+                all.push(felt);
+            }
+        }
     }
     let mut pieces = Vec::new();
-    for (places, mut felt) in groups.into_values() {
+    for (places, mut felt) in groups.into_values().chain(copies) {
         let found = WheelPattern::take_off(&mut felt, circumference, supports)?;
         let of_channels = places.into_iter().zip(felt).zip(found);
         pieces.extend(of_channels.map(|((place, felt), found)| (place, felt, found)));
     }
     Ok(pieces)
+}
+
+/// Whether two records of one length of rail are one signal, each a multiple of the other: two axle boxes feel the rail one after the
+/// other, and each its own wheel and noise.
+fn is_multiple(one: &FeltProfile, other: &FeltProfile) -> bool {
+    /// Correlation of two channels that nothing but one sensor has.
+    const ONE_SIGNAL: f64 = 0.999;
+    let pairs = || one.profile.heights().iter().zip(other.profile.heights());
+    let (mut own, mut others, mut both) = (0.0, 0.0, 0.0);
+    for (a, b) in pairs() {
+        (own, others, both) = (own + a * a, others + b * b, both + a * b);
+    }
+    both.abs() > ONE_SIGNAL * (own * others).sqrt()
 }
 
 /// What turns with the wheel of a channel, in its pieces of line with their lengths \[m\], and a sentence on it.
