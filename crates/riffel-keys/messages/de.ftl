@@ -1228,6 +1228,7 @@ rails-of-last-date = die Datei hat Schienen mehrerer Daten: die Schiene von jetz
 device-is-laid-on-another = Spalte `{ $column }`: Pegel von { $device } zählen { $offset } dB, im Mittel der Bänder: darum weicht { $reference } an Tagen ab, an denen beide gemessen haben; das Wachstum ist das eines Geräts
 device-is-left-out = Spalte `{ $column }`: { $device } bleibt aus dem Wachstum weg, denn an keinem Tag haben { $device } und { $reference } die Schiene gemessen: worin sie abweichen, ist nicht bekannt
 device-changes = Spalte `{ $column }` wechselt mit den Daten, von { $first } auf { $last }, und diese werden nicht unterschieden: worin die Geräte voneinander abweichen, ist Teil der Änderung zwischen den Daten
+device-of-other-dates = Spalte `{ $column }` ist an manchen Tagen { $device } und an anderen { $other }: Worin sich zwei Geräte unterscheiden, gälte als Wachstum; die Zeilen jedes Geräts gehören in eine eigene Datei
 now-is-latest-of-each-rail = Spalte `{ $column }` hat { $count } Daten: jetzt ist das letzte jeder Schiene, { $last }
 commas = Kommas
 semicolons = Semikolons

@@ -1235,6 +1235,7 @@ rails-of-last-date = the file has rails of several dates: the rail now is that o
 device-is-laid-on-another = column `{ $column }`: levels of { $device } count { $offset } dB, in the mean over the bands: { $reference } differs by this on days when both measured; growth is that of one instrument
 device-is-left-out = column `{ $column }`: { $device } is left out of growth, for on no day both it and { $reference } measured the rail: what they differ by is not known
 device-changes = column `{ $column }` changes along the dates, from { $first } to { $last }, and these are not told apart: what the instruments differ by is part of the change between the dates
+device-of-other-dates = column `{ $column }` is { $device } at some dates and { $other } at others: what two instruments differ by would be taken for growth; give the rows of each a file of its own
 now-is-latest-of-each-rail = column `{ $column }` has { $count } dates: now is the latest of each rail, { $last }
 commas = commas
 semicolons = semicolons

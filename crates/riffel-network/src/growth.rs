@@ -98,7 +98,8 @@ impl SectionGrowth {
 ///
 /// Surveys are laid on one another first, window by window by the correlation of their levels, for odometers are off by metres. A level
 /// that grows by a dB in a year is taken to go on so: RMS grows as an exponential of time. Growth within the scatter of the surveys
-/// is no growth. Sections of which the last survey or all others know less than half in a band are left out.
+/// is no growth. Sections of which the last survey or all others know less than half in a band are left out, as are surveys by another
+/// instrument than that of the last, where both are named: what two differ by is no growth, and no day has both.
 ///
 /// # Errors
 /// Those of the files; [`NetworkError::Nothing`] where no line has two surveys.
@@ -137,11 +138,17 @@ pub(crate) fn growth_by_band(
     between: Option<[Date; 2]>,
 ) -> Result<Vec<SectionGrowth>, NetworkError> {
     let mut lines = chosen(store, between)?;
+    let left_out: Vec<String> = lines.iter().filter_map(by_others).collect();
+    for line in &mut lines {
+        let devices = line.last().map(|last| last.devices.clone());
+        line.retain(|survey| !is_other(&survey.devices, devices.as_deref().unwrap_or_default()));
+    }
     lines.retain(|line| line.len() > 1 || judgement.expects(&line[0].line));
     if lines.is_empty() {
-        return Err(NetworkError::Nothing(
-            "no line has surveys of two dates, between which it could have grown".to_owned(),
-        ));
+        let nothing =
+            "no line has surveys of two dates, between which it could have grown".to_owned();
+        let sentences: Vec<String> = std::iter::once(nothing).chain(left_out).collect();
+        return Err(NetworkError::Nothing(sentences.join("; ")));
     }
     let found: Result<Vec<Vec<SectionGrowth>>, NetworkError> = lines
         .par_iter()
@@ -336,12 +343,36 @@ fn steadier(of_place: &[(usize, Section)], band: usize) -> Vec<(usize, f64)> {
     }
 }
 
-/// Rails of which nothing can be said, or not by all surveys, because the last survey of their line has rails of other names than
-/// those before; a sentence for each line.
+/// Whether the instruments of a survey are named and are others than those of another.
+fn is_other(devices: &[String], others: &[String]) -> bool {
+    !devices.is_empty() && !others.is_empty() && devices != others
+}
+
+/// A sentence for the surveys of a line that another instrument measured than the last; none without such.
+fn by_others(surveys: &Vec<SurveyRecord>) -> Option<String> {
+    let last = surveys.last()?;
+    let others = surveys.iter();
+    let others = others.filter(|survey| is_other(&survey.devices, &last.devices));
+    let others = others.map(|survey| format!("{} ({})", survey.date, survey.devices.join(", ")));
+    let others: Vec<String> = others.collect();
+    (!others.is_empty()).then(|| {
+        format!(
+            "{}: {} measured on {}, another instrument on {}: what instruments differ by is no growth, and these surveys are left \
+             out of it",
+            last.line,
+            last.devices.join(", "),
+            last.date,
+            others.join(", ")
+        )
+    })
+}
+
+/// Surveys of which nothing can be said, because another instrument measured the last of their line, and rails, because that has
+/// rails of other names than those before; a sentence for each line.
 ///
 /// # Errors
 /// Those of the files.
-pub fn rails_without_growth(
+pub fn left_out_of_growth(
     store: &Store,
     between: Option<[Date; 2]>,
 ) -> Result<Vec<String>, NetworkError> {
@@ -374,10 +405,9 @@ pub fn rails_without_growth(
             )
         })
     };
-    Ok(chosen(store, between)?
-        .iter()
-        .filter_map(sentence)
-        .collect())
+    let lines = chosen(store, between)?;
+    let by_others = lines.iter().filter_map(by_others);
+    Ok(by_others.chain(lines.iter().filter_map(sentence)).collect())
 }
 
 /// Those over their limit by what grinding takes off first, the farthest before; then those that reach it first; then those over it by

@@ -194,6 +194,7 @@ fn record(
         sha256,
         start_m: first * resolution,
         cells: cells as u64,
+        devices: file.devices.clone(),
         rails: (names.iter().enumerate())
             .map(|(index, name)| RailRecord {
                 name: name.clone(),

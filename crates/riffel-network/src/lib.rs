@@ -42,7 +42,7 @@ mod trend;
 mod worst;
 
 pub use error::NetworkError;
-pub use growth::{SectionGrowth, growth, rails_without_growth};
+pub use growth::{SectionGrowth, growth, left_out_of_growth};
 pub use ingest::Ingested;
 pub use judgement::{DefectKind, ExpectedGrowth, Judgement};
 pub use plan::{Aim, Budget, GrindingPlan, PlannedSection, plan};

@@ -7,7 +7,7 @@ use serde::Serialize;
 use crate::growth::growth_by_band;
 use crate::judgement::DefectKind;
 use crate::most_track::{OverLimit, brought_below, most_track};
-use crate::{Judgement, NetworkError, SectionGrowth, Store, rails_without_growth, worst};
+use crate::{Judgement, NetworkError, SectionGrowth, Store, left_out_of_growth, worst};
 
 /// What may be spent, in any currency.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -152,14 +152,14 @@ pub fn plan(
                 grown.iter().for_each(|section: &SectionGrowth| {
                     worse(&section.line, section.from_m, section.lasting_after(months));
                 });
-                remarks.extend(rails_without_growth(store, None)?);
             }
             Err(NetworkError::Nothing(_)) => remarks.push(
-                "no line has surveys of two dates: nothing is known of growth, and the plan is for the state of now"
+                "no line has surveys of two dates to compare: nothing is known of growth, and the plan is for the state of now"
                     .to_owned(),
             ),
             Err(error) => return Err(error),
         }
+        remarks.extend(left_out_of_growth(store, None)?);
     }
     single.retain(|key| sections.get(key).is_none_or(|ratio| *ratio <= 1.0));
     if !single.is_empty() {

@@ -42,6 +42,9 @@ pub struct SurveyRecord {
     pub start_m: f64,
     /// Cells of the grid from there on.
     pub cells: u64,
+    /// The instruments that measured it, where its file names them.
+    #[serde(default, skip_serializing_if = "Vec::is_empty")]
+    pub devices: Vec<String>,
     /// The rails.
     pub rails: Vec<RailRecord>,
 }

@@ -1,6 +1,6 @@
 //! A table of blocks along the rails of a line: what `riffel roughness` and `riffel axlebox` write as `blocks.csv`.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, BTreeSet, HashMap};
 use std::fs::File;
 use std::io::{self, Read};
 use std::path::{Path, PathBuf};
@@ -9,7 +9,7 @@ use jiff::civil::Date;
 use riffel::roughness::WavelengthBand;
 use riffel_keys::table::label;
 use riffel_keys::{CaseError, text_file};
-use riffel_rail::{ends_of_dates, is_of_time, is_rail_column};
+use riffel_rail::{ends_of_dates, is_device_column, is_of_time, is_rail_column};
 use serde::Serialize;
 
 use crate::survey_text::SurveyText;
@@ -41,6 +41,9 @@ pub struct GoesBack {
     /// Where the next one begins \[m\].
     pub from_m: f64,
 }
+
+/// Names of instruments in a survey, at most: columns of more are what a sensor showed, not which it was.
+const MOST_DEVICES: usize = 16;
 
 /// How far the blocks of a rail have come.
 struct Course {
@@ -105,6 +108,8 @@ pub struct SurveyFile {
     rows: u64,
     /// First and last date of the blocks, where they have dates.
     pub(crate) dates: Option<[Date; 2]>,
+    /// The instruments, where a column names them.
+    pub(crate) devices: Vec<String>,
     /// Length that most blocks have, to a millimetre \[m\].
     pub(crate) usual_block: f64,
 }
@@ -163,6 +168,7 @@ impl SurveyFile {
             goes_back: Vec::new(),
             rows: 0,
             dates: dates_of(path, &head)?,
+            devices: devices_of(path, &head)?,
             usual_block: 1.0,
         };
         let (mut ends, mut rows, mut rails) = (survey.ends, 0, Vec::new());
@@ -324,8 +330,9 @@ impl Columns {
             let metres = find(&format!("{name}_m")).map(|column| (column, 1.0));
             metres
                 .or_else(|| find(&format!("{name}_km")).map(|column| (column, 1e3)))
-                .ok_or_else(|| {
-                    format!("there is no column {name}_m or {name}_km; blocks.csv of `riffel axlebox` has what is needed")
+                .ok_or_else(|| match head.len() {
+                    1 => "has one column; commas divide the columns of a survey, as in blocks.csv of `riffel axlebox`".to_owned(),
+                    _ => format!("there is no column {name}_m or {name}_km; blocks.csv of `riffel axlebox` has what is needed"),
                 })
         };
         let (from, to) = (place("from")?, place("to")?);
@@ -432,7 +439,27 @@ fn dates_of(path: &Path, head: &csv::StringRecord) -> Result<Option<[Date; 2]>, 
     let Some((column, name)) = head.iter().enumerate().find(|(_, name)| is_of_time(name)) else {
         return Ok(None);
     };
-    // Lines by what the column has in them first.
+    let lines = cells_of(path, column)?;
+    let cells: Vec<String> = lines.keys().cloned().collect();
+    ends_of_dates(name, &cells).map_err(|(place, message)| at(path, lines[&cells[place]], message))
+}
+
+/// The instruments that measured the blocks, a maker's name with the number of the one that was used.
+fn devices_of(path: &Path, head: &csv::StringRecord) -> Result<Vec<String>, CaseError> {
+    let mut devices: BTreeSet<String> = BTreeSet::new();
+    let columns = head.iter().enumerate();
+    for (column, _) in columns.filter(|(_, name)| is_device_column(name)) {
+        let cells = cells_of(path, column)?.into_keys();
+        let own: Vec<String> = cells.filter(|cell| !cell.is_empty()).collect();
+        if own.len() <= MOST_DEVICES {
+            devices.extend(own);
+        }
+    }
+    Ok(devices.into_iter().collect())
+}
+
+/// What a column has in its cells, with the line where it first comes.
+fn cells_of(path: &Path, column: usize) -> Result<BTreeMap<String, usize>, CaseError> {
     let mut lines: BTreeMap<String, usize> = BTreeMap::new();
     for record in reader(path)?.byte_records() {
         let record = record.map_err(|error| csv_error(path, &error))?;
@@ -440,8 +467,7 @@ fn dates_of(path: &Path, head: &csv::StringRecord) -> Result<Option<[Date; 2]>, 
         let cell = label(record.get(column).unwrap_or_default());
         lines.entry(cell).or_insert(line);
     }
-    let cells: Vec<String> = lines.keys().cloned().collect();
-    ends_of_dates(name, &cells).map_err(|(place, message)| at(path, lines[&cells[place]], message))
+    Ok(lines)
 }
 
 /// `30_to_100_mm_um`: the band, and the unit of the RMS in metres.

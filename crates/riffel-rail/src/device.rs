@@ -13,11 +13,25 @@ const DEVICE: &str = "device|instrument|trolley|gerät|geraet|messgerät|messger
                       dispositivo|strumento|apparecchio|toestel|serial|seriennummer|operator|bediener|opérateur|operador|operatore|\
                       probe|sonde|sonda|sensor|taster";
 
+/// Whether the head of a column says that it names the instruments.
+pub fn is_device_column(head: &str) -> bool {
+    words(head).iter().any(|word| is_one_of(word, DEVICE))
+}
+
 impl Survey {
-    /// The column of the instruments.
-    fn device_column(&self) -> Option<&str> {
-        let is_device = |column: &&str| words(column).iter().any(|word| is_one_of(word, DEVICE));
-        self.columns().find(is_device)
+    /// The columns of the instruments that tell records apart, of an earlier survey too: a maker's name may stand beside the number
+    /// of the one that was used.
+    fn device_columns(&self, earlier: Option<&Self>) -> Vec<String> {
+        let changes = |column: &&str| {
+            let records = earlier.into_iter().flat_map(|it| &it.records);
+            let labels = records
+                .chain(&self.records)
+                .filter_map(|it| it.label(column));
+            let devices: BTreeSet<&str> = labels.filter(|device| !device.is_empty()).collect();
+            devices.len() > 1
+        };
+        let columns = self.columns().filter(|column| is_device_column(column));
+        columns.filter(changes).map(str::to_owned).collect()
     }
 
     pub(super) fn change_of_device(&self) -> Option<Message> {
@@ -25,19 +39,22 @@ impl Survey {
         dates.last()?.1.device_since(&dates.first()?.1)
     }
 
-    /// What is said where a column names other instruments than in an earlier survey.
+    /// What is said where columns name other instruments than in an earlier survey.
     pub fn device_since(&self, earlier: &Self) -> Option<Message> {
-        let column = self.device_column()?;
+        let columns = self.device_columns(Some(earlier));
         let devices = |survey: &Self| -> Vec<String> {
-            let labels = survey.records.iter().filter_map(|one| one.label(column));
-            let devices: BTreeSet<&str> = labels.filter(|device| !device.is_empty()).collect();
-            devices.into_iter().map(str::to_owned).collect()
+            let devices = survey
+                .records
+                .iter()
+                .map(|record| device_of(record, &columns));
+            let devices: BTreeSet<String> = devices.filter(|device| !device.is_empty()).collect();
+            devices.into_iter().collect()
         };
         let (first, last) = (devices(earlier), devices(self));
         (first != last && !first.is_empty() && !last.is_empty()).then(|| {
             say!(
                 device_changes,
-                column = column,
+                column = columns.join("`, `"),
                 first = first.join(", "),
                 last = last.join(", ")
             )
@@ -47,19 +64,18 @@ impl Survey {
     /// The survey as one instrument would have measured it, so that growth is that of pairs of one instrument.
     ///
     /// Where instruments change along the dates, every other one counts more or less by what it differs in each band from the one
-    /// of the last date, or from another that was laid on that, where both measured a rail on one day; a band that they do not share
-    /// by the mean of the others. An instrument without such a day is left out. Warnings say both.
+    /// of the last date, or from another that was laid on that, where both measured a rail on one day, at the same place where places
+    /// are named; a band that they do not share by the mean of the others. An instrument without such a day is left out. Warnings say
+    /// both.
     #[must_use]
     pub fn on_one_device(mut self) -> Self {
         let own = |column: Option<&str>| column.map(str::to_owned);
-        let (device, date) = (own(self.device_column()), own(self.date_column()));
-        let (Some(device), Some(date), rail) = (device, date, own(self.rail_column())) else {
+        let (columns, date) = (self.device_columns(None), own(self.date_column()));
+        let (false, Some(date), rail) = (columns.is_empty(), date, own(self.rail_column())) else {
             return self;
         };
-        let label = |record: &LabelledSpectrum, column: &str| {
-            record.label(column).unwrap_or_default().to_owned()
-        };
-        let of = |record: &LabelledSpectrum| label(record, &device);
+        let column = columns.join("`, `");
+        let of = |record: &LabelledSpectrum| device_of(record, &columns);
         let by_date = self.by_date(&date).unwrap_or_default().into_iter();
         let by_date = by_date.map(|(_, survey)| survey.records.iter().map(of).collect());
         let by_date: Vec<BTreeSet<String>> = by_date.collect();
@@ -78,21 +94,26 @@ impl Survey {
         let mut known = BTreeSet::from([reference.clone()]);
         let mut others: BTreeSet<String> = by_date.into_iter().flatten().collect();
         others.remove(&reference);
-        let place = |record: &LabelledSpectrum| {
-            (
-                label(record, &date),
-                rail.as_ref().map(|rail| label(record, rail)),
-            )
+        let is_of_rail = |head: &String| *head == date || Some(head) == rail.as_ref();
+        // Of all that is said of a record, or of its day and rail alone.
+        let place = |record: &LabelledSpectrum, whole: bool| -> Vec<String> {
+            let labels = record
+                .labels
+                .iter()
+                .filter(|(head, _)| is_of_rail(head) || whole && !is_device_column(head));
+            labels.map(|(_, cell)| cell.clone()).collect()
         };
         while let Some((other, offsets)) = others.iter().find_map(|other| {
-            let here = self.records.iter().filter(|record| of(record) == *other);
-            let pairs = here.flat_map(|record| {
-                let there = self.records.iter();
-                let there =
-                    there.filter(|one| known.contains(&of(one)) && place(one) == place(record));
-                there.map(move |one| (&record.spectrum, &one.spectrum))
-            });
-            Some((other.clone(), offsets(pairs)?))
+            let pairs = |whole: bool| {
+                let here = self.records.iter().filter(|record| of(record) == *other);
+                let pairs = here.flat_map(|record| {
+                    let there = self.records.iter().filter(|one| known.contains(&of(one)));
+                    let there = there.filter(|one| place(one, whole) == place(record, whole));
+                    there.map(|one| (&record.spectrum, &one.spectrum))
+                });
+                offsets(pairs)
+            };
+            Some((other.clone(), pairs(true).or_else(|| pairs(false))?))
         }) {
             let mean = offsets.values().sum::<f64>() / offsets.len() as f64;
             for record in self.records.iter_mut().filter(|record| of(record) == other) {
@@ -109,7 +130,7 @@ impl Survey {
             others.remove(&other);
             self.warnings.push(say!(
                 device_is_laid_on_another,
-                column = &device,
+                column = &column,
                 device = &other,
                 reference = &reference,
                 offset = format!("{mean:+.1}")
@@ -120,13 +141,20 @@ impl Survey {
             self.records.retain(|record| of(record) != other);
             self.warnings.push(say!(
                 device_is_left_out,
-                column = &device,
+                column = &column,
                 device = other,
                 reference = &reference
             ));
         }
         self
     }
+}
+
+/// The instrument of a record, as columns name it.
+fn device_of(record: &LabelledSpectrum, columns: &[String]) -> String {
+    let cells = columns.iter().filter_map(|column| record.label(column));
+    let cells: Vec<&str> = cells.filter(|cell| !cell.is_empty()).collect();
+    cells.join(" ")
 }
 
 /// What must be added to the first spectrum of pairs to have the second, in the mean by band \[dB\]; none without a band in both.
@@ -238,6 +266,34 @@ mod tests {
                 .unwrap()
                 .to_string()
                 .contains("T1 is left out of growth")
+        );
+        // Places pair by themselves: T2 measured one more on the day of both, 20 dB rougher, under the number of the same maker.
+        let places = [
+            ("T1", 2024, none, "A"),
+            ("T1", 2025, none, "A"),
+            ("T2", 2025, more, "A"),
+            ("T2", 2025, [23.0, 22.0], "B"),
+            ("T2", 2026, more, "A"),
+        ];
+        let rows = places.map(|(device, year, offset, _)| (device, year, offset));
+        let mut of_places = survey(&rows);
+        for (record, (.., place)) in of_places.records.iter_mut().zip(places) {
+            let serial = std::mem::replace(&mut record.labels[0].1, "Trolley".to_owned());
+            record.labels.push(("serial".to_owned(), serial));
+            record.labels.push(("section".to_owned(), place.to_owned()));
+        }
+        let of_places = of_places.on_one_device();
+        let first = of_places.records[0].spectrum.levels();
+        assert!(
+            first
+                .iter()
+                .zip([2.0, 3.0])
+                .all(|(one, level)| (one.level - level).abs() < 1e-12)
+        );
+        let told = of_places.warnings.last().unwrap().to_string();
+        assert!(
+            told.contains("column `serial`: levels of T1 count +2.5 dB"),
+            "{told}"
         );
         // The same instruments at each date pair by themselves.
         let pairs = [

@@ -63,6 +63,7 @@ pub use date::read_date;
 pub use date_column::{ends_of_dates, is_of_time};
 pub use decay_rate_file::read_decay_rates;
 pub use defects::{DefectsAre, defects_in_words};
+pub use device::is_device_column;
 pub use format::{Column, ReaderFormat};
 pub use ground::GroundRail;
 pub use labelled_spectrum::LabelledSpectrum;

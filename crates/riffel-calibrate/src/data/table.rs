@@ -1,10 +1,13 @@
 //! Tables of measurements, by the names of their columns.
 
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 use riffel_keys::table::{HeadedTable, NoHead, Row};
 use riffel_keys::text_file::{LARGEST_RESPONSES, decode, read_bounded};
 use riffel_keys::{CaseError, Message, say};
+
+use riffel_rail::is_device_column;
 
 use crate::file::Kind;
 
@@ -14,6 +17,8 @@ pub(crate) struct Numbers {
     pub(crate) lines: Vec<usize>,
     pub(crate) needed: Vec<Vec<f64>>,
     pub(crate) others: Vec<Option<Vec<f64>>>,
+    /// Columns that name the instruments, with their cells.
+    devices: Vec<(String, Vec<String>)>,
 }
 
 fn refuse(path: &Path, line: Option<usize>, message: String) -> CaseError {
@@ -88,12 +93,20 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
         lines: Vec::new(),
         needed: needed.iter().map(|_| Vec::new()).collect(),
         others: Vec::new(),
+        devices: Vec::new(),
     };
     let place = |wanted: &&str| table.names.iter().position(|name| name == wanted);
     let places: Vec<Option<usize>> = others.iter().map(place).collect();
     numbers.others = places
         .iter()
         .map(|place| place.map(|_| Vec::new()))
+        .collect();
+    let devices = table.names.iter().enumerate();
+    let devices = devices.filter(|(_, name)| is_device_column(name));
+    let devices: Vec<(usize, &String)> = devices.collect();
+    numbers.devices = devices
+        .iter()
+        .map(|(_, name)| ((*name).clone(), Vec::new()))
         .collect();
     for row in table.rows() {
         let number = |column: usize| {
@@ -114,6 +127,9 @@ pub(crate) fn read(path: &Path, needed: &[&str], others: &[&str]) -> Result<Numb
             if let (Some(values), Some(column)) = (values, column) {
                 values.push(number(*column)?);
             }
+        }
+        for ((_, cells), (column, _)) in numbers.devices.iter_mut().zip(&devices) {
+            cells.push(row.text(*column));
         }
     }
     if numbers.lines.is_empty() {
@@ -175,9 +191,43 @@ impl Numbers {
     /// The columns of a table of some kind, those that it may have in the order of the kind.
     ///
     /// # Errors
-    /// Those of [`read`].
+    /// Those of [`read`], and where the instrument changes along the passages or the gross mass.
     pub(crate) fn of(path: &Path, kind: Kind) -> Result<Self, CaseError> {
-        read(path, kind.columns(), kind.other_columns())
+        let numbers = read(path, kind.columns(), kind.other_columns())?;
+        let mut columns = kind.columns().iter().zip(&numbers.needed);
+        if let Some((_, dates)) = columns.find(|(name, _)| ["passages", "mgt"].contains(name)) {
+            numbers.unless_device_changes(path, dates)?;
+        }
+        Ok(numbers)
+    }
+
+    /// That all dates have the same instruments: what others differ by would be taken for growth.
+    fn unless_device_changes(&self, path: &Path, dates: &[f64]) -> Result<(), CaseError> {
+        for (column, cells) in &self.devices {
+            let mut by_date: BTreeMap<u64, BTreeSet<&str>> = BTreeMap::new();
+            for (date, cell) in dates.iter().zip(cells).filter(|(_, cell)| !cell.is_empty()) {
+                by_date.entry(date.to_bits()).or_default().insert(cell);
+            }
+            let Some(first) = by_date.values().next() else {
+                continue;
+            };
+            if by_date.values().all(|devices| devices == first) {
+                continue;
+            }
+            let row = cells
+                .iter()
+                .position(|cell| !cell.is_empty() && *cell != cells[0]);
+            let row = row.unwrap_or_default();
+            let (device, other) = (&cells[row], &cells[0]);
+            let rule = say!(
+                device_of_other_dates,
+                column = column,
+                device = device,
+                other = other
+            );
+            return Err(self.refuse(path, row, rule));
+        }
+        Ok(())
     }
 
     /// That every number of a column fits a rule.

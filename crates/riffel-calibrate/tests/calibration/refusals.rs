@@ -384,6 +384,46 @@ fn what_cannot_be_used_is_said() {
 }
 
 /// One date alone says nothing of growth.
+/// What two instruments differ by is no growth: they are refused in one table, but for dates that have both.
+#[test]
+fn instruments_that_change_along_the_dates_are_refused() {
+    let rows = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();
+    for (column, device, is_read) in [
+        (
+            "device",
+            (|date: usize, _| ["T1", "T2"][usize::from(date > 1)])
+                as fn(usize, usize) -> &'static str,
+            false,
+        ),
+        ("Seriennummer", |date, _| ["12", "17", "19"][date], false),
+        ("instrument", |_, row| ["T1", "T2"][row % 2], true),
+        ("device", |_, _| "T1", true),
+        ("remark", |date, _| ["dry", "wet", "dry"][date], true),
+    ] {
+        let mut dates: Vec<&str> = Vec::new();
+        let mut lines = rows.lines();
+        let mut with = format!("{},{column}\n", lines.next().unwrap());
+        for (row, line) in lines.enumerate() {
+            let date = line.split(',').next().unwrap();
+            if dates.last() != Some(&date) {
+                dates.push(date);
+            }
+            with.push_str(&format!("{line},{}\n", device(dates.len() - 1, row)));
+        }
+        let (_copy, plan) = changed("b-three-dates", "roughness.csv", &rows, &with);
+        match plan {
+            Ok(_) => assert!(is_read, "{column}"),
+            Err(refusal) => {
+                let refusal = refusal.to_string();
+                assert!(
+                    !is_read && refusal.contains(column) && refusal.contains("line "),
+                    "{refusal}"
+                );
+            }
+        }
+    }
+}
+
 #[test]
 fn one_date_is_refused() {
     let text = fs::read_to_string(folder("b-three-dates").join("roughness.csv")).unwrap();

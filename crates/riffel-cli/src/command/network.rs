@@ -6,8 +6,8 @@ use riffel_case::traffic::Traffic;
 use riffel_keys::range;
 use riffel_network::{
     Aim, Budget, DefectKind, ExpectedGrowth, GrindingPlan, Judgement, NetworkError, SectionGrowth,
-    Status, Store, StoreSettings, StripChart, SurveyFile, WorstPlace, growth, plan,
-    rails_without_growth, status, worst,
+    Status, Store, StoreSettings, StripChart, SurveyFile, WorstPlace, growth, left_out_of_growth,
+    plan, status, worst,
 };
 use riffel_rail::{LimitTable, read_date};
 use serde::Serialize;
@@ -52,7 +52,7 @@ pub(crate) fn run(arguments: &Network) -> miette::Result<()> {
             found.truncate(arguments.most as usize);
             say(arguments.judged.json, &found, || growth_in_words(&found))?;
             print_remarks(judgement.remark().as_slice());
-            print_remarks(&rails_without_growth(&store, between)?);
+            print_remarks(&left_out_of_growth(&store, between)?);
             tell_left_out(&store)
         }
         NetworkCommand::Chart(arguments) => chart(arguments),

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::fs;
 use std::path::PathBuf;
 
-use riffel_network::{NetworkError, SurveyFile, growth, rails_without_growth};
+use riffel_network::{NetworkError, SurveyFile, growth, left_out_of_growth};
 use tempfile::TempDir;
 
 use crate::{grassie, store, survey};
@@ -54,7 +54,7 @@ fn one_rail_has_one_name_in_its_line() -> Result<(), NetworkError> {
         for section in grown {
             assert!((section.growth_db_per_year.unwrap() - right).abs() < 1e-6);
         }
-        assert!(rails_without_growth(&store, None)?.is_empty());
+        assert!(left_out_of_growth(&store, None)?.is_empty());
     }
     Ok(())
 }
@@ -75,7 +75,7 @@ fn a_new_rail_is_told_and_renamed() -> Result<(), NetworkError> {
     let found = take("2025-01-01", ["north", "south"], false, &[])?;
     assert_eq!(found.new_rails, ["north", "south"]);
     take("2026-01-01", ["left", "right"], false, &[])?;
-    let told = rails_without_growth(&store, None)?.join("\n");
+    let told = left_out_of_growth(&store, None)?.join("\n");
     assert!(told.contains("north, south of 2025-01-01"), "{told}");
     let names = [("north", "left"), ("south", "right")];
     let refusal = take("2025-01-01", ["north", "south"], false, &names).unwrap_err();
@@ -87,7 +87,7 @@ fn a_new_rail_is_told_and_renamed() -> Result<(), NetworkError> {
     assert!(found.new_rails.is_empty());
     assert_eq!(found.renamed.get("north").map(String::as_str), Some("left"));
     assert!(take("2025-01-01", ["north", "south"], false, &names)?.there_already);
-    assert!(rails_without_growth(&store, None)?.is_empty());
+    assert!(left_out_of_growth(&store, None)?.is_empty());
     for (names, part) in [
         (
             [("east", "left")],
@@ -143,5 +143,76 @@ fn dates_of_blocks_are_read_or_refused() -> Result<(), NetworkError> {
     // A year of which all blocks are tells them not apart.
     let file = checked("year", "2026")?;
     store.ingest("B", "2026-01-31", &file, false, &|_| ())?;
+    Ok(())
+}
+
+/// A rail that grows by 4 dB a year, as instruments show it that differ by 3 dB: growth is that of one instrument, or none is told.
+#[test]
+fn what_instruments_differ_by_is_no_growth() -> Result<(), NetworkError> {
+    let more = 10f64.powf(3.0 / 20.0);
+    let rms = |years: f64| 4.0 * 10f64.powf(4.0 * years / 20.0);
+    let dates = ["2024-01-01", "2025-01-01", "2026-01-01", "2027-01-01"];
+    // Head and cell of each survey, how much more it shows, and the growth that is told, to what 366 days are of a year.
+    let (own, none) = (Some(4.0), None);
+    for (head, surveys, growth_told, left_out) in [
+        (
+            "device",
+            &[("T1", 1.0), ("T1", 1.0), ("T1", 1.0)][..],
+            own,
+            0,
+        ),
+        ("device", &[("T1", 1.0), ("T1", 1.0), ("T2", more)], none, 2),
+        (
+            "Messgerät",
+            &[("T1", 1.0), ("T2", more), ("T2", more)],
+            own,
+            1,
+        ),
+        (
+            "serial",
+            &[("17", more), ("12", 1.0), ("17", more), ("12", 1.0)],
+            own,
+            2,
+        ),
+        (
+            "instrument",
+            &[("A", 1.0), ("B", more), ("C", 2.0), ("A", 1.0)],
+            own,
+            2,
+        ),
+        // Where one is not named, nobody knows that it was another.
+        ("device", &[("", 1.0), ("T2", 1.0)], own, 0),
+        ("remark", &[("T1", 1.0), ("T2", 1.0)], own, 0),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        let store = store(&folder);
+        for (year, (device, shown)) in surveys.iter().enumerate() {
+            let level = shown * rms(year as f64);
+            let path = named(&folder, dates[year], ["left", "right"], level);
+            let text = fs::read_to_string(&path).unwrap();
+            let mut lines = text.lines();
+            let mut with = format!("{},{head}\n", lines.next().unwrap());
+            lines.for_each(|line| with.push_str(&format!("{line},{device}\n")));
+            fs::write(&path, with).unwrap();
+            store.ingest("A", dates[year], &SurveyFile::check(&path)?, false, &|_| ())?;
+        }
+        let grown = growth(&store, &grassie(&store), 100.0, None);
+        match growth_told {
+            Some(right) => {
+                let grown = grown?;
+                let off = |section: &riffel_network::SectionGrowth| {
+                    (section.growth_db_per_year.unwrap() - right).abs()
+                };
+                assert!(
+                    grown.len() == 4 && grown.iter().all(|it| off(it) < 0.02),
+                    "{head}"
+                );
+            }
+            None => assert!(matches!(grown, Err(NetworkError::Nothing(_))), "{head}"),
+        }
+        let told = left_out_of_growth(&store, None)?.join("\n");
+        assert_eq!(told.is_empty(), left_out == 0, "{head}: {told}");
+        assert_eq!(told.matches(" (").count(), left_out, "{head}: {told}");
+    }
     Ok(())
 }

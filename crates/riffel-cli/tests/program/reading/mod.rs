@@ -1,5 +1,6 @@
 //! Records and tables that were made without Riffel, as instruments and spreadsheets write them.
 
+mod cells;
 mod dates;
 mod refusals;
 mod spectra;
