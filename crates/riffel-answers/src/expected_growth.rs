@@ -18,8 +18,7 @@ pub struct ExpectedRates {
 }
 
 impl ExpectedRates {
-    /// The same over the draws of a calibration, under its traffic, or else the usual one: in each band medians with bands, over the
-    /// draws that have a rate there.
+    /// Medians with bands over the draws of a calibration that have a rate in a band, under its traffic, or else the usual one.
     ///
     /// # Errors
     /// Those of [`new`](Self::new).
