@@ -138,7 +138,7 @@ pub(crate) fn growth_by_band(
     between: Option<[Date; 2]>,
 ) -> Result<Vec<SectionGrowth>, NetworkError> {
     let mut lines = chosen(store, between)?;
-    let left_out: Vec<String> = lines.iter().filter_map(by_others).collect();
+    let left_out: Vec<String> = lines.iter().filter_map(|line| by_others(line)).collect();
     for line in &mut lines {
         let devices = line.last().map(|last| last.devices.clone());
         line.retain(|survey| !is_other(&survey.devices, devices.as_deref().unwrap_or_default()));
@@ -349,7 +349,7 @@ fn is_other(devices: &[String], others: &[String]) -> bool {
 }
 
 /// A sentence for the surveys of a line that another instrument measured than the last; none without such.
-fn by_others(surveys: &Vec<SurveyRecord>) -> Option<String> {
+fn by_others(surveys: &[SurveyRecord]) -> Option<String> {
     let last = surveys.last()?;
     let others = surveys.iter();
     let others = others.filter(|survey| is_other(&survey.devices, &last.devices));
@@ -406,7 +406,7 @@ pub fn left_out_of_growth(
         })
     };
     let lines = chosen(store, between)?;
-    let by_others = lines.iter().filter_map(by_others);
+    let by_others = lines.iter().filter_map(|line| by_others(line));
     Ok(by_others.chain(lines.iter().filter_map(sentence)).collect())
 }
 
