@@ -480,6 +480,7 @@ defects-judged = { $sentence }; sie zählen in Pegeln und Grenzwerten, sind aber
 wheel-has-a-flat = { $channel }: das Rad hat eine Flachstelle von etwa { $depth } µm, die alle { $circumference } m zu spüren ist; sie ist keine Schweißung und aus Pegeln und Schleifplan weggelassen
 wheel-is-not-round = { $channel }: das Rad hat { $order } Wellen auf dem Umfang, { $wavelength } mm lang mit einer Amplitude von { $amplitude } µm; sie sind aus Pegeln und Schleifplan weggelassen
 wheel-or-rail = { $channel }: Wellen von { $wavelength } mm mit einer Amplitude von { $amplitude } µm kehren mit jeder Radumdrehung wieder, { $order } in einer, und bleiben in den Pegeln: eine Schiene, deren Wellen ihre Phase halten, sieht ebenso aus; ein zweites Achslager über dieser Schiene würde es zeigen
+level-of-wheel-or-rail = { $channel }: bei { $wavelength } mm liegt der Pegel der Schiene zwischen etwa { $lowest } und { $level } dB, da diese Wellen die des Rades sein können; Grenzwerte und was zu schleifen ist, sind nach dem oberen beurteilt
 
 grows-within = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen (80 %): { $by }
 grows-within-a-month = { $wavelength } mm wächst am schnellsten, um { $low } bis { $high } dB je Million Achsen, { $low_a_month } bis { $high_a_month } dB im Monat (80 %): { $by }

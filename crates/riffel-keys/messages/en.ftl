@@ -487,6 +487,7 @@ defects-judged = { $sentence }; they count in levels and limits, but are no corr
 wheel-has-a-flat = { $channel }: the wheel has a flat of some { $depth } µm, felt every { $circumference } m; it is no weld, and left out of levels and what to grind
 wheel-is-not-round = { $channel }: the wheel has { $order } waves around it, { $wavelength } mm long with an amplitude of { $amplitude } µm; they are left out of levels and what to grind
 wheel-or-rail = { $channel }: waves of { $wavelength } mm with an amplitude of { $amplitude } µm repeat with the wheel's turn, { $order } in one, and stay in the levels: a rail whose waves keep their phase looks the same; a second axle box on this rail would tell
+level-of-wheel-or-rail = { $channel }: at { $wavelength } mm the level of the rail lies between some { $lowest } and { $level } dB, as these waves may be the wheel's; limits and what to grind are judged by the upper
 
 grows-within = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles (80 %): { $by }
 grows-within-a-month = { $wavelength } mm grows fastest, by { $low } to { $high } dB per million axles, { $low_a_month } to { $high_a_month } dB a month (80 %): { $by }

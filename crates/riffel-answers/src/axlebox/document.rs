@@ -41,7 +41,7 @@ struct RailDocument<'a> {
 struct Level {
     wavelength_m: f64,
     level_db: f64,
-    /// With pads of half to twice the stiffness.
+    /// With pads of half to twice the stiffness, the lowest without waves that may be the wheel's.
     lowest_db: f64,
     highest_db: f64,
 }

@@ -3,7 +3,7 @@
 use std::path::PathBuf;
 
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample, WheelPattern};
-use riffel::roughness::{AnalysisSettings, RailAnalysis, WavelengthBand};
+use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum, ThirdOctave, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::CaseError;
 use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable, RunEnd};
@@ -19,6 +19,7 @@ pub(super) struct Heard {
     pub(super) parts: Vec<RailAnalysis>,
     /// What turns with the wheel, in pieces with their lengths [m].
     pub(super) wheel: Vec<(f64, WheelPattern)>,
+    pub(super) without: Vec<PartWithout>,
     /// Wavelengths that are known somewhere.
     pub(super) known: WavelengthBand,
     slowest: f64,
@@ -29,12 +30,37 @@ pub(super) struct Heard {
     length: f64,
 }
 
+/// Levels of a part with and without waves that may be the wheel's.
+pub(super) struct PartWithout {
+    /// \[m\].
+    length: f64,
+    there: Spectrum,
+    left: Spectrum,
+}
+
+/// By how much levels are lower without waves that may be the wheel's \[dB\].
+pub(super) fn lower(parts: &[PartWithout], band: ThirdOctave) -> f64 {
+    let power = |of: fn(&PartWithout) -> &Spectrum| -> f64 {
+        let powers = parts.iter().filter_map(|part| {
+            let level = of(part).level(band)?;
+            Some(part.length * 10f64.powf(0.1 * level))
+        });
+        powers.sum()
+    };
+    let (there, left) = (power(|part| &part.there), power(|part| &part.left));
+    match left < there {
+        true => 10.0 * (there / left).log10(),
+        false => 0.0,
+    }
+}
+
 impl Heard {
     fn new(name: &str, known: WavelengthBand) -> Self {
         Self {
             name: name.to_owned(),
             parts: Vec::new(),
             wheel: Vec::new(),
+            without: Vec::new(),
             known,
             slowest: f64::INFINITY,
             fastest: 0.0,
@@ -55,7 +81,7 @@ impl Heard {
     fn add(
         &mut self,
         felt: FeltProfile,
-        wheel: Option<WheelPattern>,
+        mut wheel: Option<WheelPattern>,
         settings: &AnalysisSettings,
     ) -> Result<(), riffel::Error> {
         let length = felt.profile.length();
@@ -64,13 +90,26 @@ impl Heard {
         if length < 4.0 * settings.longest_wavelength {
             return Ok(());
         }
-        self.wheel.extend(wheel.map(|found| (length, found)));
         let settings = AnalysisSettings {
             felt: Some(known),
             ..settings.clone()
         };
-        self.parts
-            .push(RailAnalysis::new(vec![felt.profile], &settings, &|| ())?);
+        let without = wheel.as_mut().and_then(|found| found.without.take());
+        let levels = AnalysisSettings {
+            bands: Vec::new(),
+            section_levels: false,
+            ..settings.clone()
+        };
+        let without = without.map(|rail| RailAnalysis::new(vec![rail], &levels, &|| ()));
+        let without = without.transpose()?.map(|analysis| analysis.spectrum);
+        self.wheel.extend(wheel.map(|found| (length, found)));
+        let part = RailAnalysis::new(vec![felt.profile], &settings, &|| ())?;
+        self.without.push(PartWithout {
+            length,
+            there: part.spectrum.clone(),
+            left: without.unwrap_or_else(|| part.spectrum.clone()),
+        });
+        self.parts.push(part);
         let [slowest, mean, fastest] = felt.speeds;
         self.slowest = self.slowest.min(slowest);
         self.fastest = self.fastest.max(fastest);

@@ -24,7 +24,7 @@ pub use wheels::{WheelMark, WheelMarkKind};
 
 use crate::AnswerError;
 use crate::roughness::{Judged, RailAnswer, Verdict, tables, worst_first};
-use listening::{Heard, Longest, listen};
+use listening::{Heard, Longest, listen, lower};
 
 /// What is asked of axle boxes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -80,7 +80,8 @@ pub struct LevelRange {
     pub band: ThirdOctave,
     /// With pads as in the case.
     pub level: f64,
-    /// Lowest and highest with pads of half to twice the stiffness; those of the case where it has no pads.
+    /// Lowest and highest with pads of half to twice the stiffness, or those of the case where it has no pads; the lowest without waves
+    /// that may be the wheel's.
     pub range: [f64; 2],
 }
 
@@ -181,10 +182,15 @@ impl AxleBoxAnswer {
             if let (Err(message), Some((path, _))) = (sound, files.first()) {
                 return Err(CaseError::data(path, message).into());
             }
+            let mut levels = pads::ranges(case, &analysis.spectrum, speeds[1])?;
+            for level in &mut levels {
+                level.range[0] -= lower(&channel.without, level.band);
+            }
+            remarks.extend(wheels::bound(&name, &levels, &channel.without));
             let words = several.then(|| rail_in_words(&name));
             let verdicts = Verdict::all(limits, &analysis.spectrum, Some(&analysis)).into_iter();
             rails.push(AxleBoxRail {
-                levels: pads::ranges(case, &analysis.spectrum, speeds[1])?,
+                levels,
                 speeds,
                 known,
                 rail: RailAnswer {

@@ -5,9 +5,12 @@ use std::f64::consts::{SQRT_2, TAU};
 
 use riffel::axlebox::{FeltProfile, WheelPattern};
 use riffel_case::Case;
-use riffel_keys::{Message, fixed, say, significant};
+use riffel_keys::{Message, fixed, number, say, significant};
 use riffel_rail::rail_of_channel;
 use serde::Serialize;
+
+use super::LevelRange;
+use super::listening::{PartWithout, lower};
 
 /// Part of the greatest power of an order from which others are told, too: 10 dB less.
 const TOLD: f64 = 0.1;
@@ -90,6 +93,23 @@ fn is_multiple(one: &FeltProfile, other: &FeltProfile) -> bool {
         (own, others, both) = (own + a * a, others + b * b, both + a * b);
     }
     both.abs() > ONE_SIGNAL * (own * others).sqrt()
+}
+
+/// What is to be said of the level that waves that may be the wheel's make the most uncertain, if any by half a decibel.
+pub(super) fn bound(name: &str, levels: &[LevelRange], parts: &[PartWithout]) -> Option<Message> {
+    let lower = |level: &LevelRange| lower(parts, level.band);
+    let most = levels
+        .iter()
+        .max_by(|one, other| lower(one).total_cmp(&lower(other)))?;
+    (lower(most) > 0.5).then(|| {
+        say!(
+            level_of_wheel_or_rail,
+            channel = name.to_owned(),
+            wavelength = number(most.band.nominal_millimetres()),
+            lowest = fixed(most.level - lower(most), 1),
+            level = fixed(most.level, 1)
+        )
+    })
 }
 
 /// What turns with the wheel of a channel, in its pieces of line with their lengths \[m\], and a sentence on it.

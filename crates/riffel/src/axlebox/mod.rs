@@ -26,6 +26,7 @@ mod run;
 mod sample;
 mod segment;
 mod transfer;
+mod transforms;
 mod wheel_pattern;
 
 pub use counted_steps::LONGEST_STEP;

@@ -3,8 +3,8 @@
 use std::f64::consts::FRAC_PI_2;
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
 
+use super::transforms::{backward, forward};
 use super::{AxleBoxTransfer, FeltProfile, Inverse, RunSettings};
 use crate::Error;
 use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
@@ -84,11 +84,7 @@ impl Segment<'_> {
     ) -> Vec<f64> {
         let samples = self.accelerations.len();
         let size = samples.next_power_of_two();
-        let mut planner = RealFftPlanner::<f64>::new();
-        let (forward, backward) = (
-            planner.plan_fft_forward(size),
-            planner.plan_fft_inverse(FINER * size),
-        );
+        let (forward, backward) = (forward(size), backward(FINER * size));
         let mut input = forward.make_input_vec();
         let ramp = (self.edge / 2).max(1);
         for (index, (value, acceleration)) in input.iter_mut().zip(self.accelerations).enumerate() {

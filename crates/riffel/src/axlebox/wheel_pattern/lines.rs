@@ -4,7 +4,9 @@ use std::f64::consts::TAU;
 use std::ops::Range;
 
 use num_complex::Complex64;
-use realfft::RealFftPlanner;
+
+use super::super::transforms::{backward, forward};
+use super::expected::{Expected, MOST_TURNS};
 
 /// A course as a sum of waves.
 pub(super) struct Lines {
@@ -21,7 +23,7 @@ pub(super) struct Lines {
 impl Lines {
     pub(super) fn of(heights: &[f64], spacing: f64) -> Self {
         let size = (2 * heights.len()).next_power_of_two();
-        let transform = RealFftPlanner::<f64>::new().plan_fft_forward(size);
+        let transform = forward(size);
         let mut input = transform.make_input_vec();
         input[..heights.len()].copy_from_slice(heights);
         let mut lines = transform.make_output_vec();
@@ -40,7 +42,7 @@ impl Lines {
     }
 
     fn back(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
-        let transform = RealFftPlanner::<f64>::new().plan_fft_inverse(self.size);
+        let transform = backward(self.size);
         let mut heights = transform.make_output_vec();
         lines[0].im = 0.0;
         if let Some(last) = lines.last_mut() {
@@ -145,23 +147,45 @@ impl Lines {
         }
     }
 
-    /// What repeats with the turn in the bands of orders, at the heights: the mean over up to so many turns to either side,
-    /// itself left out, and as much of the rest as keeps the power of a course that does not repeat.
+    /// What repeats with the turn in the bands of orders, at the heights: what the turns to either side, up to 12 and itself left
+    /// out, let expect of a pattern that changes slowly, and as much of the rest as keeps the power of a course that does not repeat.
     pub(super) fn repeating(&self, orders: &[usize], circumference: f64, turns: usize) -> Vec<f64> {
+        let turns = turns.min(MOST_TURNS);
         let mut own = vec![Complex64::ZERO; self.lines.len()];
-        let mut others = own.clone();
+        // Sums over the turns, each times a power of its number.
+        let mut sums = [own.clone(), own.clone(), own.clone()];
         for &order in orders {
             for line in self.band(order, circumference) {
                 own[line] = self.lines[line];
-                others[line] = own[line] * self.comb(line, circumference, turns);
+                let (sine, cosine) = (TAU * line as f64 * self.step * circumference).sin_cos();
+                let (once, mut wave) = (Complex64::new(cosine, sine), Complex64::ONE);
+                let mut all = [Complex64::ZERO; 3];
+                for turn in 1..=turns {
+                    wave *= once;
+                    let number = turn as f64;
+                    all[0].re += 2.0 * wave.re;
+                    all[1].im += 2.0 * number * wave.im;
+                    all[2].re += 2.0 * number * number * wave.re;
+                }
+                for (sum, all) in sums.iter_mut().zip(all) {
+                    sum[line] = own[line] * all;
+                }
             }
         }
-        let (mut found, sums) = (self.back(own), self.back(others));
+        let mut found = self.back(own);
+        let sums = sums.map(|sum| self.back(sum));
         let steps = circumference / self.spacing;
         let reached = |heights: usize| ((heights as f64 / steps) as usize).min(turns);
-        for (index, (own, sum)) in found.iter_mut().zip(sums).enumerate() {
-            let count = (reached(index) + reached(self.count - 1 - index)).max(1) as f64;
-            *own -= (*own - sum / count) * (count / (count + 1.0)).sqrt();
+        let mut expected = ([turns; 2], Expected::of([turns; 2]));
+        for (index, own) in found.iter_mut().enumerate() {
+            let around = [reached(index), reached(self.count - 1 - index)];
+            if expected.0 != around {
+                expected = (around, Expected::of(around));
+            }
+            let Expected { weights, variance } = expected.1;
+            let of_sum = |(weight, sum): (&f64, &Vec<f64>)| weight * sum[index];
+            let mean: f64 = weights.iter().zip(&sums).map(of_sum).sum();
+            *own -= (*own - mean) / (1.0 + variance).sqrt();
         }
         found
     }

@@ -1,5 +1,6 @@
 //! What of a felt roughness turns with the wheel.
 
+mod expected;
 mod lines;
 #[cfg(test)]
 mod tests;
@@ -44,6 +45,8 @@ pub struct WheelPattern {
     pub depth: f64,
     /// Whether it can be no wave of the rail.
     pub is_wheel: bool,
+    /// Heights without a pattern that may be a wave of the rail, and stays in what the wheel felt; None where it can be none.
+    pub without: Option<Profile>,
 }
 
 impl WheelPattern {
@@ -52,8 +55,9 @@ impl WheelPattern {
     ///
     /// Method: power is made even over octaves, so that long waves do not hide the rest; the distance is that at which the
     /// autocorrelation at all multiples is the greatest, and then that of the highest lines of the orders that stand out. The pattern at a
-    /// place is the mean of the heights a whole number of turns away, up to 24 to either side and without the height of the place itself:
-    /// a rail without a pattern has none but by chance. It is taken in the bands of the orders that stand out, and in those of all known
+    /// place is the parabola through the heights a whole number of turns away, up to 12 to either side and without the height of the place
+    /// itself: it may change slowly, as it does with the speed where the transfer is not quite that of the track, and a rail without a
+    /// pattern has none but by chance. It is taken in the bands of the orders that stand out, and in those of all known
     /// orders where four or more do. An order that repeats half as strongly under most of the other wheels is the rail's. Where there is
     /// no other wheel, a pattern of fewer than four orders may be a wave of the rail that keeps its phase, and stays in the heights; what
     /// repeats by the distance of supports \[m\], if there are any, is the track's.
@@ -169,11 +173,15 @@ impl Turning {
         let course = lines.repeating(&taken, circumference, self.turns);
         let square = course.iter().map(|height| height * height).sum::<f64>();
         let steps = (circumference / felt.profile.spacing()).round() as usize;
-        if self.is_wheel {
-            let profile = &felt.profile;
-            let left = profile.heights().iter().zip(&course);
-            let left = left.map(|(height, wheel)| height - wheel).collect();
-            felt.profile = Profile::new(profile.start(), profile.spacing(), left)?;
+        let left = felt.profile.heights().iter().zip(&course);
+        let left = left.map(|(height, wheel)| height - wheel).collect();
+        let mut without = Some(Profile::new(
+            felt.profile.start(),
+            felt.profile.spacing(),
+            left,
+        )?);
+        if let Some(rail) = without.take_if(|_| self.is_wheel) {
+            felt.profile = rail;
         }
         let orders = self.orders.into_iter();
         Ok(WheelPattern {
@@ -182,6 +190,7 @@ impl Turning {
             rms: (square / course.len() as f64).sqrt(),
             depth: depth(&course, steps),
             is_wheel: self.is_wheel,
+            without,
         })
     }
 }

@@ -150,3 +150,50 @@ fn polygons_are_told_by_another_wheel_on_the_rail() {
         assert!(left < 0.5, "{seed}: {left} dB");
     }
 }
+
+/// Where the transfer is not quite that of the track, or the odometer not quite true, a pattern changes along the line: here by 4 mm and a
+/// tenth of its height over 200 to 270 m. Of 40 records the worst error of any band is 0.15 dB, but for waves around the wheel that are 22 dB
+/// above all that the rail has: of these up to 0.73 dB are left, likely in the first and the last turn.
+#[test]
+fn patterns_that_change_slowly_are_taken_off() {
+    type Wheel = Box<dyn Fn(f64) -> f64>;
+    let mut records = 0;
+    for (seed, is_corrugated, radius) in rails().filter(|(seed, ..)| seed % 2 == 0) {
+        let rail = rail(seed, is_corrugated);
+        let changing = |wheel: &dyn Fn(f64) -> f64, x: f64| {
+            let moved = x + 4e-3 * (TAU * x / 270.0 + seed as f64).sin();
+            wheel(moved) * (1.0 + 0.1 * (TAU * x / 200.0).cos())
+        };
+        let round = || Box::new(|_| 0.0) as Wheel;
+        let flat = || Box::new(flat(radius, 120e-6)) as Wheel;
+        let waves = |order| Box::new(polygon(radius, order, 18e-6)) as Wheel;
+        let near_the_rails = (TAU * radius / 0.051).round() as usize;
+        let both: Wheel = {
+            let (flat, waves) = (flat(), waves(20));
+            Box::new(move |x| flat(x) + waves(x))
+        };
+        let kinds: [Vec<Wheel>; 5] = [
+            vec![flat()],
+            vec![both],
+            vec![waves(18), round()],
+            vec![waves(near_the_rails), round()],
+            vec![flat(), waves(20), round()],
+        ];
+        let smooth = with(&rail, |_| 0.0).profile;
+        for (kind, wheels) in kinds.iter().enumerate() {
+            let felt = wheels.iter();
+            let felt = felt.map(|wheel| with(&rail, |x| changing(wheel, x)));
+            let (pattern, left) = found(felt.collect(), TAU * RADIUS);
+            assert!(pattern.is_some_and(|one| one.is_wheel), "{kind}, {seed}");
+            let error = difference(&left, &smooth);
+            let most = if kind == 3 && !is_corrugated {
+                0.8
+            } else {
+                0.2
+            };
+            assert!(error < most, "{kind}, {seed}: {error} dB");
+            records += 1;
+        }
+    }
+    assert_eq!(records, 40);
+}
