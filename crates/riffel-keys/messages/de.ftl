@@ -710,6 +710,7 @@ tonnes-to-limit-head = Mio. t bis Grenze
 months-to-limit-head = Monate bis Grenze
 at-edge-of-lines = { $wavelength } (Rand)
 cannot-act = kann nicht wirken
+cannot-be-told = ist nicht zu sagen
 changes-nothing = ändert nichts
 held-mixed = verschieden
 held-force = Kraft

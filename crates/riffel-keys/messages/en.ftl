@@ -717,6 +717,7 @@ tonnes-to-limit-head = MGT to limit
 months-to-limit-head = months to limit
 at-edge-of-lines = { $wavelength } (edge)
 cannot-act = cannot act
+cannot-be-told = cannot be told
 changes-nothing = changes nothing
 held-mixed = mixed
 held-force = force

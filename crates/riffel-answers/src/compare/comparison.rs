@@ -36,6 +36,9 @@ pub struct Outcome {
     pub without_time: Option<Message>,
     /// The line of highest growth.
     pub fastest: FastestLine,
+    /// Whether nothing is told of what this variant does, for the model does not explain how the rail that leads grew: growth is that of the
+    /// case as it is, and there are no rails.
+    pub untold: bool,
     /// Frequency \[Hz\] that the strongest branch of the ridge follows, for the wheel of the case over the speeds of
     /// its map; none where nothing grows.
     pub ridge_frequency: Option<f64>,
@@ -167,8 +170,16 @@ impl Comparison {
             let changed = variant.applied_to(case)?;
             let ridge = ridge_of(&changed, &changed.feedback);
             let mut rails = starts(on.passages_per_day);
-            let is_base = outcomes.is_empty();
-            if !is_base {
+            let base = outcomes.first();
+            let is_base = base.is_none();
+            let untold = base.is_some_and(|base| {
+                let unexplained = |rail: &RailForecast| rail.unexplained(&model, None);
+                base.leading()
+                    .is_some_and(|rail| !unexplained(rail).is_empty())
+            });
+            if untold {
+                rails.clear();
+            } else if !is_base {
                 for start in &mut rails {
                     *start = start.clone().changed(&model, &on.growth);
                 }
@@ -181,13 +192,18 @@ impl Comparison {
             };
             let leading = rails.first();
             let own = leading.and_then(|rail| rail.start.growth.as_ref());
-            let growth = match own {
-                Some(own) => on.growth.clone().as_measured(own),
-                None => on.growth.clone(),
+            let growth = match (own, base.filter(|_| untold)) {
+                (_, Some(base)) => base.growth.clone(),
+                (Some(own), None) => on.growth.clone().as_measured(own),
+                (None, None) => on.growth.clone(),
             };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
-                fastest: FastestLine::of(&growth, case, leading),
+                fastest: match untold {
+                    true => FastestLine::UNTOLD,
+                    false => FastestLine::of(&growth, case, leading),
+                },
+                untold,
                 without_time: leading.and_then(|rail| rail.without_time(&on)),
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
@@ -253,14 +269,21 @@ impl Outcome {
     }
 
     /// Change of the fastest growth from that of the case as it is, as a part of it; none where that does not grow
-    /// or this does not act.
+    /// or this does not act, or is not told.
     pub fn change_from(&self, base: &Self) -> Option<f64> {
-        (base.fastest.rate > 0.0 && self.effect.acts())
+        (base.fastest.rate > 0.0 && self.effect.acts() && !self.untold)
             .then(|| self.fastest.rate / base.fastest.rate - 1.0)
     }
 }
 
 impl FastestLine {
+    /// That of a variant of which nothing is told.
+    const UNTOLD: Self = Self {
+        wavelength: f64::NAN,
+        rate: f64::NAN,
+        at_edge: false,
+    };
+
     /// Of the bands of the case; of a rail whose growth was measured, the wavelength that grows fastest on it.
     fn of(growth: &TrafficGrowth, case: &Case, rail: Option<&RailForecast>) -> Self {
         let own = rail.and_then(|rail| rail.start.growth.as_ref()?.fastest());

@@ -127,7 +127,7 @@ fn of<'a>(answer: &'a CompareAnswer, case: &Case, outcome: &'a Outcome) -> Outco
             case,
             outcome.growth.mean_wear(),
             outcome.wear_coefficient,
-            Some(outcome.fastest.rate),
+            Some(outcome.fastest.rate).filter(|rate| !rate.is_nan()),
         ),
         change_of_fastest_growth: match outcome.effect {
             Effect::None => (base.fastest.rate > 0.0).then_some(0.0),

@@ -253,6 +253,11 @@ impl CompareAnswer {
 
     /// The cells of an outcome under the [`header`](Self::header).
     pub fn row(&self, outcome: &Outcome) -> Vec<Message> {
+        if outcome.untold {
+            let mut row = vec![Message::verbatim(""); self.header().len()];
+            row[2] = say!(cannot_be_told);
+            return row;
+        }
         let FastestLine {
             wavelength,
             rate,

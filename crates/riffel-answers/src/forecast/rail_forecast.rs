@@ -13,6 +13,13 @@ use crate::Banded;
 
 /// Growth by the model over that of a rail which it explains.
 const EXPLAINS: std::ops::RangeInclusive<f64> = 0.5..=2.0;
+/// Decibels of a growth by a factor of e.
+const DECIBELS: f64 = 20.0 / std::f64::consts::LN_10;
+
+/// Whether a growth rate of a model explains the slope of a level \[dB\] that was measured.
+fn explains(rate: f64, slope: f64) -> bool {
+    EXPLAINS.contains(&(DECIBELS * rate / slope))
+}
 
 /// What is known of a rail when a forecast begins.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,12 +137,14 @@ impl RailStart {
     }
 
     /// The start under something that changes: its own growth changes as that of the model within a tenth of each wavelength, where the
-    /// model grows there.
+    /// model explains it.
     pub(crate) fn changed(mut self, base: &TrafficGrowth, variant: &TrafficGrowth) -> Self {
+        let own = self.growth.clone();
         let factor = |band: ThirdOctave| {
             let near = |growth: &TrafficGrowth| growth.fastest_near(band.wavelength());
-            match (near(base), near(variant)) {
-                (Some(base), Some(variant)) if base > 0.0 => variant / base,
+            let slope = own.as_ref().and_then(|own| Some(own.band(band)?.slope));
+            match (near(base), near(variant), slope) {
+                (Some(base), Some(variant), Some(slope)) if explains(base, slope) => variant / base,
                 _ => 1.0,
             }
         };
@@ -231,7 +240,7 @@ impl RailForecast {
     pub(super) fn model_beside(&self, model: &TrafficGrowth) -> Option<(&MeasuredBand, f64)> {
         let own = self.grown().filter(|_| self.start.is_of_case)?;
         let near = model.fastest_near(own.band.wavelength())?;
-        Some((own, 20.0 / std::f64::consts::LN_10 * near / own.slope))
+        Some((own, DECIBELS * near / own.slope))
     }
 
     /// The band that grows fastest on it as it was measured; none where none grows, or no growth was measured.

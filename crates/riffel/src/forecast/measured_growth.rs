@@ -135,8 +135,9 @@ impl MeasuredGrowth {
     /// [more than 3 dB](crate::diagnosis::FALL_BY_GRINDING), or not now, are not in it.
     ///
     /// Method: least squares through the levels of the energy means; their scatter by the jackknife over the records (places, where
-    /// they are paired), times what levels of three dates and more are farther off their lines than that (ratio of Birge 1932, over
-    /// all bands), as by an instrument that reads all of a date too high. With fewer than three records of a date the scatter is what
+    /// they are paired), widened where levels of three dates and more are farther off their lines than that (ratio of Birge 1932, over
+    /// all bands), as by an instrument that reads all of a date too high; never narrowed, for places that grow each at its own rate lie
+    /// on their lines and scatter all the same. With fewer than three records of a date the scatter is what
     /// the levels of all bands are off their lines, and of two dates 1 dB.
     ///
     /// # Errors
@@ -167,7 +168,10 @@ impl MeasuredGrowth {
             true => Variance::new(off / freedom, freedom),
             false => Variance::new(UNKNOWN_SCATTER.powi(2), f64::INFINITY),
         };
-        let widened = |scatter: Variance| match expected > 0.0 {
+        // Of two scatters that are alike the ratio is seldom more than this over one. A smaller ratio says nothing: places may grow each at its own
+        // rate, off no line.
+        let chance = 2.0 * (2.0 / freedom).sqrt();
+        let widened = |scatter: Variance| match expected > 0.0 && off > (1.0 + chance) * expected {
             true => scatter.times(off / expected).known_less(freedom),
             false => scatter,
         };
