@@ -403,7 +403,16 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
         assert!(first.contains("has grown by 4.0 dB"), "{first}");
         assert_eq!(forecast["model_over_measured"].is_null(), is_other);
         let compared = format!("compare {asked} --with cases/low-rail-friction.toml --json");
-        let compared = sandbox.json(&compared)["unexplained"].to_string();
+        let compared = sandbox.json(&compared);
+        let variant = &compared["outcomes"][1];
+        for key in [
+            "change_of_fastest_growth",
+            "fastest_growth_rate_per_passage",
+            "months_to_limit",
+        ] {
+            assert!(!is_other || variant[key].is_null(), "{names:?}: {variant}");
+        }
+        let compared = compared["unexplained"].to_string();
         for said in [forecast["unexplained"].to_string(), compared] {
             let other = said.contains("the case is of the other rail of the curve");
             assert_eq!(other, is_other, "{names:?}: {said}");

@@ -114,7 +114,7 @@ fn the_bands_hold_the_truth_as_often_as_they_say() {
         growing: 0.0,
     };
     let unlike = |dates| Made {
-        growing: 0.4,
+        growing: 0.15,
         ..made(dates, 20, true, 0.0, 0.0)
     };
     let cases = [
