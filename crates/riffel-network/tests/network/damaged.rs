@@ -48,7 +48,7 @@ fn what_is_wrong_is_refused_with_its_line() {
         ),
         (
             format!("{head}\nleft,0,10,5\nleft,5,15,5\nleft,10,20,5\n"),
-            "line 3: left: the block begins at 5 m",
+            "line 3: left: the block begins at 5.000 m",
         ),
         (
             format!("{head}\nleft,0,1,5\nleft,1,2,5\nleft,0,1,5\nleft,1,2,5\n"),
