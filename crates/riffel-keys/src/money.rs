@@ -11,7 +11,8 @@ const CURRENCIES: [&str; 12] = [
 ///
 /// # Errors
 /// What is wrong with the number, a rule that goes on after the name of the sum: it may be thousands (`9.000`, `9,000`), its
-/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, its currency stands before it, it counts thousands or millions (`9 k EUR`), or it is none.
+/// thousands stand apart (`9 000`, `9'000`), it has a decimal comma, its currency stands before it, it counts thousands or millions
+/// (`9 k EUR`), or it is none.
 pub fn read(text: &str) -> Result<(f64, &str), Message> {
     let text = text.trim();
     let before = |own: &&&str| text.starts_with(**own);

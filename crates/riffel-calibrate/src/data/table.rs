@@ -214,11 +214,17 @@ impl Numbers {
             if by_date.values().all(|devices| devices == first) {
                 continue;
             }
-            let row = cells
+            // Two dates differ, so that two names are there.
+            let mut named = cells
                 .iter()
-                .position(|cell| !cell.is_empty() && *cell != cells[0]);
-            let row = row.unwrap_or_default();
-            let (device, other) = (&cells[row], &cells[0]);
+                .enumerate()
+                .filter(|(_, cell)| !cell.is_empty());
+            let Some((_, other)) = named.next() else {
+                continue;
+            };
+            let Some((row, device)) = named.find(|(_, cell)| *cell != other) else {
+                continue;
+            };
             let rule = say!(
                 device_of_other_dates,
                 column = column,

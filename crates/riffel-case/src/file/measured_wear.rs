@@ -42,15 +42,11 @@ impl MeasuredWear {
     /// Depth and traffic of the short text, "1.2 mm / 100 MGT" or "1.2 mm per 100 MGT"; a traffic of a unit alone is one of it.
     pub(crate) fn in_words(text: &str) -> Option<[String; 2]> {
         let (depth, per) = text.rsplit_once('/').or_else(|| text.split_once(" per "))?;
-        let depth = depth.trim();
-        let per = MILLION_TONNES
-            .iter()
-            .fold(per.trim().to_owned(), |per, words| {
-                per.strip_suffix(words)
-                    .map_or(per.clone(), |count| format!("{count}MGT"))
-            });
+        let (depth, per) = (depth.trim(), per.trim());
+        let count = MILLION_TONNES.iter().find_map(|it| per.strip_suffix(it));
+        let per = count.map_or_else(|| per.to_owned(), |count| format!("{count}MGT"));
         let per = match per.starts_with(|first: char| first.is_ascii_digit() || first == '.') {
-            true => per.to_owned(),
+            true => per,
             false => format!("1 {per}"),
         };
         // A bare number is in the units of SI, which nobody means here.
