@@ -168,11 +168,17 @@ def limit_files(size: int) -> None:
     resource.setrlimit(resource.RLIMIT_FSIZE, (size, resource.RLIM_INFINITY))
 
 
+def test_workers_are_asked_of_the_scheduler(client: Client, monkeypatch: pytest.MonkeyPatch) -> None:
+    """What the client keeps of them is without any of them for moments."""
+    monkeypatch.setattr(client, "scheduler_info", lambda *_, **__: {"workers": {}})
+    assert sorted(_cluster._threads(client).values()) == [1, 1, 1]
+
+
 def test_a_full_disk_on_one_worker_costs_nothing(
     client: Client, plan: Path, tmp_path: Path, alone: xr.Dataset
 ) -> None:
     study = riffel.Study.from_toml(plan)
-    worker = next(iter(client.scheduler_info()["workers"]))
+    worker = next(iter(_cluster._threads(client)))
     client.run(limit_files, 100, workers=[worker])
     try:
         results = study.run(tmp_path / "cluster", client)
@@ -258,7 +264,7 @@ def test_one_worker_that_does_not_see_the_folder_costs_nothing(
     (here := tmp_path / "here").mkdir()
     (there := tmp_path / "there").mkdir()
     monkeypatch.chdir(here)
-    with elsewhere(client, there, [next(iter(client.scheduler_info()["workers"]))]):
+    with elsewhere(client, there, [next(iter(_cluster._threads(client)))]):
         results = study.run(OWN_FOLDER, client)
     assert list(there.iterdir()) == []
     same(alone, results)

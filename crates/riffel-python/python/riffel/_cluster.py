@@ -68,6 +68,15 @@ def compute(folder: str, fingerprint: str, chunks: tuple[int, ...]) -> tuple[str
     return address, time.perf_counter() - begun, None
 
 
+def _threads(client: Client) -> dict[str, int]:
+    """Threads of each worker, as the scheduler knows them now.
+
+    `Client.scheduler_info` tells the same from what it keeps, which a timer replaces now and then by one without workers.
+    """
+    known = client.sync(client.scheduler.identity, n_workers=-1)
+    return {address: worker["nthreads"] for address, worker in known["workers"].items()}
+
+
 def run(
     study: _riffel.Study,
     folder: Path,
@@ -83,7 +92,7 @@ def run(
         raise ValueError(f"patience is {patience}, but must be above zero")
     if attempts < 1:
         raise ValueError(f"attempts is {attempts}, but must be one or more")
-    if not client.scheduler_info()["workers"]:
+    if not _threads(client):
         raise RuntimeError("the cluster has no workers: wait for them with client.wait_for_workers(1)")
     study.begin(str(folder))
     chunks = study.pending(str(folder), shard)
@@ -146,8 +155,8 @@ class _Run:
 
     def _workers(self) -> dict[str, int]:
         """Threads of the workers that may get tasks."""
-        workers = self.client.scheduler_info(n_workers=-1)["workers"]
-        return {address: worker["nthreads"] for address, worker in workers.items() if self.broken[address] < BROKEN}
+        workers = _threads(self.client)
+        return {address: threads for address, threads in workers.items() if self.broken[address] < BROKEN}
 
     def _give(self) -> None:
         workers = self._workers()
