@@ -450,7 +450,7 @@ noise-limit-not-reached = { $sentence }; { $limit } dB(A) werden nicht erreicht
 ## Gemessenes Wachstum
 
 decaying-bands-stay = Bänder, die abklingen, behalten den Pegel von heute: nichts im Modell macht die Rauheit, die der Verkehr auf einer Schiene macht
-fit-of-several-rails = die Anpassung und die Änderungen daneben gelten für { $rails } zusammen, im Mittel; was jede Schiene für sich tut, steht in der Tabelle je Band
+fit-of-one-rail = die Anpassung und die Änderungen daneben gelten für { $rail } allein; was jede Schiene für sich tut, steht in der Tabelle je Band
 growth-unexplained = kein Verschleißbeiwert: das Modell erklärt das Wachstum bei { $wavelengths } mm nicht, { $measured } dB gemessen und { $fitted } dB mit dem besten Beiwert
 grew-in-a-year = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen
 grew-in-a-year-within = { $wavelength } mm ist um { $rate } dB im Jahr gewachsen, 95-%-Intervall { $low } bis { $high }
@@ -1037,6 +1037,7 @@ peak-falls = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, fällt 
 peak-rises = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt jedes Mal: sie wächst unter Verkehr
 peak-stays = die Spitze bei { $wavelength } mm, { $levels } dB re 1 µm, steigt und fällt nicht jedes Mal
 sections-over-levels = für sich liegen { $over } von { $all } Abschnitten von { $length } m darüber, am meisten { $place } um { $decibels } dB bei { $wavelength } mm
+rail-is-not-measured = es gibt keine Messung der { $rail }
 rail-named = Schiene { $name }
 verdict-within = { $edition }: innerhalb der Grenze, { $rest }
 verdict-over = { $edition }: über der Grenze, { $rest }

@@ -457,7 +457,7 @@ noise-limit-not-reached = { $sentence }; { $limit } dB(A) are not reached
 ## Measured growth
 
 decaying-bands-stay = bands that decay keep today's level: nothing in the model makes the roughness that traffic makes on a rail
-fit-of-several-rails = the fit and the changes beside it are of { $rails } together, in their mean; what each rail does by itself stands in the table by band
+fit-of-one-rail = the fit and the changes beside it are of { $rail } alone; what each rail does by itself stands in the table by band
 growth-unexplained = no wear coefficient: the model does not explain the growth at { $wavelengths } mm, { $measured } dB measured and { $fitted } dB with the best coefficient
 grew-in-a-year = { $wavelength } mm has grown by { $rate } dB a year
 grew-in-a-year-within = { $wavelength } mm has grown by { $rate } dB a year, 95 % interval { $low } to { $high }
@@ -1044,6 +1044,7 @@ peak-falls = the peak at { $wavelength } mm, { $levels } dB re 1 µm, falls ever
 peak-rises = the peak at { $wavelength } mm, { $levels } dB re 1 µm, rises every time: it grows under traffic
 peak-stays = the peak at { $wavelength } mm, { $levels } dB re 1 µm, neither rises nor falls every time
 sections-over-levels = by themselves { $over } of { $all } sections of { $length } m are over it, at worst { $place } by { $decibels } dB at { $wavelength } mm
+rail-is-not-measured = there is no record of { $rail }
 rail-named = rail { $name }
 verdict-within = { $edition }: within the limit, { $rest }
 verdict-over = { $edition }: over the limit, { $rest }

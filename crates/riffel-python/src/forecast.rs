@@ -7,7 +7,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 use riffel::forecast::{Reach, SpeedDistribution};
 use riffel_answers::compare::{Comparison, Effect};
-use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport};
+use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport, rail_to_fit};
 use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
@@ -198,8 +198,10 @@ pub(crate) fn fit_wear<'py>(
     passages: Option<f64>,
     days: Option<f64>,
     traffic: Option<GivenTraffic<'py>>,
+    limit: &str,
 ) -> PyResult<Bound<'py, PyAny>> {
     let layout = Layout::default();
+    let (_, limit) = riffel_answers::level_limit(limit).map_err(of_answer)?;
     let [earlier, later] = match places_of_both(py, &earlier, &later, &layout)? {
         Some(places) => places,
         None => {
@@ -208,17 +210,20 @@ pub(crate) fn fit_wear<'py>(
         }
     };
     let traffic = traffic_of(case, traffic.as_ref())?;
-    let on = case.compute(py, move |case| {
-        traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())
+    let now = later.clone();
+    let found = case.compute(py, move |case| {
+        let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+        let rail = rail_to_fit(case, &now, &on, Some(&limit));
+        Ok::<_, CaseError>((on, rail))
     })?;
-    let on = on.map_err(of_case)?;
+    let (on, rail) = found.map_err(of_case)?;
     let by_days = days.and_then(|days| on.passages_in(days));
     let passages = passages.or(by_days).ok_or_else(|| {
         wrong(
             "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",
         )
     })?;
-    let report = WearReport::new(&on, &earlier, &later, passages);
+    let report = WearReport::new(&on, rail.as_deref(), &earlier, &later, passages);
     document(py, &report.map_err(of_case)?.document())
 }
 

@@ -93,6 +93,26 @@ impl ForecastAnswer {
         own.own_growth(&self.on.growth, self.on.passages_per_day)
     }
 
+    /// Where the rail that leads is not that of the case: that it is not, and how the case's own rail grew and what of that the model
+    /// explains.
+    fn rail_of_case(&self) -> Vec<Message> {
+        if self.leading().start.is_of_case || self.own_growth().is_none() {
+            return Vec::new();
+        }
+        let rails = self.rails.iter().filter(|rail| rail.start.is_of_case);
+        let own = rails.filter_map(|rail| {
+            let grew = rail.own_growth(&self.on.growth, self.on.passages_per_day)?;
+            Some(match self.rail(rail) {
+                Some(name) => grew.about(name),
+                None => grew,
+            })
+        });
+        [say!(model_is_of_the_other_rail)]
+            .into_iter()
+            .chain(own)
+            .collect()
+    }
+
     /// Between what the fastest growth lies.
     fn fastest_within(&self) -> Option<Message> {
         let (band, _) = self.fastest().filter(|(_, rate)| *rate > 0.0)?;
@@ -156,6 +176,7 @@ impl ForecastAnswer {
         // Of the rail that leads, which is the first.
         findings.splice(1..1, self.months_within());
         findings.splice(0..0, self.first_said());
+        findings.extend(self.rail_of_case());
         let rails = self.rails.iter();
         findings.extend(rails.map(|rail| about(rail, self.linear_range(rail))));
         let decays = |rail: &RailForecast| {

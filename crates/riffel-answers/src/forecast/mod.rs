@@ -35,7 +35,7 @@ pub use over_posterior::PosteriorForecast;
 pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
-pub use wear_report::{WearDocument, WearReport};
+pub use wear_report::{WearDocument, WearReport, rail_to_fit};
 pub(crate) use words::{number, reached, shown as number_alone, when};
 pub use words::{per_million, three_digits};
 

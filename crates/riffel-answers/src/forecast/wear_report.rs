@@ -1,6 +1,7 @@
 //! The wear coefficient of two measurements of a rail, in words and as data.
 
 use riffel::forecast::{FittedBand, LARGE_CHANGE, WearFit, WearSpread, WearVerdict};
+use riffel::roughness::LevelLimit;
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::{CaseError, Message, Value, fixed, number, say};
@@ -8,6 +9,7 @@ use riffel_rail::{Survey, rail_in_words};
 use serde::Serialize;
 
 use super::words::millions;
+use super::{RailForecast, RailStart};
 
 /// Days of a year.
 const YEAR: f64 = 365.25;
@@ -70,25 +72,42 @@ fn remarks_of(survey: &Survey) -> impl Iterator<Item = Message> {
     warnings.map(|warning| warning.about(survey.path().display()))
 }
 
-/// That a fit is of several rails, which grow differently.
-fn taken_together(survey: &Survey) -> Option<Message> {
-    let rails = survey.rail_means();
-    let names = rails.iter().filter_map(|rail| rail.rail.as_deref());
-    let names: Value = names.map(rail_in_words).collect();
-    (rails.len() > 1).then(|| say!(fit_of_several_rails, rails = names))
+/// The rail that a fit is of, where several were measured and each grows differently: that of which the case is, else the one that leads.
+pub fn rail_to_fit(
+    case: &Case,
+    now: &Survey,
+    on: &TrafficOnCase,
+    limit: Option<&LevelLimit>,
+) -> Option<String> {
+    let starts = RailStart::of(&case.rail_in_curve(), Some(now), None, on.passages_per_day);
+    let rails = RailForecast::of_rails(&starts, on, limit).ok()?;
+    let of_case = rails.iter().find(|rail| rail.start.is_of_case);
+    of_case.or(rails.first())?.name().map(str::to_owned)
 }
 
 impl WearReport {
-    /// The fit of the change from one measurement to a later one by the growth of a case under traffic.
+    /// The fit of the change of a rail from one measurement to a later one by the growth of a case under traffic; of all records without
+    /// the name of a rail.
     ///
     /// # Errors
-    /// [`CaseError::Data`] for passages not above zero, or measurements without a band that the case speaks of.
+    /// [`CaseError::Data`] for a rail that was not measured before, passages not above zero, or measurements without a band that the case
+    /// speaks of.
     pub fn new(
         on: &TrafficOnCase,
+        rail: Option<&str>,
         earlier: &Survey,
         later: &Survey,
         passages: f64,
     ) -> Result<Self, CaseError> {
+        let of_one = rail.filter(|_| later.rails().len() > 1);
+        let chosen = |survey: &Survey| {
+            let found = survey.of_rail(rail);
+            found.ok_or_else(|| {
+                let rail = rail_in_words(rail.unwrap_or_default());
+                CaseError::data(survey.path(), say!(rail_is_not_measured, rail = rail))
+            })
+        };
+        let (earlier, later) = (&chosen(earlier)?, &chosen(later)?);
         let wrong = |error: riffel::Error| CaseError::data(later.path(), error.to_string());
         let change = later.change_since(earlier, passages).map_err(wrong)?;
         Ok(Self {
@@ -97,7 +116,8 @@ impl WearReport {
             days: on.passages_per_day.map(|per_day| passages / per_day),
             coefficient: on.wear_coefficient,
             records: [earlier.records.len(), later.records.len()],
-            remarks: (taken_together(later).into_iter())
+            remarks: (of_one.map(|rail| say!(fit_of_one_rail, rail = rail_in_words(rail))))
+                .into_iter()
                 .chain([earlier, later].into_iter().flat_map(remarks_of))
                 .collect(),
         })

@@ -402,6 +402,13 @@ fn a_case_of_one_rail_is_not_held_against_the_other() {
         let first = forecast["findings"][0].as_str().unwrap();
         assert!(first.contains("has grown by 4.0 dB"), "{first}");
         assert_eq!(forecast["model_over_measured"].is_null(), is_other);
+        // The fit and its changes are of the rail of the case, or else of the one that leads: never a mean of both.
+        let change = &forecast["wear_fit"]["bands"][0]["measured_change_db"];
+        let risen = if is_other { 1.0 } else { 4.0 };
+        assert!((number(change) - risen).abs() < 1e-9, "{names:?}: {change}");
+        let findings = forecast["findings"].as_array().unwrap().iter();
+        let own = findings.filter(|said| said.as_str().unwrap().contains("has grown by 1.0 dB"));
+        assert_eq!(own.count(), usize::from(is_other), "{names:?}: {forecast}");
         let compared = format!("compare {asked} --with cases/low-rail-friction.toml --json");
         let compared = sandbox.json(&compared);
         let variant = &compared["outcomes"][1];

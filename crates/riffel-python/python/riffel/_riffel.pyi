@@ -141,6 +141,7 @@ def fit_wear(
     passages: float | None,
     days: float | None,
     traffic: _Traffic | None,
+    limit: str,
 ) -> dict[str, Any]: ...
 def compare(
     case: Case,

@@ -6,7 +6,7 @@ use riffel::diagnosis::{fall_of_bands, first_since_ground};
 use riffel::forecast::MeasuredGrowth;
 use riffel::roughness::Spectrum;
 
-use crate::{Survey, find_rail};
+use crate::Survey;
 
 /// What time between records is counted in.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -63,15 +63,7 @@ impl RailDates {
         };
         let (_, last) = self.dates.last()?;
         let dated = self.dates.iter().filter_map(|(time, survey)| {
-            let mut survey = survey.with_names_of(last);
-            if let (Some(rail), Some(column)) = (rail, survey.rail_column()) {
-                let column = column.to_owned();
-                survey.records.retain(|record| {
-                    let name = record.label(&column).unwrap_or_default();
-                    find_rail([name].into_iter(), rail).is_some()
-                });
-            }
-            (!survey.records.is_empty()).then_some((*time, survey))
+            Some((*time, survey.with_names_of(last).of_rail(rail)?))
         });
         let (times, surveys): (Vec<f64>, Vec<Survey>) = dated.unzip();
         let surveys: Vec<&Survey> = surveys.iter().collect();

@@ -96,7 +96,7 @@ pub(super) fn forecast(
         .map_err(|error| of_arguments(arguments, case, error))?;
     drop(progress);
     let wear = match &dated {
-        Some(dated) => wear_report(&arguments.spectra, dated, &answer.on)?,
+        Some(dated) => wear_report(&arguments.spectra, dated, case, &answer)?,
         None => None,
     };
     Ok(match wear {

@@ -1,6 +1,8 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
-use riffel_answers::forecast::WearReport;
+use riffel::roughness::LevelLimit;
+use riffel_answers::forecast::{ForecastAnswer, WearReport, rail_to_fit};
+use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
 use riffel_keys::CaseError;
 use riffel_rail::{RailDates, Survey};
@@ -15,7 +17,8 @@ use crate::output::table;
 pub(super) fn wear_report(
     spectra: &Spectra,
     dated: &Dated,
-    on: &TrafficOnCase,
+    case: &Case,
+    answer: &ForecastAnswer,
 ) -> miette::Result<Option<WearReport>> {
     let Some(earlier) = &dated.earlier else {
         if spectra.passages_between.is_some() {
@@ -29,15 +32,16 @@ pub(super) fn wear_report(
         }
         return Ok(None);
     };
-    let by_date = dated.days.and_then(|days| on.passages_in(days));
+    let by_date = dated.days.and_then(|days| answer.on.passages_in(days));
     // A table of several dates is fitted by itself, if it can be.
     let is_asked = spectra.date_column.is_some()
         || !spectra.earlier.files.is_empty()
         || !spectra.earlier_choose.is_empty();
     let measured = Measured::new(earlier, &dated.now, dated.places.as_ref());
+    let fit = |passages| measured.fit(case, &answer.on, Some(&answer.limit), passages);
     match spectra.passages_between.or(by_date) {
-        Some(passages) if is_asked => Ok(Some(measured.fit(on, passages)?)),
-        Some(passages) => Ok(measured.fit(on, passages).ok()),
+        Some(passages) if is_asked => Ok(Some(fit(passages)?)),
+        Some(passages) => Ok(fit(passages).ok()),
         None if is_asked => Err(CliError::Argument {
             argument: "--passages-between",
             value: "left out".to_owned(),
@@ -52,6 +56,7 @@ pub(super) fn wear_report(
 /// A rail as it was measured before and now.
 pub(crate) struct Measured<'a> {
     surveys: [&'a Survey; 2],
+    now: &'a Survey,
     /// Share of the time since the oldest record.
     share: f64,
 }
@@ -68,19 +73,28 @@ impl<'a> Measured<'a> {
         match (history.and_then(RailDates::since_ground), places) {
             (Some((share, earlier)), _) => Self {
                 surveys: [earlier, now],
+                now,
                 share,
             },
             (None, places) => Self {
                 surveys: places.map_or([oldest, now], |[oldest, now]| [oldest, now]),
+                now,
                 share: 1.0,
             },
         }
     }
 
-    /// The fit of the change, of so many passages since the oldest record.
-    pub(crate) fn fit(&self, on: &TrafficOnCase, passages: f64) -> Result<WearReport, CaseError> {
+    /// The fit of the change of one rail, of so many passages since the oldest record; under a limit the rail that leads.
+    pub(crate) fn fit(
+        &self,
+        case: &Case,
+        on: &TrafficOnCase,
+        limit: Option<&LevelLimit>,
+        passages: f64,
+    ) -> Result<WearReport, CaseError> {
         let [earlier, now] = self.surveys;
-        WearReport::new(on, earlier, now, self.share * passages)
+        let rail = rail_to_fit(case, self.now, on, limit);
+        WearReport::new(on, rail.as_deref(), earlier, now, self.share * passages)
     }
 }
 

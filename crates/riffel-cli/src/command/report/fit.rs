@@ -7,9 +7,9 @@ use riffel_answers::forecast::WearReport;
 use riffel_case::traffic::{Traffic, bands_of};
 use riffel_case::{Case, Variant};
 use riffel_keys::{Message, say};
-use riffel_rail::Survey;
+use riffel_rail::{LimitTable, Survey};
 
-use super::Now;
+use super::{Now, level_limit};
 use crate::arguments::Report;
 use crate::command::forecast::Measured;
 use crate::command::history::History;
@@ -63,6 +63,7 @@ impl Before {
 pub(super) fn fit(
     arguments: &Report,
     case: &Case,
+    limits: &[LimitTable],
     traffic: &Path,
     before: &Before,
     now: &Now<'_>,
@@ -81,7 +82,11 @@ pub(super) fn fit(
         return Ok(Err(say!(not_fitted_without_passages)));
     };
     let measured = Measured::new(&before.survey, &now.survey, before.places.as_ref());
-    let report = measured.fit(&on, passages);
+    let limit = match level_limit(arguments, limits) {
+        Some(name) => Some(riffel_answers::level_limit(&name)?.1),
+        None => None,
+    };
+    let report = measured.fit(case, &on, limit.as_ref(), passages);
     Ok(report.map_err(|error| say!(coefficient_not_fitted, reason = error.message())))
 }
 

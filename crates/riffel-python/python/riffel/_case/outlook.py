@@ -245,20 +245,21 @@ class OutlookOfCase(KeysOfCase):
         traffic: Traffic | None = None,
         speed: Quantity | None = None,
         speed_deviation: Quantity | None = None,
+        limit: str = "iso-3095-2013",
     ) -> dict[str, Any]:
         """The wear coefficient with which this case grows as a rail has grown between two measurements.
 
         Parameters
         ----------
         earlier, later : DataArray, sequence of DataArray or path
-            One-third-octave spectra of the same rail, or a file of spectra or of a profile. Three records or more of each
+            One-third-octave spectra, or a file of spectra or of a profile: of several rails the fit is of that which leads. Three records or more of each
             date give an interval. Records are paired by the texts among their attributes that are the same in both; those of
             two profiles are every 10 m of rail that is in both.
         passages : number, optional
             Axle passages between the two.
         days : number, optional
             Days between the two, in place of `passages`, for traffic that says how much of it there is.
-        traffic, speed, speed_deviation
+        traffic, speed, speed_deviation, limit
             As of `forecast`.
 
         Returns
@@ -295,4 +296,5 @@ class OutlookOfCase(KeysOfCase):
             given.get("passages"),
             given.get("days"),
             traffic_or_speed(traffic, speed, speed_deviation),
+            limit,
         )
