@@ -34,6 +34,13 @@ impl Survey {
         columns.filter(changes).map(str::to_owned).collect()
     }
 
+    /// That dates do not tell how a rail grows, where those of an instrument were left out and one date alone is there.
+    pub fn without_common_instrument(&self) -> Option<Message> {
+        let mut warnings = self.warnings.iter();
+        let left_out = warnings.any(|warning| warning.id() == "device-is-left-out");
+        (self.history.is_none() && left_out).then(|| say!(dates_of_other_instruments))
+    }
+
     pub(super) fn change_of_device(&self) -> Option<Message> {
         let dates = self.by_date(self.date_column()?).ok()?;
         dates.last()?.1.device_since(&dates.first()?.1)

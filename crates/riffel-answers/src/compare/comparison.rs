@@ -7,7 +7,7 @@ use riffel_case::traffic::{DAYS_PER_MONTH, Traffic, bands_of};
 use riffel_case::{Case, Hold, SpeedChange, Variant};
 use riffel_keys::{CaseError, Message, Value, say};
 
-use crate::forecast::{RailForecast, RailStart};
+use crate::forecast::{RailForecast, RailStart, rates_without_time};
 use crate::ridge::{best_fit_frequency, ridge_of};
 
 /// Growth under one traffic, as it is and as each variant makes it.
@@ -197,14 +197,18 @@ impl Comparison {
                 (Some(own), None) => on.growth.clone().as_measured(own),
                 (None, None) => on.growth.clone(),
             };
+            let fastest = match untold {
+                true => FastestLine::UNTOLD,
+                false => FastestLine::of(&growth, case, leading),
+            };
             outcomes.push(Outcome {
                 title: variant.title.clone(),
-                fastest: match untold {
-                    true => FastestLine::UNTOLD,
-                    false => FastestLine::of(&growth, case, leading),
+                without_time: match leading {
+                    Some(rail) => rail.without_time(&on),
+                    None => rates_without_time(&on, [fastest.rate].into_iter()),
                 },
+                fastest,
                 untold,
-                without_time: leading.and_then(|rail| rail.without_time(&on)),
                 ridge_frequency: best_fit_frequency(&ridge),
                 ridge_highest: ridge.highest().copied(),
                 passages_per_day: on.passages_per_day,

@@ -51,6 +51,8 @@ pub struct CompareAnswer {
     pub wear_spread: Option<WearSpread>,
     /// That no rail is known to wear as the case as it is does.
     unlikely_wear: Option<Message>,
+    /// Why the records do not tell how the rails grow, where they might.
+    without_growth: Option<Message>,
     /// Speeds of the traffic, or its title, in words.
     pub speeds: Message,
     /// The outcomes.
@@ -112,13 +114,15 @@ impl CompareAnswer {
         let comparison =
             Comparison::compute(case, &variants, &traffic, &starts, Some(&limit), progress)?;
         let per_day = comparison.base().passages_per_day;
-        warnings.extend(survey.as_ref().and_then(|survey| {
+        let without_growth = survey.as_ref().and_then(|survey| {
             let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
             RailStart::without_growth(&starts(per_day), has_dates, is_ground, per_day)
-        }));
+                .or_else(|| survey.without_common_instrument())
+        });
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
             wear_spread: wear_spread(case),
+            without_growth,
             unlikely_wear: unlikely_wear(case, comparison.base().growth.mean_wear()),
             hold,
             speeds,
@@ -165,7 +169,7 @@ impl CompareAnswer {
         document::line_table(self, file)
     }
 
-    /// What the reader should know of variants: that a part or all has no effect, that less friction means less
+    /// What the reader should know of variants besides: that a part or all has no effect, that less friction means less
     /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<Message> {
         let spread = self.wear_spread.filter(|_| self.over_posterior.is_none());
@@ -200,12 +204,19 @@ impl CompareAnswer {
             })
             .chain(at_edge)
             .chain(known_to);
-        let mut effects = self.measured_first();
-        if effects.is_empty() {
-            effects.extend(self.unlikely_wear.clone());
+        outcomes.collect()
+    }
+
+    /// What growth goes by: how the rail that leads grew, or else that its dates do not tell it, a mean wear that no rail has, and why no
+    /// months follow.
+    pub fn first_said(&self) -> Vec<Message> {
+        let measured = self.measured_first();
+        if !measured.is_empty() {
+            return measured;
         }
-        effects.extend(outcomes);
-        effects
+        let without_time = &self.comparison.base().without_time;
+        let by_model = [&self.without_growth, &self.unlikely_wear, without_time];
+        by_model.into_iter().flatten().cloned().collect()
     }
 
     /// Where the model does not explain how the rail that leads grew, or is of the other one: how it grew, and what follows; else empty.

@@ -70,9 +70,13 @@ impl ForecastAnswer {
         self.leading().model_beside(&self.on.growth)
     }
 
-    /// What growth goes by: how the leading rail grew, or else a mean wear that no rail has.
-    pub(crate) fn first_said(&self) -> Option<Message> {
-        self.own_growth().or_else(|| self.unlikely_wear.clone())
+    /// What growth goes by: how the leading rail grew, or else that its dates do not tell it, and a mean wear that no rail has.
+    pub(crate) fn first_said(&self) -> Vec<Message> {
+        let by_model = || [&self.without_growth, &self.unlikely_wear].map(Clone::clone);
+        match self.own_growth() {
+            Some(own) => vec![own],
+            None => by_model().into_iter().flatten().collect(),
+        }
     }
 
     /// Where the model does not explain how the leading rail grew, the sentence that says so and what follows of it; else empty.

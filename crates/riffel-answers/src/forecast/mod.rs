@@ -84,6 +84,8 @@ pub struct ForecastAnswer {
     pub wear_spread: Option<WearSpread>,
     /// That no rail is known to wear as the case does; none where growth goes by what was measured.
     unlikely_wear: Option<Message>,
+    /// Why the records do not tell how the rails grow, where they might.
+    without_growth: Option<Message>,
     /// What is to be said of the records.
     pub warnings: Vec<Message>,
 }
@@ -145,10 +147,11 @@ impl ForecastAnswer {
             .as_ref()
             .map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
-        warnings.extend(survey.as_ref().and_then(|survey| {
+        let without_growth = survey.as_ref().and_then(|survey| {
             let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
             RailStart::without_growth(&measured, has_dates, is_ground, on.passages_per_day)
-        }));
+                .or_else(|| survey.without_common_instrument())
+        });
         let by_model = rails.iter().any(|rail| rail.start.growth.is_none());
         if let (Some(from), true) = (case.from_curve(), by_model && rails.len() > 1) {
             let of_rail = match from.rail {
@@ -174,6 +177,7 @@ impl ForecastAnswer {
             wear: None,
             wear_spread,
             unlikely_wear,
+            without_growth,
             warnings,
         })
     }

@@ -82,6 +82,15 @@ fn bands(answer: &NoiseAnswer) -> Table {
     }
 }
 
+/// The head of A-weighted levels, which may be lower bounds.
+fn level_head(answer: &NoiseAnswer) -> Message {
+    let level = say!(decibels_a_weighted);
+    match answer.lower_bound_up_to_hz {
+        Some(hertz) => say!(level_at_least, level = level, hertz = number(hertz)),
+        None => level,
+    }
+}
+
 /// The A-weighted levels of what radiates anything.
 fn parts(answer: &NoiseAnswer) -> Table {
     let levels = Part::ALL.map(|part| {
@@ -112,14 +121,7 @@ fn parts(answer: &NoiseAnswer) -> Table {
             ),
             column(
                 "level_dba",
-                match answer.lower_bound_up_to_hz {
-                    Some(hertz) => say!(
-                        level_at_least,
-                        level = say!(decibels_a_weighted),
-                        hertz = number(hertz)
-                    ),
-                    None => say!(decibels_a_weighted),
-                },
+                level_head(answer),
                 rows.iter().map(|(_, heard, _)| *heard).collect(),
             ),
             column(
@@ -142,12 +144,15 @@ pub(super) fn measures(answer: &NoiseAnswer) -> Table {
             Column::words("title", say!(each_alone), titles.collect()),
             Column::decibels(
                 "total_dba".to_owned(),
-                Some(say!(decibels_a_weighted)),
+                Some(level_head(answer)),
                 total.collect(),
             ),
             Column {
                 name: "saved_db".to_owned(),
-                head: Some(say!(saves_decibels)),
+                head: Some(match answer.lower_bound_up_to_hz {
+                    Some(hertz) => say!(saves_decibels_up_to, hertz = number(hertz)),
+                    None => say!(saves_decibels),
+                }),
                 values: Values::Fixed {
                     values: saved.collect(),
                     file: 3,

@@ -112,7 +112,7 @@ pub(super) fn forecast(
     }
     // Sections are worse than the mean that is forecast.
     let own = report.first_said();
-    let interval = findings.get(usize::from(own.is_some()));
+    let interval = findings.get(own.len());
     let first = interval.map(|first| match &report.ground {
         Some(_) => first.clone(),
         None => say!(mean_over_the_record, sentence = first),
@@ -161,8 +161,9 @@ pub(super) fn what_if(
     }
     let over = report.over_posterior_in_words();
     let over: Vec<String> = over.iter().map(|it| sentence(it, language)).collect();
+    let first = report.first_said();
     let effects = report.effects();
-    let effects = effects.iter().map(|effect| said(effect, language));
+    let effects = first.iter().chain(&effects).map(|effect| said(effect, language));
     html += &list(effects.chain(over.iter().cloned()));
     html += &drawing(report.figure(case, language), language)?;
     // Draws tell months with their bands.

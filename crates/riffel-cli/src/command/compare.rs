@@ -118,6 +118,9 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
     if let Some(ground) = &answer.ground {
         text += &format!("from {} to {}\n", ground.words, answer.table.edition);
     }
+    for sentence in answer.first_said() {
+        text += &format!("{}\n", sentence.text(language()));
+    }
     let header = answer.header().into_iter();
     let header: Vec<String> = header.map(|head| head.text(language())).collect();
     let header = std::iter::once("").chain(header.iter().map(String::as_str));

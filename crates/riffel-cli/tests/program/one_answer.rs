@@ -475,3 +475,44 @@ fn a_fit_begins_where_the_rail_was_ground() {
         );
     }
 }
+
+/// Where the dates of a rail do not tell how it grows, the first sentence of forecast and comparison says why: the level fell between
+/// them, or each is of another instrument.
+#[test]
+fn first_said_is_why_dates_tell_no_growth() {
+    let sandbox = Sandbox::new();
+    std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
+    for (devices, change, said) in [
+        (["A", "A"], 3.0, "what was measured"),
+        (["A", "A"], -9.0, "since its level last fell by more than 3 dB"),
+        (["A", "B"], 3.0, "its instruments never measured it on one day"),
+    ] {
+        let mut text = "date,device,wavelength_mm,level_db\n".to_owned();
+        for (place, date) in ["2025-11-02", "2026-11-02"].iter().enumerate() {
+            for wavelength in [200, 160, 125, 100] {
+                let level = -4.0 + place as f64 * change;
+                text += &format!("{date},{},{wavelength},{level}\n", devices[place]);
+            }
+        }
+        std::fs::write(sandbox.path("rail.csv"), text).unwrap();
+        let asked = "cases/metro.toml --spectrum rail.csv --traffic metro.toml";
+        let forecast = sandbox.json(&format!("forecast {asked} --json"));
+        let first = forecast["findings"][0].as_str().unwrap();
+        assert!(first.contains(said), "{first}");
+        let compared = format!("compare {asked} --with cases/soft-pads.toml --quiet");
+        let compared = sandbox.riffel(&compared).text;
+        // Of a rail that the model does not explain it says that nothing follows, in other words.
+        let is_measured = said == "what was measured";
+        assert!(compared.contains(said) || is_measured, "{compared}");
+    }
+}
+
+/// A comparison without a rail, quiet, says before its table that rates of the case are above those of any railway.
+#[test]
+fn a_comparison_says_first_that_rates_do_not_hold() {
+    let sandbox = Sandbox::new();
+    let asked = "compare cases/metro-curve.toml --with cases/low-rail-friction.toml --quiet";
+    let text = sandbox.riffel(asked).text;
+    let said = text.find("faster than any railway known").expect(&text);
+    assert!(said < text.find("fastest mm").unwrap(), "{text}");
+}

@@ -282,6 +282,8 @@ impl Survey {
                 last = last.to_string()
             ));
         }
+        // Of other instruments there may be no date left.
+        let has_dates = dates.len() > 1;
         let days = |date: Date| date.since(last).map_or(0, |span| span.get_days());
         let dates = dates.into_iter();
         let dates = dates.map(|(date, survey)| (f64::from(days(date)), survey));
@@ -289,7 +291,7 @@ impl Survey {
             path: survey.path,
             records,
             warnings,
-            history: Some(RailDates {
+            history: has_dates.then(|| RailDates {
                 dates: dates.collect(),
                 elapsed: Elapsed::Days,
             }),

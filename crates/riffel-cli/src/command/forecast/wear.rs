@@ -53,38 +53,30 @@ pub(super) fn wear_report(
     }
 }
 
-/// A rail as it was measured before and now.
+/// Rails as they were measured before and now.
 pub(crate) struct Measured<'a> {
-    surveys: [&'a Survey; 2],
+    oldest: &'a Survey,
     now: &'a Survey,
-    /// Share of the time since the oldest record.
-    share: f64,
+    /// Both place by place, where they are profiles: more of them tell how sure a change is.
+    places: Option<&'a [Survey; 2]>,
 }
 
 impl<'a> Measured<'a> {
-    /// A rail with its oldest record, or the first since it was ground, and where both are profiles place by place: more of them
-    /// tell how sure a change is.
+    /// Rails with their oldest record, and where both are profiles place by place.
     pub(crate) fn new(
         oldest: &'a Survey,
         now: &'a Survey,
         places: Option<&'a [Survey; 2]>,
     ) -> Self {
-        let history = now.history.as_ref();
-        match (history.and_then(RailDates::since_ground), places) {
-            (Some((share, earlier)), _) => Self {
-                surveys: [earlier, now],
-                now,
-                share,
-            },
-            (None, places) => Self {
-                surveys: places.map_or([oldest, now], |[oldest, now]| [oldest, now]),
-                now,
-                share: 1.0,
-            },
+        Self {
+            oldest,
+            now,
+            places,
         }
     }
 
-    /// The fit of the change of one rail, of so many passages since the oldest record; under a limit the rail that leads.
+    /// The fit of the change of one rail, of so many passages since the oldest record or its part since the rail was ground; under a
+    /// limit the rail that leads.
     pub(crate) fn fit(
         &self,
         case: &Case,
@@ -92,9 +84,17 @@ impl<'a> Measured<'a> {
         limit: Option<&LevelLimit>,
         passages: f64,
     ) -> Result<WearReport, CaseError> {
-        let [earlier, now] = self.surveys;
         let rail = rail_to_fit(case, self.now, on, limit);
-        WearReport::new(on, rail.as_deref(), earlier, now, self.share * passages)
+        let rail = rail.as_deref();
+        let history = self.now.of_rail(rail).and_then(|own| own.history);
+        if let Some((share, earlier)) = history.as_ref().and_then(RailDates::since_ground) {
+            return WearReport::new(on, rail, earlier, self.now, share * passages);
+        }
+        let [earlier, now] = match self.places {
+            Some([oldest, now]) => [oldest, now],
+            None => [self.oldest, self.now],
+        };
+        WearReport::new(on, rail, earlier, now, passages)
     }
 }
 
