@@ -36,7 +36,8 @@ pub(crate) use rail_forecast::rates_without_time;
 pub use rail_forecast::{RailForecast, RailStart};
 pub(crate) use reach::ReachDocument;
 pub use wear_report::{WearDocument, WearReport, rail_to_fit};
-pub(crate) use words::{number, reached, shown as number_alone, when};
+pub use words::number_alone;
+pub(crate) use words::{number, reached, when};
 pub use words::{per_million, three_digits};
 
 /// What is asked of the future of a rail.
@@ -353,6 +354,23 @@ impl ForecastAnswer {
             ),
             (None, _) => say!(amount_of_traffic, passages = passages, tonnes = tonnes),
         }
+    }
+
+    /// Heads of the table by band.
+    pub fn heads(&self) -> Vec<Message> {
+        let mut heads = vec![
+            say!(wavelength_of_band),
+            say!(now_in_decibels),
+            say!(then_in_decibels),
+            say!(limit_in_decibels),
+            say!(decibels_per_million_passages),
+            say!(passages_to_limit_head),
+            say!(wheel_leaves_the_rail),
+        ];
+        if self.names_rails() {
+            heads.insert(0, say!(rail_word));
+        }
+        heads
     }
 
     /// Whether the table by band has a column of rails.

@@ -19,7 +19,7 @@ pub fn per_million(rate: f64) -> f64 {
 pub(crate) fn when(passages: Option<f64>) -> Message {
     match passages {
         Some(0.0) => say!(now),
-        Some(passages) => shown(format_args!("{passages:.2e}")),
+        Some(passages) => number_alone(format_args!("{passages:.2e}")),
         None => say!(never),
     }
 }
@@ -33,7 +33,7 @@ pub(crate) fn reached(reach: Reach) -> Message {
 }
 
 /// A number by itself, as in the cell of a table.
-pub(crate) fn shown(number: impl Display) -> Message {
+pub fn number_alone(number: impl Display) -> Message {
     say!(number_alone, number = riffel_keys::number(number))
 }
 

@@ -5,7 +5,7 @@ use riffel_case::Case;
 use riffel_keys::{Language, Message, Value, fixed, say};
 use riffel_plot::{LineFigure, PlotError};
 
-use super::page::{Section, escape, figure, list, said, sentence, table, texts};
+use super::page::{Section, escape, figure, list, said, sentence, table};
 use crate::Answer;
 use crate::compare::{CompareAnswer, Effect, Outcome, held_in_words, title_of};
 use crate::forecast::{ForecastAnswer, WearReport, number};
@@ -70,21 +70,8 @@ pub(super) fn forecast(
     let rows: Vec<Vec<String>> = rows
         .map(|row| row.iter().map(|cell| said(cell, language)).collect())
         .collect();
-    let mut heads = texts(
-        [
-            say!(wavelength_in_millimetres),
-            say!(now_in_decibels),
-            say!(then_in_decibels),
-            say!(limit_in_decibels),
-            say!(growth_axis),
-            say!(passages_to_the_limit),
-            say!(wheel_leaves_the_rail_after),
-        ],
-        language,
-    );
-    if report.names_rails() {
-        heads.insert(0, say!(rail_word).text(language));
-    }
+    let heads = report.heads();
+    let heads: Vec<String> = heads.iter().map(|head| head.text(language)).collect();
     let mut findings = report.findings();
     let wear = report.wear.as_ref();
     let of_wear = wear.into_iter();
@@ -163,7 +150,10 @@ pub(super) fn what_if(
     let over: Vec<String> = over.iter().map(|it| sentence(it, language)).collect();
     let first = report.first_said();
     let effects = report.effects();
-    let effects = first.iter().chain(&effects).map(|effect| said(effect, language));
+    let effects = first
+        .iter()
+        .chain(&effects)
+        .map(|effect| said(effect, language));
     html += &list(effects.chain(over.iter().cloned()));
     html += &drawing(report.figure(case, language), language)?;
     // Draws tell months with their bands.

@@ -3,7 +3,7 @@
 use riffel::forecast::SpeedDistribution;
 use riffel_answers::AnswerError;
 use riffel_answers::compare::{CompareAnswer, CompareRequest, compare_over};
-use riffel_answers::forecast::per_million;
+use riffel_answers::forecast::{number_alone, per_million};
 use riffel_case::traffic::{Traffic, UsualTraffic};
 use riffel_case::{Case, Hold, Variant};
 use riffel_keys::{CaseError, Language, Message, say, shown_speed};
@@ -113,10 +113,18 @@ pub(super) fn compare(
 
 /// A comparison for the terminal.
 fn readable(case: &Case, answer: &CompareAnswer) -> String {
-    let title = case.file.title.as_deref().unwrap_or("Comparison");
-    let mut text = format!("{title}, {}\n", answer.speeds);
+    let title = case.file.title.as_deref().map(Message::verbatim);
+    let title = title.unwrap_or_else(|| say!(comparison_of_variants));
+    let [title, speeds] = [&title, &answer.speeds].map(|said| said.text(language()));
+    let mut text = format!("{title}, {speeds}\n");
     if let Some(ground) = &answer.ground {
-        text += &format!("from {} to {}\n", ground.words, answer.table.edition);
+        let edition = &answer.table.edition;
+        let from = say!(
+            from_ground_to_limit,
+            ground = ground.words.clone(),
+            edition = edition
+        );
+        text += &format!("{}\n", from.text(language()));
     }
     for sentence in answer.first_said() {
         text += &format!("{}\n", sentence.text(language()));
@@ -132,7 +140,8 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
     }
     text += &format!("{rows}\n");
     if answer.names_rails() {
-        text += "passages, MGT and months are those of the rail named, which leads; summary.json has every rail\n";
+        let said = say!(limit_is_of_the_rail_that_leads).text(language());
+        text += &format!("{said}\n");
     }
     text += &bands(answer);
     for sentence in answer.over_posterior_in_words() {
@@ -143,7 +152,8 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
 
 /// Growth by band.
 fn bands(answer: &CompareAnswer) -> String {
-    let mut header = vec!["wavelength mm"];
+    let wavelength = say!(wavelength_of_band).text(language());
+    let mut header = vec![wavelength.as_str()];
     header.extend(
         answer
             .comparison
@@ -153,17 +163,19 @@ fn bands(answer: &CompareAnswer) -> String {
     );
     let mut rows = table(&header);
     for (place, band) in answer.comparison.bands.iter().enumerate().rev() {
-        let mut row = vec![format!("{}", band.nominal_millimetres())];
+        let mut row = vec![number_alone(band.nominal_millimetres()).text(language())];
         row.extend(
             answer
                 .comparison
                 .outcomes
                 .iter()
-                .map(|outcome| format!("{:+.3}", per_million(outcome.growth.band_rate(place)))),
+                .map(|outcome| per_million(outcome.growth.band_rate(place)))
+                .map(|rate| number_alone(format_args!("{rate:+.3}")).text(language())),
         );
         rows.add_row(row);
     }
-    format!("growth of the bands, dB per 10⁶ passages\n{rows}\n")
+    let of_bands = say!(growth_of_the_bands).text(language());
+    format!("{of_bands}\n{rows}\n")
 }
 
 /// The traffic with its speeds in words: that of the file, the wheel of the case at the speed that is asked for, or the usual one of

@@ -484,8 +484,16 @@ fn first_said_is_why_dates_tell_no_growth() {
     std::fs::write(sandbox.path("metro.toml"), METRO).unwrap();
     for (devices, change, said) in [
         (["A", "A"], 3.0, "what was measured"),
-        (["A", "A"], -9.0, "since its level last fell by more than 3 dB"),
-        (["A", "B"], 3.0, "its instruments never measured it on one day"),
+        (
+            ["A", "A"],
+            -9.0,
+            "since its level last fell by more than 3 dB",
+        ),
+        (
+            ["A", "B"],
+            3.0,
+            "its instruments never measured it on one day",
+        ),
     ] {
         let mut text = "date,device,wavelength_mm,level_db\n".to_owned();
         for (place, date) in ["2025-11-02", "2026-11-02"].iter().enumerate() {

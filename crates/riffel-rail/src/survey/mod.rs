@@ -215,7 +215,8 @@ impl Survey {
             });
             if let Some(history) = &mut survey.history {
                 let dates = std::mem::take(&mut history.dates).into_iter();
-                let dates = dates.filter_map(|(time, survey)| Some((time, survey.of_rail(Some(rail))?)));
+                let dates =
+                    dates.filter_map(|(time, survey)| Some((time, survey.of_rail(Some(rail))?)));
                 history.dates = dates.collect();
             }
         }

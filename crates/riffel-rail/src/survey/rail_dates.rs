@@ -62,9 +62,10 @@ impl RailDates {
             Elapsed::Passages => 1.0,
         };
         let (_, last) = self.dates.last()?;
-        let dated = self.dates.iter().filter_map(|(time, survey)| {
-            Some((*time, survey.with_names_of(last).of_rail(rail)?))
-        });
+        let dated = self
+            .dates
+            .iter()
+            .filter_map(|(time, survey)| Some((*time, survey.with_names_of(last).of_rail(rail)?)));
         let (times, surveys): (Vec<f64>, Vec<Survey>) = dated.unzip();
         let surveys: Vec<&Survey> = surveys.iter().collect();
         let (records, paired) = in_step(&surveys);

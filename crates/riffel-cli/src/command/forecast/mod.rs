@@ -12,7 +12,7 @@ use riffel_answers::forecast::{ForecastAnswer, ForecastHorizon, ForecastRequest}
 use riffel_answers::{AnswerError, level_limit};
 use riffel_case::Case;
 use riffel_case::traffic::Traffic;
-use riffel_keys::Language;
+use riffel_keys::{Language, Message, say};
 use riffel_rail::Survey;
 use wear::wear_report;
 
@@ -107,25 +107,17 @@ pub(super) fn forecast(
 
 /// A forecast for the terminal.
 fn readable(case: &Case, answer: &ForecastAnswer) -> String {
-    let title = case.file.title.as_deref().unwrap_or("Growth forecast");
-    let traffic = answer.traffic.file.title.as_deref().unwrap_or("traffic");
-    let mut text = format!(
-        "{title}, {traffic}\nafter {}\n",
-        answer.amount(answer.passages)
-    );
-    let mut header = vec![
-        "wavelength mm",
-        "now dB",
-        "then dB",
-        "limit dB",
-        "dB per 10⁶ passages",
-        "passages to limit",
-        "wheel leaves rail",
-    ];
-    if answer.names_rails() {
-        header.insert(0, "rail");
-    }
-    let mut rows = table(&header);
+    let title = case.file.title.as_deref().map(Message::verbatim);
+    let title = title.unwrap_or_else(|| say!(growth_forecast));
+    let traffic = answer.traffic.file.title.as_deref().map(Message::verbatim);
+    let traffic = traffic.unwrap_or_else(|| say!(the_traffic));
+    let after = say!(after_amount, amount = answer.amount(answer.passages));
+    let [title, traffic, after] = [title, traffic, after].map(|said| said.text(language()));
+    let mut text = format!("{title}, {traffic}\n{after}\n");
+    let heads: Vec<String> = (answer.heads().iter())
+        .map(|head| head.text(language()))
+        .collect();
+    let mut rows = table(&heads.iter().map(String::as_str).collect::<Vec<_>>());
     for row in answer.rows() {
         rows.add_row(row.iter().map(|cell| cell.text(language())));
     }

@@ -1,10 +1,10 @@
 //! The wear coefficient of two dated measurements, on the command line.
 
 use riffel::roughness::LevelLimit;
-use riffel_answers::forecast::{ForecastAnswer, WearReport, rail_to_fit};
+use riffel_answers::forecast::{ForecastAnswer, WearReport, number_alone, rail_to_fit};
 use riffel_case::Case;
 use riffel_case::traffic::TrafficOnCase;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message, number, say};
 use riffel_rail::{RailDates, Survey};
 
 use super::dated::Dated;
@@ -101,43 +101,53 @@ impl<'a> Measured<'a> {
 /// A fit as a table and in words.
 pub(super) fn readable(report: &WearReport) -> String {
     let claimed = report.fit.verdict.is_fit();
-    let mut rows = table(&[
-        "wavelength mm",
-        "measured dB",
-        "model dB",
-        "fitted dB",
-        "residual dB",
-        "",
-    ]);
+    let heads = [
+        say!(wavelength_of_band),
+        say!(measured_in_decibels),
+        say!(model_in_decibels),
+        say!(fitted_in_decibels),
+        say!(residual_in_decibels),
+        Message::verbatim(""),
+    ];
+    let heads = heads.map(|head| head.text(language()));
+    let mut rows = table(&heads.each_ref().map(String::as_str));
     for band in report.fit.bands.iter().rev() {
+        let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
         let fitted = |value: f64| match claimed {
-            true => format!("{value:+.1}"),
-            false => String::new(),
+            true => decibels(value),
+            false => Message::verbatim(""),
         };
-        rows.add_row([
-            format!("{}", band.band.nominal_millimetres()),
-            format!("{:+.1}", band.measured),
-            format!("{:+.1}", band.predicted),
+        let cells = [
+            number_alone(band.band.nominal_millimetres()),
+            decibels(band.measured),
+            decibels(band.predicted),
             fitted(band.fitted),
             fitted(band.residual()),
             match (band.grows, band.predicted > 0.0) {
-                (true, _) => "",
-                (false, false) => "decays in the model",
-                (false, true) => "decays at first in the model",
-            }
-            .to_owned(),
-        ]);
+                (true, _) => Message::verbatim(""),
+                (false, false) => say!(decays_in_the_model),
+                (false, true) => say!(decays_at_first_in_the_model),
+            },
+        ];
+        rows.add_row(cells.map(|cell| cell.text(language())));
     }
     let [earlier, later] = report.records;
-    let pairs = if report.fit.paired {
-        ", paired by place"
-    } else {
-        ""
+    let passages = number(format_args!("{:.2e}", report.passages));
+    let change = match report.fit.paired {
+        true => say!(
+            change_between_paired_records,
+            passages = passages,
+            earlier = earlier,
+            later = later
+        ),
+        false => say!(
+            change_between_records,
+            passages = passages,
+            earlier = earlier,
+            later = later
+        ),
     };
-    let mut text = format!(
-        "change over {:.2e} axle passages between {earlier} and {later} records{pairs}\n{rows}\n",
-        report.passages
-    );
+    let mut text = format!("{}\n{rows}\n", change.text(language()));
     for sentence in report.sentences().into_iter().chain(report.advice()) {
         text += &format!("{}\n", sentence.text(language()));
     }

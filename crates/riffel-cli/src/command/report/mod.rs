@@ -121,7 +121,9 @@ pub(crate) fn run(arguments: &Report) -> miette::Result<()> {
     if let (Some(case), Some(now), Some(before), Some(traffic)) =
         (&given, &now, &before, &record.traffic)
     {
-        wear = Some(fit::fit(arguments, &case.case, &limits, traffic, before, now)?);
+        wear = Some(fit::fit(
+            arguments, &case.case, &limits, traffic, before, now,
+        )?);
     }
     // From here on the case has the coefficient of this rail.
     if !arguments.keep_coefficient
