@@ -106,7 +106,7 @@ impl SectionVerdict {
         let rms = known.rms.map(|(section, _)| section);
         let sentences = known.sentences().into_iter();
         let sentence =
-            sentences.reduce(|one, other| say!(one_after_other, one = one, other = other));
+            sentences.reduce(Message::followed_by);
         let over = usize::from(known.is_over_levels()) + usize::from(known.is_over_rms());
         Self {
             rail: rail.to_owned(),
