@@ -1752,6 +1752,8 @@ no-acceleration-given = es gibt keine Beschleunigung
 lengths-of-arrays-differ = { $name } hat { $count } Werte, { $first } aber { $other }
 place-of-other-length = Geschwindigkeit oder Weg haben { $count } Werte, { $first } aber { $other }
 two-channels-of-one-name = zwei Kanäle heißen "{ $name }" und gälten als eine Schiene; verschieden nennen
+file-is-binary = die Datei ist binär: Byte { $at } ist { $value }, das hat kein Text
+file-of-binary-format = die Datei ist { $name } und kein Text: { $reader } liest sie; ihre Spalten als Text schreiben
 file-of-other-encoding = die Datei ist { $encoding }; als UTF-8 schreiben
 no-table-under-a-head = es gibt keine Tabelle unter einem Kopf wie { $example }
 no-column-of-accelerations = es gibt keine Spalte mit Beschleunigungen; { $one } oder { $other } nennen
@@ -1790,3 +1792,63 @@ but-other-says = { $one }, aber { $other }
 one-is-wrong = { $sentence }: eines von beiden ist falsch oder hat eine andere Einheit
 first-is-taken = { $sentence }; das Erste gilt
 take-the-wrong-one-out = das Falsche herausnehmen oder, wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+
+## Profile, die abgelehnt werden
+
+is-profile-of-wheel = ist nach eigener Angabe das Profil eines Rads, verlangt ist aber eine Schiene
+is-profile-of-rail = ist nach eigener Angabe das Profil einer Schiene, verlangt ist aber ein Rad
+is-list-of-slices = ist eine Liste von Schnitten entlang der Schiene oder um das Rad: eine der Dateien angeben, die sie nennt
+is-wheel-not-laid-so = ist ein Rad, und das wird nicht nach "{ $alignment }" angelegt
+is-rail-not-laid-so = ist eine Schiene, und die wird nicht nach "{ $alignment }" angelegt
+is-rail-against-wheel = ist eine Schiene, { $nominal } aber ein Rad
+is-wheel-against-rail = ist ein Rad, { $nominal } aber eine Schiene
+wider-than-any = das Profil ist { $across } m breit, breiter als jedes Rad und jede Schiene: die Einheit prüfen
+narrower-than-any = das Profil ist { $across } mm breit, schmaler als jedes Rad und jede Schiene: die Einheit prüfen
+datum-circle-not-known = die Spurkranzspitze liegt bei x = { $tip } mm, und der Spurkranzrücken ist nicht gemessen, sodass der Messkreis nicht bekannt ist: Koordinaten mit dem Ursprung auf ihm angeben, { $back } mm vom Spurkranzrücken
+file-of-several-profiles = die Datei enthält mehrere Profile: eine Datei mit einem davon angeben
+column-def-without-x-and-y = ColumnDef ist "{ $value }", muss aber die Spalten X und Y nennen
+line-without-x-and-y = "{ $text }" hat keine Zahlen X und Y
+line-without-millimetres = "{ $text }" hat keine Zahl in Millimetern
+line-is-no-pair = "{ $text }" ist kein Zahlenpaar x, y
+other-count-of-columns = { $count ->
+        [one] es gibt 1 Spalte, ein Profil hat aber zwei: Querkoordinate und Höhe
+       *[other] es gibt { $count } Spalten, ein Profil hat aber zwei: Querkoordinate und Höhe, unter einem Kopf wie y_mm,z_mm, wo es weitere gibt; je eine Schiene oder ein Rad angeben
+    }
+head-says-other-unit = der Kopf sagt { $unit }: ein Profil in mm oder m angeben
+head-with-two-units = der Kopf gibt den beiden Spalten verschiedene Einheiten: ein Profil durchweg in mm oder m angeben
+line-without-both-sides = "{ $text }" ist nicht y und z beider Seiten
+value-not-known = { $name } ist "{ $value }", und das ist nicht bekannt
+value-must-be-number = { $name } ist "{ $value }", muss aber eine Zahl sein
+line-of-no-head = "{ $text }" ist weder eine Zeile eines Kopfs noch sind es Koordinaten
+units-per-metre-above-zero = units.len.f muss größer als null sein: wie viele Einheiten der Datei einen Meter ergeben
+no-section-of-profile = "{ $text }" ist kein Abschnitt eines Profils: das sind header, spline und point
+section-closes-none = { $section }.end schließt kein { $section }.begin
+section-without-end = { $section }.begin hat kein { $section }.end: die Datei ist abgeschnitten
+line-is-no-point = "{ $text }" ist kein Punkt y z
+line-is-no-key = "{ $text }" ist weder Schlüssel = Wert noch ein Abschnitt
+too-few-points = ein Profil braucht mindestens { $least } Punkte, und dieses hat { $count }
+too-many-points = das Profil hat { $count } Punkte, mehr als die { $most }, die gelesen werden
+coordinate-not-finite = eine Koordinate ist nicht endlich
+point-stands-twice = der Punkt steht zweimal da
+outline-crosses = der Umriss kreuzt sich hier oder läuft auf sich selbst zurück, nahe x = { $place } mm, wie bei zwei Messläufen oder Punkten in falscher Reihenfolge
+outline-closes = der Umriss schließt sich hier: nur die Lauffläche angeben, von einer Flanke zur anderen oder vom Spurkranz bis zur Außenseite
+curve-turns-back = die Kurve kehrt hier quer zum Gleis um, wie bei einem Profil mit einer Schleife oder mit Punkten in falscher Reihenfolge
+outline-comes-back = der Umriss kommt hier über sich selbst zurück, wie bei zwei Messläufen
+scatter-not-positive = die Streuung der Punkte ist { $scatter } m, muss aber größer als null sein
+crown-at-end = der höchste Punkt der Schiene liegt an ihrem Ende, wie bei einem Profil, das auf dem Kopf steht oder am Scheitel abgeschnitten ist
+no-datum-circle = x = 0, der Messkreis der Lauffläche, liegt nicht auf dem Profil des Rads
+no-flank-of-flange = die Flanke des Spurkranzes liegt nicht auf dem Profil des Rads
+flange-outside = der Spurkranz liegt bei x über null: das Profil ist gespiegelt, denn x muss zur Außenseite positiv sein
+wheel-upside-down = das Profil hat keinen Spurkranz unter der Lauffläche: es steht auf dem Kopf, denn y muss die Höhe sein, und ein Spurkranz hängt herab
+wheel-without-flange = das Profil hat keinen Spurkranz
+profile-lies-elsewhere = das gemessene Profil liegt nirgends näher als 20 mm am nominellen: Ursprung, Lage und Einheit prüfen
+measured-without-tip = das gemessene Profil reicht nicht um die Spitze eines Spurkranzes, sodass es nicht nach ihr angelegt werden kann
+nominal-without-tip = das nominelle Profil reicht nicht um die Spitze eines Spurkranzes, sodass nicht nach ihr angelegt werden kann
+field-side-not-measured = die Außenseite der Schiene, Ecke und Flanke, ist nicht gemessen, sodass nicht nach ihr angelegt werden kann
+touches-beyond-end = unter Last berührt das { $side } Rad jenseits des Endes eines Profils
+touches-beside-rail = das { $side } Rad berührt neben seiner Schiene
+left-of-wheels = linke
+right-of-wheels = rechte
+rails-overlap = bei einer Spurweite von { $gauge } mm überlappen sich die Schienen
+ends-above-gauge-height = die Innenseite der Schiene endet über der Messhöhe von { $height } mm unter ihrem Scheitel, oder das Profil ist gespiegelt: x muss zur Außenseite positiv sein
+wheel-has-left-its-rail = bei einer Querverschiebung von { $shift } mm und einem Gierwinkel von { $yaw } mrad berührt das { $side } Rad seine Schiene nicht

@@ -1768,6 +1768,8 @@ no-acceleration-given = there is no acceleration
 lengths-of-arrays-differ = { $name } has { $count } values, but { $first } has { $other }
 place-of-other-length = speed or odometer have { $count } values, but { $first } has { $other }
 two-channels-of-one-name = two channels are called "{ $name }", and would be taken for one rail; call them apart
+file-is-binary = the file is binary: byte { $at } is { $value }, which no text has
+file-of-binary-format = the file is { $name }, and no text: { $reader } reads it; write its columns as text
 file-of-other-encoding = the file is { $encoding }; write it as UTF-8
 no-table-under-a-head = there is no table under a head such as { $example }
 no-column-of-accelerations = there is no column of accelerations; call it { $one } or { $other }
@@ -1806,3 +1808,63 @@ but-other-says = { $one }, but { $other }
 one-is-wrong = { $sentence }: one of the two is wrong, or in another unit
 first-is-taken = { $sentence }; the first is taken
 take-the-wrong-one-out = take the wrong one out, or give the speed by { KEY("--speed") } where it was constant
+
+## Profiles that are refused
+
+is-profile-of-wheel = is the profile of a wheel by what it says, but a rail is asked for
+is-profile-of-rail = is the profile of a rail by what it says, but a wheel is asked for
+is-list-of-slices = is a list of slices along the rail or around the wheel: give one of the files it names
+is-wheel-not-laid-so = is a wheel, which is not laid by "{ $alignment }"
+is-rail-not-laid-so = is a rail, which is not laid by "{ $alignment }"
+is-rail-against-wheel = is a rail, but { $nominal } is a wheel
+is-wheel-against-rail = is a wheel, but { $nominal } is a rail
+wider-than-any = the profile is { $across } m across, wider than any wheel or rail: check its unit
+narrower-than-any = the profile is { $across } mm across, narrower than any wheel or rail: check its unit
+datum-circle-not-known = the tip of the flange lies at x = { $tip } mm and its back is not measured, so that the datum circle is not known: give coordinates with their origin on it, { $back } mm from the flange back
+file-of-several-profiles = the file holds several profiles: give a file with one of them
+column-def-without-x-and-y = ColumnDef is "{ $value }", but must name the columns X and Y
+line-without-x-and-y = "{ $text }" has no numbers X and Y
+line-without-millimetres = "{ $text }" has no number in millimetres
+line-is-no-pair = "{ $text }" is not a pair of numbers x, y
+other-count-of-columns = { $count ->
+        [one] there is 1 column, but a profile has two: lateral coordinate and height
+       *[other] there are { $count } columns, but a profile has two: lateral coordinate and height, under a head such as y_mm,z_mm where there are others; give one rail or wheel at a time
+    }
+head-says-other-unit = the head says { $unit }: give a profile in mm or m
+head-with-two-units = the head gives both columns units of their own: give a profile in mm or m throughout
+line-without-both-sides = "{ $text }" is not y and z of both sides
+value-not-known = { $name } is "{ $value }", which is not known
+value-must-be-number = { $name } is "{ $value }", but must be a number
+line-of-no-head = "{ $text }" is no line of a head, nor are these coordinates
+units-per-metre-above-zero = units.len.f must be above zero: how many of the file's units make a metre
+no-section-of-profile = "{ $text }" is no section of a profile: header, spline and point are
+section-closes-none = { $section }.end closes no { $section }.begin
+section-without-end = { $section }.begin has no { $section }.end: the file is cut short
+line-is-no-point = "{ $text }" is not a point y z
+line-is-no-key = "{ $text }" is neither key = value nor a section
+too-few-points = a profile needs { $least } points or more, and this one has { $count }
+too-many-points = the profile has { $count } points, more than the { $most } that are read
+coordinate-not-finite = a coordinate is not finite
+point-stands-twice = the point stands there twice
+outline-crosses = the outline crosses or retraces itself here, near x = { $place } mm, as two passes of a device or points in a wrong order do
+outline-closes = the outline closes here: give the running surface alone, from one flank to the other, or from the flange to the field side
+curve-turns-back = the curve turns back across the track here, as a profile with a loop or in a wrong order of points does
+outline-comes-back = the outline comes back here above itself, as two passes of a device do
+scatter-not-positive = the scatter of the points is { $scatter } m, but must be above zero
+crown-at-end = the highest point of the rail lies at its end, as in a profile that is drawn upside down or cut at its crown
+no-datum-circle = x = 0, the datum circle of the tread, is not on the profile of the wheel
+no-flank-of-flange = the flank of the flange is not on the profile of the wheel
+flange-outside = its flange lies at x above zero: it is mirrored, for x must be positive to the field side
+wheel-upside-down = it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down
+wheel-without-flange = it has no flange
+profile-lies-elsewhere = the measured profile lies nowhere within 20 mm of the nominal one: check its origin, orientation and unit
+measured-without-tip = the measured profile does not reach around the tip of a flange, so that it cannot be laid by it
+nominal-without-tip = the nominal profile does not reach around the tip of a flange, so that it cannot be laid by it
+field-side-not-measured = the field side of the rail, corner and flank, is not measured, so that it cannot be laid by it
+touches-beyond-end = under load the { $side } wheel touches beyond the end of a profile
+touches-beside-rail = the { $side } wheel touches beside its rail
+left-of-wheels = left
+right-of-wheels = right
+rails-overlap = with a gauge of { $gauge } mm the rails overlap
+ends-above-gauge-height = the inner side of the rail ends above the gauge height of { $height } mm below its crown, or the profile is mirrored: x must be positive to the field side
+wheel-has-left-its-rail = at a lateral shift of { $shift } mm and a yaw of { $yaw } mrad the { $side } wheel does not touch its rail

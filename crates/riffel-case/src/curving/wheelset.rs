@@ -94,8 +94,10 @@ impl CurvingCase {
             None => wheel.clone(),
         };
         let fits = |key: &str, error: ProfileError| match error {
-            ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
-            error => self.text.keys.invalid(key, error.to_string(), ""),
+            ProfileError::Gauge { .. } | ProfileError::GaugeHeight { .. } => {
+                self.text.keys.invalid("profiles.gauge", &error, "")
+            }
+            error => self.text.keys.invalid(key, &error, ""),
         };
         let track = Track::new(
             [&left, &right],
@@ -171,7 +173,7 @@ impl CurvingCase {
         let [_, right] = self.rolling_radii();
         let farthest = farthest(wheelset);
         let of = |table: Result<RadiusDifference, ProfileError>| {
-            table.map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))
+            table.map_err(|error| self.text.keys.invalid("profiles", &error, ""))
         };
         Ok([
             of(RadiusDifference::level(wheelset, right, farthest, STEP))?,
@@ -294,7 +296,7 @@ impl CurvingCase {
             let wheelset = self.wheelset_on_track()?;
             let farthest = farthest(&wheelset);
             let table = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
-                .map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))?;
+                .map_err(|error| self.text.keys.invalid("profiles", &error, ""))?;
             Ok(Arc::new(table))
         };
         Ok(Kinematics::Nonlinear {

@@ -138,16 +138,12 @@ impl AxleBoxTable {
                     encoding = other.name()
                 )));
             }
-            Err(byte) => return Err(Refusal::new(None, byte.to_string())),
+            Err(byte) => return Err(refuse(byte.into())),
         }
         const EXAMPLE: &str = "time_s,acceleration_m_per_s2,speed_km_per_h";
         let nothing = || refuse(say!(no_table_under_a_head, example = EXAMPLE));
         let table = Table::find(head).ok_or_else(nothing)?;
-        let written = table
-            .heading
-            .names
-            .as_deref()
-            .ok_or_else(nothing)?;
+        let written = table.heading.names.as_deref().ok_or_else(nothing)?;
         let mut signals = Signals::default();
         let (mut empty, mut clocks, mut others) = (None, Vec::new(), Vec::new());
         let mut leave_out = |column: usize, why: Message| {
@@ -351,7 +347,12 @@ fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
     let name = table.heading.name(column).unwrap_or_default();
     let (line, cell) =
         first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
-    let text = say!(times_are_text, column = column + 1, name = name, cell = cell);
+    let text = say!(
+        times_are_text,
+        column = column + 1,
+        name = name,
+        cell = cell
+    );
     Refusal::new(Some(line), text)
 }
 

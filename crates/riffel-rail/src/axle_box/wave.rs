@@ -64,18 +64,14 @@ impl AxleBoxWave {
             };
             let heading = Heading::of_name(name.trim());
             let option = || Value::Key("--channels".to_owned());
-            let found =
-                content(&heading, 0).map_err(|message| refuse(message.about(option())))?;
+            let found = content(&heading, 0).map_err(|message| refuse(message.about(option())))?;
             match found {
                 Some(content) => signals.push(channel, content.scaled(scale)),
                 None => others.push(left_out(name.trim(), say!(it_is_no_signal))),
             }
         }
         if signals.channels.is_empty() {
-            return Err(refuse(say!(
-                no_channel_of_accelerations,
-                example = EXAMPLE
-            )));
+            return Err(refuse(say!(no_channel_of_accelerations, example = EXAMPLE)));
         }
         let said = |channel: usize| {
             layout.channels[channel]
