@@ -13,6 +13,7 @@ use super::run_end::RunEnd;
 use super::table::AxleBoxTable;
 use super::universal::{AxleBoxUniversal, is_universal};
 use super::wave::{AxleBoxWave, is_wave};
+use crate::no_rail::filter_remark;
 
 /// Bytes that are looked at first: one more than a table is found by, so that it knows of a line cut in two.
 const HEAD: u64 = (1 << 16) + 1;
@@ -127,13 +128,16 @@ impl AxleBoxFile {
         )
     }
 
-    fn checked(path: PathBuf, head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
+    fn checked(path: PathBuf, mut head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
         for (index, name) in head.names.iter().enumerate() {
             if head.names[..index].contains(name) {
                 let two = say!(two_channels_of_one_name, name = name);
                 return Err(CaseError::data(&path, two));
             }
         }
+        let filtered = head.names.iter();
+        let filtered = filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"")));
+        head.remarks.extend(filtered);
         Ok(Self { path, head, source })
     }
 
