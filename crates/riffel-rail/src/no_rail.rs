@@ -99,7 +99,7 @@ pub(crate) fn why_no_rail(names: &[&str]) -> Vec<Option<Message>> {
 }
 
 /// What a level of a column that is called `name` does not tell, where a filter has touched it; `column` are the words for it.
-pub(crate) fn filter_remark(name: &str, column: impl Into<Value>) -> Option<Message> {
+pub(crate) fn filter_remark(name: &str, column: Value) -> Option<Message> {
     let is_filtered = Name::of(name).is_filtered();
     is_filtered.then(|| say!(column_is_filtered, column = column))
 }

@@ -345,7 +345,7 @@ impl<'a> ProfileTable<'a> {
         let heads = format.rails.iter().filter_map(|rail| {
             let head = heading.name(rail.column - 1)?;
             let column = say!(column_of_head, column = number(rail.column), head = head);
-            filter_remark(head, column)
+            filter_remark(head, column.into())
         });
         sentences.extend(heads);
         let text: Vec<String> = (0..count)
