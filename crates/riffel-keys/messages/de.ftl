@@ -1888,3 +1888,23 @@ progress-writing-bay = Schreiben von bay-mean.csv
 progress-draws = Ziehungen
 progress-simulations = Simulationen
 progress-samples = Stichproben
+
+## Universal files, die abgelehnt werden
+
+no-dataset = die Datei enthält kein Dataset, das mit -1 in den Spalten 5 und 6 begänne
+outside-of-datasets = das steht außerhalb der Datasets, die mit -1 in den Spalten 5 und 6 beginnen und enden
+dataset-cut-short = das Dataset, das hier beginnt, ist vom Ende der Datei abgeschnitten
+record-missing = das Dataset endet, wo { $record } stehen muss
+unknown-form-of-dataset = Spalte 7 muss leer sein, oder "b" in einem Dataset 58, nicht "{ $text }"
+field-is-no-integer = { $what } muss eine ganze Zahl von höchstens 32 Bit sein, nicht "{ $text }"
+field-is-no-number = { $what } muss eine endliche Zahl sein, nicht "{ $text }"
+field-has-no-meaning = { $what } muss { $allowed } sein, nicht { $value }
+field-not-positive = { $what } muss positiv sein, nicht { $value }
+column-must-be-blank = Spalte { $column } muss leer sein, denn sie liegt zwischen zwei Feldern
+units-stated-twice = die Datei nennt ihre Einheiten ein zweites Mal, und andere
+too-few-numbers = die Anzahl der Punkte ist { $points }, das sind { $numbers } Zahlen, das Dataset enthält aber { $held }
+too-many-numbers = die Anzahl der Punkte ist { $points }, das sind { $numbers } Zahlen, das Dataset geht aber dahinter weiter
+line-lacks-numbers = diese Zeile muss { $needed } Zahlen enthalten, nicht { $held }
+text-after-numbers = die Zahlen dieser Zeile enden in Spalte { $column }, es folgt aber Text
+no-mark-behind-bytes = die Anzahl der Punkte ist { $points }, das sind { $bytes } Bytes, aber dahinter folgt nicht das schließende -1
+other-count-of-bytes = die Anzahl der Bytes ist { $declared }, die Punkte haben aber { $bytes }

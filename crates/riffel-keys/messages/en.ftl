@@ -1904,3 +1904,23 @@ progress-writing-bay = writing bay-mean.csv
 progress-draws = draws
 progress-simulations = simulations
 progress-samples = samples
+
+## Universal files that are refused
+
+no-dataset = the file holds no dataset, which would begin with -1 in columns 5 and 6
+outside-of-datasets = this stands outside of the datasets, which begin and end with -1 in columns 5 and 6
+dataset-cut-short = the dataset that begins here is cut short by the end of the file
+record-missing = the dataset ends where its { $record } must stand
+unknown-form-of-dataset = column 7 must be blank, or "b" in a dataset 58, not "{ $text }"
+field-is-no-integer = { $what } must be a whole number within 32 bits, not "{ $text }"
+field-is-no-number = { $what } must be a finite number, not "{ $text }"
+field-has-no-meaning = { $what } must be { $allowed }, not { $value }
+field-not-positive = { $what } must be positive, not { $value }
+column-must-be-blank = column { $column } must be blank, as it lies between two fields
+units-stated-twice = the file states its units a second time, and differently
+too-few-numbers = the number of points is { $points }, which takes { $numbers } numbers, but the dataset holds { $held }
+too-many-numbers = the number of points is { $points }, which takes { $numbers } numbers, but the dataset goes on after them
+line-lacks-numbers = this line must hold { $needed } numbers, not { $held }
+text-after-numbers = the numbers of this line end in column { $column }, but text follows
+no-mark-behind-bytes = the number of points is { $points }, which takes { $bytes } bytes, but the closing -1 does not follow them
+other-count-of-bytes = the number of bytes is { $declared }, but the points take { $bytes }

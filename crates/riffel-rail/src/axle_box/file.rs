@@ -136,7 +136,8 @@ impl AxleBoxFile {
             }
         }
         let filtered = head.names.iter();
-        let filtered = filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"").into()));
+        let filtered =
+            filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"").into()));
         head.remarks.extend(filtered);
         Ok(Self { path, head, source })
     }

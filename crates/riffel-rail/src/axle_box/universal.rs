@@ -258,7 +258,7 @@ fn names(channels: &[(Signal, f64)]) -> Vec<String> {
 fn at_fault(path: &Path, error: SignalError) -> CaseError {
     match error {
         SignalError::Read(reason) => unreadable(path, reason),
-        SignalError::File(error) => CaseError::data(path, error.to_string()),
+        SignalError::File(error) => CaseError::data(path, &error),
     }
 }
 

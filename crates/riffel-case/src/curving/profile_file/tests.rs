@@ -281,18 +281,78 @@ fn wrong_profiles_are_refused_in_german() {
         ..ProfileReading::default()
     };
     for (name, text, reading, german) in [
-        ("a.csv", "1,2\nx,3\n".to_owned(), ProfileReading::default(), "ist kein Zahlenpaar x, y"),
-        ("a.csv", "1,2,3\n".to_owned(), ProfileReading::default(), "es gibt 3 Spalten, ein Profil"),
-        ("a.csv", "x_um,y_um\n1,2\n".to_owned(), ProfileReading::default(), "der Kopf sagt um:"),
-        ("a.csv", "x_mm,y_m\n1,2\n".to_owned(), ProfileReading::default(), "verschiedene Einheiten"),
-        ("a.csv", "1,2\n3,4\n".to_owned(), ProfileReading::default(), "braucht mindestens 8 Punkte"),
-        ("a.csv", format!("x_m,y_m\n{}", points(1.0)), ProfileReading::default(), "60,0000 m breit, breiter"),
-        ("a.csv", format!("x_mm,y_mm\n{}", points(0.01)), ProfileReading::default(), "0,600 mm breit, schmaler"),
-        ("a.csv", points(1.0).replacen("-29,", "-30,", 1), ProfileReading::default(), "quer zum Gleis um"),
-        ("a.csv", points(1.0), smooth, "die Streuung der Punkte ist -0,00001 m"),
-        ("a.ban", format!("X=1\n\n{}", points(1.0)), wheel, "verlangt ist aber ein Rad"),
-        ("a.slcs", "0 1 2\n".to_owned(), ProfileReading::default(), "eine Liste von Schnitten"),
-        ("a.csv", "\u{89}HDF\0\0".to_owned(), ProfileReading::default(), "die Datei ist binär"),
+        (
+            "a.csv",
+            "1,2\nx,3\n".to_owned(),
+            ProfileReading::default(),
+            "ist kein Zahlenpaar x, y",
+        ),
+        (
+            "a.csv",
+            "1,2,3\n".to_owned(),
+            ProfileReading::default(),
+            "es gibt 3 Spalten, ein Profil",
+        ),
+        (
+            "a.csv",
+            "x_um,y_um\n1,2\n".to_owned(),
+            ProfileReading::default(),
+            "der Kopf sagt um:",
+        ),
+        (
+            "a.csv",
+            "x_mm,y_m\n1,2\n".to_owned(),
+            ProfileReading::default(),
+            "verschiedene Einheiten",
+        ),
+        (
+            "a.csv",
+            "1,2\n3,4\n".to_owned(),
+            ProfileReading::default(),
+            "braucht mindestens 8 Punkte",
+        ),
+        (
+            "a.csv",
+            format!("x_m,y_m\n{}", points(1.0)),
+            ProfileReading::default(),
+            "60,0000 m breit, breiter",
+        ),
+        (
+            "a.csv",
+            format!("x_mm,y_mm\n{}", points(0.01)),
+            ProfileReading::default(),
+            "0,600 mm breit, schmaler",
+        ),
+        (
+            "a.csv",
+            points(1.0).replacen("-29,", "-30,", 1),
+            ProfileReading::default(),
+            "quer zum Gleis um",
+        ),
+        (
+            "a.csv",
+            points(1.0),
+            smooth,
+            "die Streuung der Punkte ist -0,00001 m",
+        ),
+        (
+            "a.ban",
+            format!("X=1\n\n{}", points(1.0)),
+            wheel,
+            "verlangt ist aber ein Rad",
+        ),
+        (
+            "a.slcs",
+            "0 1 2\n".to_owned(),
+            ProfileReading::default(),
+            "eine Liste von Schnitten",
+        ),
+        (
+            "a.csv",
+            "\u{89}HDF\0\0".to_owned(),
+            ProfileReading::default(),
+            "die Datei ist binär",
+        ),
     ] {
         let path = folder.path().join(name);
         std::fs::write(&path, &text).unwrap();
