@@ -1853,6 +1853,16 @@ right-of-wheels = rechte
 rails-overlap = bei einer Spurweite von { $gauge } mm überlappen sich die Schienen
 ends-above-gauge-height = die Innenseite der Schiene endet über der Messhöhe von { $height } mm unter ihrem Scheitel, oder das Profil ist gespiegelt: x muss zur Außenseite positiv sein
 wheel-has-left-its-rail = bei einer Querverschiebung von { $shift } mm und einem Gierwinkel von { $yaw } mrad berührt das { $side } Rad seine Schiene nicht
+is-cone-without-profile = ist "cone", und das hat kein Profil
+name-a-profile = ein Profil wie "{ $name }" oder eine Datei nennen
+check-places-of-flanges = profiles.gauge, flange_back_distance und flange_back_position prüfen
+is-nominal-rail = ist "{ $name }", und das ist eine Schiene
+is-nominal-wheel = ist "{ $name }", und das ist ein Rad
+nominal-wheels = nominelle Räder: { $known }
+nominal-rails = nominelle Schienen: { $known }
+is-profile-in-linear-theory = ist ein Profil, curve.theory = "linear" rollt aber auf Kegeln
+choose-cone = wheel = "cone" wählen, mit der äquivalenten Konizität von `riffel profile CASE --wheelset`
+is-set-but-of-cones = ist gesetzt, gehört aber zu profiles.wheel = "cone"
 
 ## Fortschritt
 

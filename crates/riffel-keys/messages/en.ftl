@@ -1869,6 +1869,16 @@ right-of-wheels = right
 rails-overlap = with a gauge of { $gauge } mm the rails overlap
 ends-above-gauge-height = the inner side of the rail ends above the gauge height of { $height } mm below its crown, or the profile is mirrored: x must be positive to the field side
 wheel-has-left-its-rail = at a lateral shift of { $shift } mm and a yaw of { $yaw } mrad the { $side } wheel does not touch its rail
+is-cone-without-profile = is "cone", which has no profile
+name-a-profile = name a profile such as "{ $name }" or a file
+check-places-of-flanges = check profiles.gauge, flange_back_distance and flange_back_position
+is-nominal-rail = is "{ $name }", which is a rail
+is-nominal-wheel = is "{ $name }", which is a wheel
+nominal-wheels = nominal wheels: { $known }
+nominal-rails = nominal rails: { $known }
+is-profile-in-linear-theory = is a profile, but curve.theory = "linear" runs on cones
+choose-cone = choose wheel = "cone" with the equivalent conicity of `riffel profile CASE --wheelset`
+is-set-but-of-cones = is set, but belongs to profiles.wheel = "cone"
 
 ## Progress
 

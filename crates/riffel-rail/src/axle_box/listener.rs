@@ -1,7 +1,7 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use riffel::axlebox::LONGEST_STEP;
-use riffel_keys::{Message, fixed, say};
+use riffel_keys::{Message, fixed, say, significant};
 
 use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
@@ -199,7 +199,10 @@ impl<'a> Listener<'a> {
             return Ok(false);
         }
         if speed < 0.0 {
-            return self.refuse(number, say!(speed_is_below_zero, speed = speed));
+            return self.refuse(
+                number,
+                say!(speed_is_below_zero, speed = significant(speed, 3)),
+            );
         }
         if speed > FASTEST {
             let faster = say!(

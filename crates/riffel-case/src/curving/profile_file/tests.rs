@@ -325,7 +325,7 @@ fn wrong_profiles_are_refused_in_german() {
         ),
         (
             "a.csv",
-            points(1.0).replacen("-29,", "-30,", 1),
+            points(1.0).replacen("-20,", "-26,", 1),
             ProfileReading::default(),
             "quer zum Gleis um",
         ),
