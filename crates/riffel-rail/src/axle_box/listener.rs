@@ -1,7 +1,8 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use riffel::axlebox::LONGEST_STEP;
-use riffel_keys::{Message, fixed, say, significant};
+use riffel::error::readable;
+use riffel_keys::{Message, fixed, number, say};
 
 use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
@@ -201,7 +202,7 @@ impl<'a> Listener<'a> {
         if speed < 0.0 {
             return self.refuse(
                 number,
-                say!(speed_is_below_zero, speed = significant(speed, 3)),
+                say!(speed_is_below_zero, speed = number(readable(speed))),
             );
         }
         if speed > FASTEST {
