@@ -2,7 +2,7 @@
 
 use riffel::axlebox::LONGEST_STEP;
 use riffel::error::readable;
-use riffel_keys::{Message, fixed, number, say};
+use riffel_keys::{Message, Value, fixed, say};
 
 use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
@@ -202,7 +202,7 @@ impl<'a> Listener<'a> {
         if speed < 0.0 {
             return self.refuse(
                 number,
-                say!(speed_is_below_zero, speed = number(readable(speed))),
+                say!(speed_is_below_zero, speed = Value::Number(readable(speed))),
             );
         }
         if speed > FASTEST {

@@ -297,6 +297,6 @@ impl super::WheelsetOnTrack {
     ) -> Result<ContactGap, ProfileError> {
         let (placed, wheel, stand) = self.standing(contact, rail);
         ContactGap::new(rail, placed, wheel, stand, place, inclination)
-            .ok_or_else(|| ProfileError::Shape(ShapeFault::BesideRail(rail)))
+            .ok_or(ProfileError::Shape(ShapeFault::BesideRail(rail)))
     }
 }
