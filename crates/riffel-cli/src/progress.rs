@@ -72,7 +72,7 @@ impl Progress {
                 }
             });
         }
-        let lines = (!is_terminal && !is_among_results()).then(|| {
+        let lines = (!is_terminal && !is_quiet() && !is_among_results()).then(|| {
             let (lines, ends) = channel();
             let count = Arc::clone(&count);
             thread::spawn(move || count.tell(&ends));
