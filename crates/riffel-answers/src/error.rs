@@ -1,6 +1,7 @@
 //! Why there is no answer.
 
 use miette::Diagnostic;
+use riffel::profile::ProfileError;
 use riffel_keys::{CaseError, Message};
 use riffel_plot::PlotError;
 use thiserror::Error;
@@ -20,7 +21,7 @@ pub enum AnswerError {
 
     /// Wheels and rails that do not touch.
     #[error("{0}")]
-    Profile(String),
+    Profile(ProfileError),
 
     /// What was asked is out of the question; the name is that of the argument of the program.
     #[error("{argument} is {value}, but must be {rule}")]
@@ -92,6 +93,7 @@ impl AnswerError {
         match self {
             Self::Case(error) => error.message(),
             Self::Physics(error) => error.into(),
+            Self::Profile(error) => error.into(),
             other => Message::verbatim(other.to_string()),
         }
     }

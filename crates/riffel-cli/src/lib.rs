@@ -10,6 +10,7 @@ mod messages;
 mod observations;
 mod output;
 mod posterior;
+mod progress;
 mod question;
 mod results;
 mod staging;

@@ -25,7 +25,7 @@ pub(crate) fn read(path: &Path) -> miette::Result<Vec<Observation>> {
     let text = decode(bytes).map_err(|byte| CaseError::Data {
         path: path.to_owned(),
         line: Some(byte.line),
-        message: byte.to_string().into(),
+        message: byte.into(),
         help: None,
     })?;
     Ok(parse(path, &text)?)

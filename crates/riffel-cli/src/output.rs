@@ -1,17 +1,15 @@
-//! What is printed as the result, and how far the work is.
+//! What is printed as the result.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
-use std::time::Duration;
 
 pub(crate) use comfy_table::Table;
 use comfy_table::{CellAlignment, ContentArrangement, TableStyle, presets};
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use serde::Serialize;
 use serde_json::Value;
 
 use crate::error::CliError;
-use crate::messages::{has_translations, is_quiet, language};
+use crate::messages::{has_translations, language};
 use riffel_keys::message::{Translations, with_translations};
 use riffel_keys::text_file::printable;
 
@@ -145,44 +143,6 @@ pub(crate) fn text_table(header: &[&str]) -> Table {
         table.set_width(110);
     }
     table
-}
-
-/// A progress bar on standard error that appears once the work has taken a second, and only on a terminal, unless
-/// `--quiet` was given.
-pub(crate) struct Progress {
-    bar: ProgressBar,
-}
-
-impl Progress {
-    pub(crate) fn new(what: &'static str, length: usize) -> Self {
-        let bar = ProgressBar::with_draw_target(Some(length as u64), ProgressDrawTarget::hidden());
-        if let Ok(style) =
-            ProgressStyle::with_template("{msg} {wide_bar} {percent:>3} %  {elapsed}")
-        {
-            bar.set_style(style);
-        }
-        bar.set_message(what);
-        let waiting = bar.clone();
-        // Work in one long step never advances.
-        std::thread::spawn(move || {
-            std::thread::sleep(Duration::from_secs(1));
-            if !waiting.is_finished() && !is_quiet() {
-                waiting.set_draw_target(ProgressDrawTarget::stderr());
-                waiting.enable_steady_tick(Duration::from_secs(1));
-            }
-        });
-        Self { bar }
-    }
-
-    pub(crate) fn advance(&self, by: usize) {
-        self.bar.inc(by as u64);
-    }
-}
-
-impl Drop for Progress {
-    fn drop(&mut self) {
-        self.bar.finish_and_clear();
-    }
 }
 
 #[cfg(test)]

@@ -8,7 +8,7 @@ use riffel_calibrate::{Chains, Plan, finished};
 use crate::arguments::{CaseArguments, Posterior};
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::Progress;
+use crate::progress::Progress;
 
 impl Posterior {
     /// The draws of a calibration of the case, if a folder is given.
@@ -31,7 +31,10 @@ pub(crate) fn over(
     let Some(draws) = draws else {
         return Ok(None);
     };
-    let progress = Progress::new("draws of the calibration", draws.count());
+    let progress = Progress::new(
+        riffel_keys::say!(progress_draws_of_calibration),
+        draws.count(),
+    );
     answer(draws, &|by| progress.advance(by)).map(Some)
 }
 

@@ -1215,7 +1215,8 @@ it-is-neither = sie ist weder ein Ort noch eine Höhe
 text-behind-left-out = der Text hinter Spalte { $column } bleibt weg
 text-columns-left-out = Text in Spalte { $columns } bleibt weg
 column-left-out = Spalte { $column } bleibt weg: { $reason }
-column-is-filtered = Spalte { $column }, „{ $head }“, ist, was ein Filter übrig ließ: Wellen, die er wegnimmt, sehen glatt aus, und unter einem Grenzwert sagen sie nichts über die Schiene
+column-of-head = Spalte { $column }, "{ $head }",
+column-is-filtered = { $column } ist, was ein Filter übrig ließ: Wellen, die er wegnimmt, sehen glatt aus, und unter einem Grenzwert sagen sie nichts über die Schiene
 headed-column-left-out = Spalte { $column }, "{ $head }", bleibt weg: { $reason }
 it-is-a-chord-offset = das ist die Pfeilhöhe über einer Sehne, in der Wellen von einer halben, einer viertel und einer sechstel Sehne fehlen und solche von ihrer Länge doppelt sind
 it-is-across = das ist längs oder quer zur Schiene
@@ -1709,3 +1710,211 @@ date-may-be-two = "{ $text }" kann zweierlei Datum sein; { $one } oder { $other 
 year-is-out-of-range = "{ $text }" ist kein Tag zwischen { $first } und { $last }
 day-is-not-in-calendar = "{ $text }" steht nicht im Kalender
 of-column = Spalte `{ $column }`: { $sentence }
+
+## Achslagerfahrten, die abgelehnt werden
+
+at-line = Zeile { $number }
+at-sample = Abtastwert { $number }
+samples-are-lost = es fehlen Abtastwerte, wo die Zeit springt
+time-is-repeated = eine Zeile ohne eigene Zeit bleibt weg, weil sich die Zeit wiederholt
+odometer-leaps = der Weg springt um mehr als { $length } m
+value-is-missing = ein Wert fehlt
+number-marks-missing-value = { $mark } steht für einen fehlenden Wert
+found-once = { $what }: einmal, bei { $at }
+found-often = { $what }: { $count }-mal, zuerst bei { $at }
+time-falls = die Zeit fällt von { $before } s auf { $time } s
+speed-is-below-zero = die Geschwindigkeit ist { $speed } m/s, darf aber nicht kleiner als null sein
+speed-beyond-any-train = die Geschwindigkeit ist { $speed } m/s, { $kilometres } km/h, und damit höher als die jedes Zuges; stimmt ihre Einheit?
+odometer-falls = der Weg fällt von { $before } m auf { $odometer } m, muss aber steigen; wo die Kilometrierung entlang der Fahrt fällt, stattdessen die Geschwindigkeit angeben
+odometer-beyond-any-train = nach dem Weg fährt der Zug { $speed } m/s, { $kilometres } km/h, schneller als jeder Zug; stimmen dessen Einheit und die Abtastrate von { $rate } Hz?
+times-begin-anew = die Zeiten schließen nicht an die der Datei davor an, und kein Weg sagt, wo sie liegt: sie gilt als eine weitere Fahrt vom selben Ort aus
+there-is-no-reading = es gibt keinen Messwert
+every-row-lacks-a-value = jeder Zeile fehlt ein Wert, der nötig ist
+mean-is-gravity = der Mittelwert ist { $mean } { $unit }, so groß wie die Erdbeschleunigung in { $other }: die Einheit ist falsch
+give-in-unit = in { $unit } angeben
+clipped-at-end = bei { $end } m/s² übersteuert, in { $count } Abtastwerten, { $share } %; zuerst bei { $at }
+clipped-at-ends = bei { $high } m/s² und { $low } m/s² übersteuert, in { $count } Abtastwerten, { $share } %; zuerst bei { $at }
+too-many-are-clipped = { $sentence }; höchstens { $most } % dürfen es sein
+levels-too-low-there = { $sentence }: Pegel sind dort zu niedrig
+drops-out-once = fällt einmal aus und behält länger als { $time } ms einen Wert, bei { $at }
+drops-out-often = fällt { $count }-mal aus und behält länger als { $time } ms einen Wert, zuerst bei { $at }
+vibrates-beyond-any-axle-box = der Effektivwert ist { $rms } m/s², mehr als an jedem Achslager; stimmt die Einheit?
+clock-drifts = die Zeiten ergeben entlang der Fahrt { $slowest } bis { $fastest } Abtastwerte je Sekunde: die Uhr driftet; { $rate } gilt
+clock-without-one-rate = die Zeiten ergeben entlang der Fahrt { $slowest } bis { $fastest } Abtastwerte je Sekunde, müssen aber auf { $percent } % eine Rate ergeben; sind die Zeiten falsch, die Abtastrate mit { KEY("--rate") } angeben
+times-do-not-rise = die Zeiten steigen nicht von Zeile zu Zeile; die Abtastrate mit { KEY("--rate") } angeben
+no-column-of-times = es gibt keine Spalte mit Zeiten wie time_s; die Abtastrate mit { KEY("--rate") } angeben
+times-are-text = Spalte { $column }, `{ $name }`, enthält keine Zahlen, sondern "{ $cell }"; Zeiten sind in Sekunden nötig, oder als Uhrzeit wie 02:59:54.25: so schreiben, oder die Abtastrate mit { KEY("--rate") } angeben
+times-make-another-rate = die Zeiten ergeben { $rate } Abtastwerte je Sekunde, { KEY("--rate") } sagt aber { $given }
+given-rate-is-taken = { $sentence }, und das gilt: eine der beiden Uhren geht falsch
+file-says-its-rate = die Datei nennt { $rate } Abtastwerte je Sekunde; { KEY("--rate") } weglassen
+column-has-no-unit = Spalte `{ $name }` hat keine Einheit, die hier bekannt ist; { $one } oder { $other } nennen
+channels-are-for-wav = { KEY("--channels") } ist für WAV-Dateien: was in anderen Dateien steht, sagen ihre Köpfe
+no-acceleration-given = es gibt keine Beschleunigung
+lengths-of-arrays-differ = { $name } hat { $count } Werte, { $first } aber { $other }
+place-of-other-length = Geschwindigkeit oder Weg haben { $count } Werte, { $first } aber { $other }
+two-channels-of-one-name = zwei Kanäle heißen "{ $name }" und gälten als eine Schiene; verschieden nennen
+file-is-binary = die Datei ist binär: Byte { $at } ist { $value }, das hat kein Text
+file-of-binary-format = die Datei ist { $name } und kein Text: { $reader } liest sie; ihre Spalten als Text schreiben
+file-of-other-encoding = die Datei ist { $encoding }; als UTF-8 schreiben
+no-table-under-a-head = es gibt keine Tabelle unter einem Kopf wie { $example }
+no-column-of-accelerations = es gibt keine Spalte mit Beschleunigungen; { $one } oder { $other } nennen
+place-is-empty = Spalte `{ $name }` ist in den meisten Zeilen leer, der Ort jedes Abtastwerts ist aber nötig: ausfüllen oder, wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+no-column-of-the-place = es gibt keine Spalte mit Geschwindigkeiten oder Wegen wie speed_km_per_h oder odometer_m; wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+line-is-too-long = die Zeile ist länger als { $most } Bytes
+wav-has-no-units = eine WAV-Datei hat keine Einheiten: ihre Kanäle der Reihe nach nennen, jeden mit seinem Wert bei Vollaussteuerung, wie in { $example }
+wav-has-other-count = { $count ->
+        [one] die Datei hat 1 Kanal, { KEY("--channels") } nennt aber { $named }
+       *[other] die Datei hat { $count } Kanäle, { KEY("--channels") } nennt aber { $named }
+    }
+channel-without-scale = { KEY("--channels") } hat `{ $channel }`, muss aber jedem Kanal seinen Wert bei Vollaussteuerung geben, größer als null, wie in { $example }
+no-channel-of-accelerations = { KEY("--channels") } nennt keine Beschleunigung wie in { $example }
+no-channel-of-the-place = kein Kanal ist die Geschwindigkeit oder der Weg; einen so nennen wie in speed_km_per_h=300 oder, wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+wav-ends-early = die WAV-Datei endet, bevor ihr Kopf es sagt, oder ist nicht zu lesen
+wav-of-another-form = keine WAV-Datei, die hier gelesen wird: { $reason }
+no-riff-of-waves = keine RIFF- oder RF64-Datei mit Wellen
+samples-before-their-form = ihre Abtastwerte stehen vor deren Format
+form-is-cut-short = ihr Format ist abgeschnitten
+samples-of-other-kind = nur ganze Zahlen von 8 bis 32 Bit oder Gleitkommazahlen von 32 oder 64
+no-acceleration-over-time = die Datei hat keine Beschleunigung über der Zeit (Dataset 58 mit einer Abszisse der Art 17 und einer Ordinate der Art 12)
+no-place-over-time = die Datei hat weder Geschwindigkeit (Art 11) noch Weg (Art 8) über der Zeit; wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+signal-of-other-form = "{ $title }" muss { $points } reelle Werte mit einem Schritt von { $step } s haben wie die erste Beschleunigung
+signal-begins-elsewhere = "{ $title }" beginnt bei { $begin } s und "{ $first }" bei { $other } s, alle Signale einer Fahrt müssen aber zusammen beginnen: auf die Zeiten kürzen, die alle haben
+times-are-uneven = die Zeiten von "{ $title }" sind ungleichmäßig, müssen aber einen Schritt haben
+times-in-other-unit = die Zeiten von "{ $title }" stehen in { $unit }, und das ist keine Zeiteinheit
+signal-without-unit = "{ $title }" ist { $what } ohne Einheit: weder die Achse noch ein Dataset 164 nennt eine
+signal-with-other-unit = "{ $title }" ist { $what }, trägt aber die Einheit "{ $unit }"
+an-acceleration = eine Beschleunigung
+a-speed = eine Geschwindigkeit
+an-odometer = ein Weg
+odometer-makes = der Weg ergibt im Mittel { $speed } km/h
+speeds-make = die Geschwindigkeiten ergeben im Mittel { $speed } km/h
+given-speed-says = { KEY("--speed") } sagt { $speed } km/h
+but-other-says = { $one }, aber { $other }
+one-is-wrong = { $sentence }: eines von beiden ist falsch oder hat eine andere Einheit
+first-is-taken = { $sentence }; das Erste gilt
+take-the-wrong-one-out = das Falsche herausnehmen oder, wo die Geschwindigkeit konstant war, sie mit { KEY("--speed") } angeben
+
+## Profile, die abgelehnt werden
+
+is-profile-of-wheel = ist nach eigener Angabe das Profil eines Rads, verlangt ist aber eine Schiene
+is-profile-of-rail = ist nach eigener Angabe das Profil einer Schiene, verlangt ist aber ein Rad
+is-list-of-slices = ist eine Liste von Schnitten entlang der Schiene oder um das Rad: eine der Dateien angeben, die sie nennt
+is-wheel-not-laid-so = ist ein Rad, und das wird nicht nach "{ $alignment }" angelegt
+is-rail-not-laid-so = ist eine Schiene, und die wird nicht nach "{ $alignment }" angelegt
+is-rail-against-wheel = ist eine Schiene, { $nominal } aber ein Rad
+is-wheel-against-rail = ist ein Rad, { $nominal } aber eine Schiene
+wider-than-any = das Profil ist { $across } m breit, breiter als jedes Rad und jede Schiene: die Einheit prüfen
+narrower-than-any = das Profil ist { $across } mm breit, schmaler als jedes Rad und jede Schiene: die Einheit prüfen
+datum-circle-not-known = die Spurkranzspitze liegt bei x = { $tip } mm, und der Spurkranzrücken ist nicht gemessen, sodass der Messkreis nicht bekannt ist: Koordinaten mit dem Ursprung auf ihm angeben, { $back } mm vom Spurkranzrücken
+file-of-several-profiles = die Datei enthält mehrere Profile: eine Datei mit einem davon angeben
+column-def-without-x-and-y = ColumnDef ist "{ $value }", muss aber die Spalten X und Y nennen
+line-without-x-and-y = "{ $text }" hat keine Zahlen X und Y
+line-without-millimetres = "{ $text }" hat keine Zahl in Millimetern
+line-is-no-pair = "{ $text }" ist kein Zahlenpaar x, y
+other-count-of-columns = { $count ->
+        [one] es gibt 1 Spalte, ein Profil hat aber zwei: Querkoordinate und Höhe
+       *[other] es gibt { $count } Spalten, ein Profil hat aber zwei: Querkoordinate und Höhe, unter einem Kopf wie y_mm,z_mm, wo es weitere gibt; je eine Schiene oder ein Rad angeben
+    }
+head-says-other-unit = der Kopf sagt { $unit }: ein Profil in mm oder m angeben
+head-with-two-units = der Kopf gibt den beiden Spalten verschiedene Einheiten: ein Profil durchweg in mm oder m angeben
+line-without-both-sides = "{ $text }" ist nicht y und z beider Seiten
+value-not-known = { $name } ist "{ $value }", und das ist nicht bekannt
+value-must-be-number = { $name } ist "{ $value }", muss aber eine Zahl sein
+line-of-no-head = "{ $text }" ist weder eine Zeile eines Kopfs noch sind es Koordinaten
+units-per-metre-above-zero = units.len.f muss größer als null sein: wie viele Einheiten der Datei einen Meter ergeben
+no-section-of-profile = "{ $text }" ist kein Abschnitt eines Profils: das sind header, spline und point
+section-closes-none = { $section }.end schließt kein { $section }.begin
+section-without-end = { $section }.begin hat kein { $section }.end: die Datei ist abgeschnitten
+line-is-no-point = "{ $text }" ist kein Punkt y z
+line-is-no-key = "{ $text }" ist weder Schlüssel = Wert noch ein Abschnitt
+too-few-points = ein Profil braucht mindestens { $least } Punkte, und dieses hat { $count }
+too-many-points = das Profil hat { $count } Punkte, mehr als die { $most }, die gelesen werden
+coordinate-not-finite = eine Koordinate ist nicht endlich
+point-stands-twice = der Punkt steht zweimal da
+outline-crosses = der Umriss kreuzt sich hier oder läuft auf sich selbst zurück, nahe x = { $place } mm, wie bei zwei Messläufen oder Punkten in falscher Reihenfolge
+outline-closes = der Umriss schließt sich hier: nur die Lauffläche angeben, von einer Flanke zur anderen oder vom Spurkranz bis zur Außenseite
+curve-turns-back = die Kurve kehrt hier quer zum Gleis um, wie bei einem Profil mit einer Schleife oder mit Punkten in falscher Reihenfolge
+outline-comes-back = der Umriss kommt hier über sich selbst zurück, wie bei zwei Messläufen
+scatter-not-positive = die Streuung der Punkte ist { $scatter } m, muss aber größer als null sein
+crown-at-end = der höchste Punkt der Schiene liegt an ihrem Ende, wie bei einem Profil, das auf dem Kopf steht oder am Scheitel abgeschnitten ist
+no-datum-circle = x = 0, der Messkreis der Lauffläche, liegt nicht auf dem Profil des Rads
+no-flank-of-flange = die Flanke des Spurkranzes liegt nicht auf dem Profil des Rads
+flange-outside = der Spurkranz liegt bei x über null: das Profil ist gespiegelt, denn x muss zur Außenseite positiv sein
+wheel-upside-down = das Profil hat keinen Spurkranz unter der Lauffläche: es steht auf dem Kopf, denn y muss die Höhe sein, und ein Spurkranz hängt herab
+wheel-without-flange = das Profil hat keinen Spurkranz
+profile-lies-elsewhere = das gemessene Profil liegt nirgends näher als 20 mm am nominellen: Ursprung, Lage und Einheit prüfen
+measured-without-tip = das gemessene Profil reicht nicht um die Spitze eines Spurkranzes, sodass es nicht nach ihr angelegt werden kann
+nominal-without-tip = das nominelle Profil reicht nicht um die Spitze eines Spurkranzes, sodass nicht nach ihr angelegt werden kann
+field-side-not-measured = die Außenseite der Schiene, Ecke und Flanke, ist nicht gemessen, sodass nicht nach ihr angelegt werden kann
+touches-beyond-end = unter Last berührt das { $side } Rad jenseits des Endes eines Profils
+touches-beside-rail = das { $side } Rad berührt neben seiner Schiene
+left-of-wheels = linke
+right-of-wheels = rechte
+rails-overlap = bei einer Spurweite von { $gauge } mm überlappen sich die Schienen
+ends-above-gauge-height = die Innenseite der Schiene endet über der Messhöhe von { $height } mm unter ihrem Scheitel, oder das Profil ist gespiegelt: x muss zur Außenseite positiv sein
+wheel-has-left-its-rail = bei einer Querverschiebung von { $shift } mm und einem Gierwinkel von { $yaw } mrad berührt das { $side } Rad seine Schiene nicht
+is-cone-without-profile = ist "cone", und das hat kein Profil
+name-a-profile = ein Profil wie "{ $name }" oder eine Datei nennen
+check-places-of-flanges = profiles.gauge, flange_back_distance und flange_back_position prüfen
+is-nominal-rail = ist "{ $name }", und das ist eine Schiene
+is-nominal-wheel = ist "{ $name }", und das ist ein Rad
+nominal-wheels = nominelle Räder: { $known }
+nominal-rails = nominelle Schienen: { $known }
+is-profile-in-linear-theory = ist ein Profil, curve.theory = "linear" rollt aber auf Kegeln
+choose-cone = wheel = "cone" wählen, mit der äquivalenten Konizität von `riffel profile CASE --wheelset`
+is-set-but-of-cones = ist gesetzt, gehört aber zu profiles.wheel = "cone"
+
+## Fortschritt
+
+nothing-done = 0 von { $total } { $what }
+so-many-done = { $done } von { $total } { $what }, { $rate } je Sekunde, noch { $left }
+share-done = { $what }: { $percent } %
+share-done-and-left = { $what }: { $percent } %, noch { $left }
+so-many-seconds = { $time } s
+so-many-minutes = { $time } min
+so-many-hours = { $time } h
+so-many-days = { $time } Tage
+progress-draws-of-calibration = Ziehungen der Kalibrierung
+progress-reading = Einlesen
+progress-roughness = Rauheit
+progress-stability = Stabilität
+progress-taking-in-blocks = Aufnehmen der Blöcke
+progress-passages = Überrollungen
+progress-fit = Anpassung des Verschleißbeiwerts
+progress-growth-map = Wachstumskarte
+progress-figures = Bilder des Aufsatzes
+progress-remedies = Wachstum mit Maßnahmen
+progress-contact = Kontakt
+progress-validation = Validierung
+progress-field = Feld
+progress-wheels = Wachstum unter den Rädern
+progress-models = Wachstum nach den Modellen
+progress-listening = Abhören
+progress-traffic = Wachstum unter dem Verkehr
+progress-variants = Wachstum der Varianten
+progress-bay = Wachstum über das Schwellenfach
+progress-writing-map = Schreiben von map.csv
+progress-writing-bay = Schreiben von bay-mean.csv
+progress-draws = Ziehungen
+progress-simulations = Simulationen
+progress-samples = Stichproben
+
+## Universal files, die abgelehnt werden
+
+no-dataset = die Datei enthält kein Dataset, das mit -1 in den Spalten 5 und 6 begänne
+outside-of-datasets = das steht außerhalb der Datasets, die mit -1 in den Spalten 5 und 6 beginnen und enden
+dataset-cut-short = das Dataset, das hier beginnt, ist vom Ende der Datei abgeschnitten
+record-missing = das Dataset endet, wo { $record } stehen muss
+unknown-form-of-dataset = Spalte 7 muss leer sein, oder "b" in einem Dataset 58, nicht "{ $text }"
+field-is-no-integer = { $what } muss eine ganze Zahl von höchstens 32 Bit sein, nicht "{ $text }"
+field-is-no-number = { $what } muss eine endliche Zahl sein, nicht "{ $text }"
+field-has-no-meaning = { $what } muss { $allowed } sein, nicht { $value }
+field-not-positive = { $what } muss positiv sein, nicht { $value }
+column-must-be-blank = Spalte { $column } muss leer sein, denn sie liegt zwischen zwei Feldern
+units-stated-twice = die Datei nennt ihre Einheiten ein zweites Mal, und andere
+too-few-numbers = die Anzahl der Punkte ist { $points }, das sind { $numbers } Zahlen, das Dataset enthält aber { $held }
+too-many-numbers = die Anzahl der Punkte ist { $points }, das sind { $numbers } Zahlen, das Dataset geht aber dahinter weiter
+line-lacks-numbers = diese Zeile muss { $needed } Zahlen enthalten, nicht { $held }
+text-after-numbers = die Zahlen dieser Zeile enden in Spalte { $column }, es folgt aber Text
+no-mark-behind-bytes = die Anzahl der Punkte ist { $points }, das sind { $bytes } Bytes, aber dahinter folgt nicht das schließende -1
+other-count-of-bytes = die Anzahl der Bytes ist { $declared }, die Punkte haben aber { $bytes }

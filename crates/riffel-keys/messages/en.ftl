@@ -1222,7 +1222,8 @@ it-is-neither = it is neither a position nor a height
 text-behind-left-out = the text behind column { $column } is left out
 text-columns-left-out = text in column { $columns } is left out
 column-left-out = column { $column } is left out: { $reason }
-column-is-filtered = column { $column }, "{ $head }", is what a filter left: waves that it takes away look smooth, and within a limit they say nothing of the rail
+column-of-head = column { $column }, "{ $head }",
+column-is-filtered = { $column } is what a filter left: waves that it takes away look smooth, and within a limit they say nothing of the rail
 headed-column-left-out = column { $column }, "{ $head }", is left out: { $reason }
 it-is-a-chord-offset = it is an offset from a chord, which has no waves of a half, a quarter or a sixth of the chord and doubles those of its length
 it-is-across = it is along or across the rail
@@ -1725,3 +1726,211 @@ date-may-be-two = "{ $text }" may be two dates; write { $one } or { $other }
 year-is-out-of-range = "{ $text }" is not a day between { $first } and { $last }
 day-is-not-in-calendar = "{ $text }" is not in the calendar
 of-column = column `{ $column }`: { $sentence }
+
+## Runs of axle boxes that are refused
+
+at-line = line { $number }
+at-sample = sample { $number }
+samples-are-lost = samples are lost where the time leaps
+time-is-repeated = a row has no time of its own and is left out: the time is repeated
+odometer-leaps = the odometer leaps by more than { $length } m
+value-is-missing = a value is missing
+number-marks-missing-value = { $mark } marks a missing value
+found-once = { $what } once, at { $at }
+found-often = { $what } { $count } times; the first is { $at }
+time-falls = the time falls from { $before } s to { $time } s
+speed-is-below-zero = the speed is { $speed } m/s, but must be zero or greater
+speed-beyond-any-train = the speed is { $speed } m/s, { $kilometres } km/h, faster than any train; is its unit right?
+odometer-falls = the odometer falls from { $before } m to { $odometer } m, but must rise; where chainage falls along the run, give the speed in its stead
+odometer-beyond-any-train = by the odometer the train runs at { $speed } m/s, { $kilometres } km/h, faster than any train; are its unit and the sampling rate, { $rate } Hz, right?
+times-begin-anew = its times do not go on from those of the file before, and no odometer says where it lies: it is taken for another run from the same place
+there-is-no-reading = there is no reading
+every-row-lacks-a-value = every row lacks a value that is needed
+mean-is-gravity = the mean is { $mean } { $unit }, as gravity is in { $other }: the unit is wrong
+give-in-unit = give it in { $unit }
+clipped-at-end = clipped at { $end } m/s² in { $count } samples, { $share } %; the first are at { $at }
+clipped-at-ends = clipped at { $high } m/s² and { $low } m/s² in { $count } samples, { $share } %; the first are at { $at }
+too-many-are-clipped = { $sentence }; at most { $most } % may be
+levels-too-low-there = { $sentence }: levels are too low there
+drops-out-once = drops out once, keeping one value for more than { $time } ms, at { $at }
+drops-out-often = drops out { $count } times, keeping one value for more than { $time } ms; the first is { $at }
+vibrates-beyond-any-axle-box = the root mean square is { $rms } m/s², more than any axle box has; is its unit right?
+clock-drifts = the times make { $slowest } to { $fastest } samples a second along the run: the clock drifts; { $rate } is taken
+clock-without-one-rate = the times make { $slowest } to { $fastest } samples a second along the run, but must make one rate to { $percent } %; give the sampling rate by { KEY("--rate") } if the times are wrong
+times-do-not-rise = the times do not rise from line to line; give the sampling rate by { KEY("--rate") }
+no-column-of-times = there is no column of times, as time_s; give the sampling rate by { KEY("--rate") }
+times-are-text = column { $column }, `{ $name }`, holds no numbers, but "{ $cell }"; times are needed in seconds, or of day as in 02:59:54.25: write them so, or give the sampling rate by { KEY("--rate") }
+times-make-another-rate = the times make { $rate } samples a second, but { KEY("--rate") } says { $given }
+given-rate-is-taken = { $sentence }, which is taken: one of the two clocks is wrong
+file-says-its-rate = the file says { $rate } samples a second; leave out { KEY("--rate") }
+column-has-no-unit = column `{ $name }` has no unit known here; call it { $one } or { $other }
+channels-are-for-wav = { KEY("--channels") } is for WAV files: what is in other files their heads say
+no-acceleration-given = there is no acceleration
+lengths-of-arrays-differ = { $name } has { $count } values, but { $first } has { $other }
+place-of-other-length = speed or odometer have { $count } values, but { $first } has { $other }
+two-channels-of-one-name = two channels are called "{ $name }", and would be taken for one rail; call them apart
+file-is-binary = the file is binary: byte { $at } is { $value }, which no text has
+file-of-binary-format = the file is { $name }, and no text: { $reader } reads it; write its columns as text
+file-of-other-encoding = the file is { $encoding }; write it as UTF-8
+no-table-under-a-head = there is no table under a head such as { $example }
+no-column-of-accelerations = there is no column of accelerations; call it { $one } or { $other }
+place-is-empty = column `{ $name }` is empty in most rows, but the place of every sample is needed: fill it in, or give the speed by { KEY("--speed") } where it was constant
+no-column-of-the-place = there is no column of speeds or of an odometer, as speed_km_per_h or odometer_m; give the speed by { KEY("--speed") } where it was constant
+line-is-too-long = the line is longer than { $most } bytes
+wav-has-no-units = a WAV file has no units: name its channels in their order, each with its value at full scale, as in { $example }
+wav-has-other-count = { $count ->
+        [one] the file has 1 channel, but { KEY("--channels") } names { $named }
+       *[other] the file has { $count } channels, but { KEY("--channels") } names { $named }
+    }
+channel-without-scale = { KEY("--channels") } has `{ $channel }`, but must give each channel its value at full scale, above zero, as in { $example }
+no-channel-of-accelerations = { KEY("--channels") } names no acceleration, as in { $example }
+no-channel-of-the-place = no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by { KEY("--speed") } where it was constant
+wav-ends-early = the WAV file ends before its head says, or cannot be read
+wav-of-another-form = no WAV file that is read here: { $reason }
+no-riff-of-waves = no RIFF or RF64 file of waves
+samples-before-their-form = its samples come before their form
+form-is-cut-short = its form is cut short
+samples-of-other-kind = integers of 8 to 32 bits or floating point of 32 or 64 alone
+no-acceleration-over-time = the file has no acceleration over time (dataset 58 with an abscissa of kind 17 and an ordinate of kind 12)
+no-place-over-time = the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by { KEY("--speed") } where it was constant
+signal-of-other-form = "{ $title }" must have { $points } real values with a step of { $step } s, as the first acceleration has
+signal-begins-elsewhere = "{ $title }" begins at { $begin } s and "{ $first }" at { $other } s, but all signals of a run must begin together: cut them to the times that all have
+times-are-uneven = the times of "{ $title }" are uneven, but must have one step
+times-in-other-unit = the times of "{ $title }" are in { $unit }, which is no unit of time
+signal-without-unit = "{ $title }" is { $what } without a unit: neither its axis nor a dataset 164 gives one
+signal-with-other-unit = "{ $title }" is { $what }, but is labelled with the unit "{ $unit }"
+an-acceleration = an acceleration
+a-speed = a speed
+an-odometer = an odometer
+odometer-makes = the odometer makes { $speed } km/h in the mean
+speeds-make = the speeds make { $speed } km/h in the mean
+given-speed-says = { KEY("--speed") } says { $speed } km/h
+but-other-says = { $one }, but { $other }
+one-is-wrong = { $sentence }: one of the two is wrong, or in another unit
+first-is-taken = { $sentence }; the first is taken
+take-the-wrong-one-out = take the wrong one out, or give the speed by { KEY("--speed") } where it was constant
+
+## Profiles that are refused
+
+is-profile-of-wheel = is the profile of a wheel by what it says, but a rail is asked for
+is-profile-of-rail = is the profile of a rail by what it says, but a wheel is asked for
+is-list-of-slices = is a list of slices along the rail or around the wheel: give one of the files it names
+is-wheel-not-laid-so = is a wheel, which is not laid by "{ $alignment }"
+is-rail-not-laid-so = is a rail, which is not laid by "{ $alignment }"
+is-rail-against-wheel = is a rail, but { $nominal } is a wheel
+is-wheel-against-rail = is a wheel, but { $nominal } is a rail
+wider-than-any = the profile is { $across } m across, wider than any wheel or rail: check its unit
+narrower-than-any = the profile is { $across } mm across, narrower than any wheel or rail: check its unit
+datum-circle-not-known = the tip of the flange lies at x = { $tip } mm and its back is not measured, so that the datum circle is not known: give coordinates with their origin on it, { $back } mm from the flange back
+file-of-several-profiles = the file holds several profiles: give a file with one of them
+column-def-without-x-and-y = ColumnDef is "{ $value }", but must name the columns X and Y
+line-without-x-and-y = "{ $text }" has no numbers X and Y
+line-without-millimetres = "{ $text }" has no number in millimetres
+line-is-no-pair = "{ $text }" is not a pair of numbers x, y
+other-count-of-columns = { $count ->
+        [one] there is 1 column, but a profile has two: lateral coordinate and height
+       *[other] there are { $count } columns, but a profile has two: lateral coordinate and height, under a head such as y_mm,z_mm where there are others; give one rail or wheel at a time
+    }
+head-says-other-unit = the head says { $unit }: give a profile in mm or m
+head-with-two-units = the head gives both columns units of their own: give a profile in mm or m throughout
+line-without-both-sides = "{ $text }" is not y and z of both sides
+value-not-known = { $name } is "{ $value }", which is not known
+value-must-be-number = { $name } is "{ $value }", but must be a number
+line-of-no-head = "{ $text }" is no line of a head, nor are these coordinates
+units-per-metre-above-zero = units.len.f must be above zero: how many of the file's units make a metre
+no-section-of-profile = "{ $text }" is no section of a profile: header, spline and point are
+section-closes-none = { $section }.end closes no { $section }.begin
+section-without-end = { $section }.begin has no { $section }.end: the file is cut short
+line-is-no-point = "{ $text }" is not a point y z
+line-is-no-key = "{ $text }" is neither key = value nor a section
+too-few-points = a profile needs { $least } points or more, and this one has { $count }
+too-many-points = the profile has { $count } points, more than the { $most } that are read
+coordinate-not-finite = a coordinate is not finite
+point-stands-twice = the point stands there twice
+outline-crosses = the outline crosses or retraces itself here, near x = { $place } mm, as two passes of a device or points in a wrong order do
+outline-closes = the outline closes here: give the running surface alone, from one flank to the other, or from the flange to the field side
+curve-turns-back = the curve turns back across the track here, as a profile with a loop or in a wrong order of points does
+outline-comes-back = the outline comes back here above itself, as two passes of a device do
+scatter-not-positive = the scatter of the points is { $scatter } m, but must be above zero
+crown-at-end = the highest point of the rail lies at its end, as in a profile that is drawn upside down or cut at its crown
+no-datum-circle = x = 0, the datum circle of the tread, is not on the profile of the wheel
+no-flank-of-flange = the flank of the flange is not on the profile of the wheel
+flange-outside = its flange lies at x above zero: it is mirrored, for x must be positive to the field side
+wheel-upside-down = it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down
+wheel-without-flange = it has no flange
+profile-lies-elsewhere = the measured profile lies nowhere within 20 mm of the nominal one: check its origin, orientation and unit
+measured-without-tip = the measured profile does not reach around the tip of a flange, so that it cannot be laid by it
+nominal-without-tip = the nominal profile does not reach around the tip of a flange, so that it cannot be laid by it
+field-side-not-measured = the field side of the rail, corner and flank, is not measured, so that it cannot be laid by it
+touches-beyond-end = under load the { $side } wheel touches beyond the end of a profile
+touches-beside-rail = the { $side } wheel touches beside its rail
+left-of-wheels = left
+right-of-wheels = right
+rails-overlap = with a gauge of { $gauge } mm the rails overlap
+ends-above-gauge-height = the inner side of the rail ends above the gauge height of { $height } mm below its crown, or the profile is mirrored: x must be positive to the field side
+wheel-has-left-its-rail = at a lateral shift of { $shift } mm and a yaw of { $yaw } mrad the { $side } wheel does not touch its rail
+is-cone-without-profile = is "cone", which has no profile
+name-a-profile = name a profile such as "{ $name }" or a file
+check-places-of-flanges = check profiles.gauge, flange_back_distance and flange_back_position
+is-nominal-rail = is "{ $name }", which is a rail
+is-nominal-wheel = is "{ $name }", which is a wheel
+nominal-wheels = nominal wheels: { $known }
+nominal-rails = nominal rails: { $known }
+is-profile-in-linear-theory = is a profile, but curve.theory = "linear" runs on cones
+choose-cone = choose wheel = "cone" with the equivalent conicity of `riffel profile CASE --wheelset`
+is-set-but-of-cones = is set, but belongs to profiles.wheel = "cone"
+
+## Progress
+
+nothing-done = 0 of { $total } { $what }
+so-many-done = { $done } of { $total } { $what }, { $rate } a second, { $left } left
+share-done = { $what }: { $percent } %
+share-done-and-left = { $what }: { $percent } %, { $left } left
+so-many-seconds = { $time } s
+so-many-minutes = { $time } min
+so-many-hours = { $time } h
+so-many-days = { $time } days
+progress-draws-of-calibration = draws of the calibration
+progress-reading = reading
+progress-roughness = roughness
+progress-stability = stability
+progress-taking-in-blocks = taking in blocks
+progress-passages = passages
+progress-fit = fit of the wear coefficient
+progress-growth-map = growth map
+progress-figures = figures of the paper
+progress-remedies = growth with remedies
+progress-contact = contact
+progress-validation = validation
+progress-field = field
+progress-wheels = growth under the wheels
+progress-models = growth by the models
+progress-listening = listening
+progress-traffic = growth under traffic
+progress-variants = growth of the variants
+progress-bay = growth over the bay
+progress-writing-map = writing map.csv
+progress-writing-bay = writing bay-mean.csv
+progress-draws = draws
+progress-simulations = simulations
+progress-samples = samples
+
+## Universal files that are refused
+
+no-dataset = the file holds no dataset, which would begin with -1 in columns 5 and 6
+outside-of-datasets = this stands outside of the datasets, which begin and end with -1 in columns 5 and 6
+dataset-cut-short = the dataset that begins here is cut short by the end of the file
+record-missing = the dataset ends where its { $record } must stand
+unknown-form-of-dataset = column 7 must be blank, or "b" in a dataset 58, not "{ $text }"
+field-is-no-integer = { $what } must be a whole number within 32 bits, not "{ $text }"
+field-is-no-number = { $what } must be a finite number, not "{ $text }"
+field-has-no-meaning = { $what } must be { $allowed }, not { $value }
+field-not-positive = { $what } must be positive, not { $value }
+column-must-be-blank = column { $column } must be blank, as it lies between two fields
+units-stated-twice = the file states its units a second time, and differently
+too-few-numbers = the number of points is { $points }, which takes { $numbers } numbers, but the dataset holds { $held }
+too-many-numbers = the number of points is { $points }, which takes { $numbers } numbers, but the dataset goes on after them
+line-lacks-numbers = this line must hold { $needed } numbers, not { $held }
+text-after-numbers = the numbers of this line end in column { $column }, but text follows
+no-mark-behind-bytes = the number of points is { $points }, which takes { $bytes } bytes, but the closing -1 does not follow them
+other-count-of-bytes = the number of bytes is { $declared }, but the points take { $bytes }

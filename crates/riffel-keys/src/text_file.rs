@@ -10,7 +10,7 @@ use crate::given_text::given;
 pub use crate::given_text::with_texts;
 pub use crate::standard_input::LARGEST_RESPONSES;
 use crate::standard_input::{read_to, standard_input};
-use crate::{CaseError, question, seal};
+use crate::{CaseError, Message, number, question, say, seal};
 
 /// Largest file of keys \[bytes\]: a case, a traffic, a plan, a recipe, a limit table, a site. Also the largest
 /// table of observations.
@@ -49,19 +49,24 @@ pub struct BinaryByte {
 
 impl fmt::Display for BinaryByte {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
-        if let Some(format) = self.format {
-            let BinaryFormat { name, reader, .. } = format;
-            return write!(
-                formatter,
-                "the file is {name}, and no text: {reader} reads it; write its columns as text"
-            );
+        formatter.pad(&Message::from(*self).to_string())
+    }
+}
+
+impl From<BinaryByte> for Message {
+    fn from(byte: BinaryByte) -> Self {
+        match byte.format {
+            Some(format) => say!(
+                file_of_binary_format,
+                name = format.name(),
+                reader = format.reader()
+            ),
+            None => say!(
+                file_is_binary,
+                at = number(byte.at + 1),
+                value = format!("{:#04x}", byte.value)
+            ),
         }
-        write!(
-            formatter,
-            "the file is binary: byte {} is {:#04x}, which no text has",
-            self.at + 1,
-            self.value
-        )
     }
 }
 
@@ -190,7 +195,7 @@ pub fn read_keys(path: &Path, what: &'static str) -> Result<String, CaseError> {
     let encoding = Encoding::of(&bytes).map_err(|byte| CaseError::Data {
         path: path.to_owned(),
         line: Some(byte.line),
-        message: byte.to_string().into(),
+        message: byte.into(),
         help: None,
     })?;
     if !matches!(encoding, Encoding::Utf8 | Encoding::Windows1252) {

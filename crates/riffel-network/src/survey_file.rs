@@ -151,7 +151,7 @@ impl SurveyFile {
         if first.contains(&0)
             && let Err(binary) = text_file::Encoding::of(&first)
         {
-            return Err(at(path, binary.line, binary.to_string()));
+            return Err(at(path, binary.line, binary));
         }
         let head = reader(path)?
             .headers()

@@ -17,7 +17,7 @@ use crate::refusal::Refusal;
 pub fn read_decay_rates(path: &Path) -> Result<Vec<(FrequencyBand, f64)>, CaseError> {
     let refuse = |refusal: Refusal| refusal.of(path);
     let text = decode(read_bounded(path, "file", LARGEST_KEYS)?);
-    let text = text.map_err(|byte| refuse(Refusal::new(Some(byte.line), byte.to_string())))?;
+    let text = text.map_err(|byte| refuse(Refusal::new(Some(byte.line), byte)))?;
     parse(&text).map_err(refuse)
 }
 

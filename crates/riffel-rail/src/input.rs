@@ -44,8 +44,8 @@ pub(super) fn read(
         .read_to_end(&mut bytes)
         .map_err(failed)?;
     let refuse = |refusal: Refusal| refusal.of(path);
-    let encoding = Encoding::of(&bytes)
-        .map_err(|byte| refuse(Refusal::new(Some(byte.line), byte.to_string())))?;
+    let encoding =
+        Encoding::of(&bytes).map_err(|byte| refuse(Refusal::new(Some(byte.line), byte)))?;
     let wide = matches!(
         encoding,
         Encoding::Utf16LittleEndian | Encoding::Utf16BigEndian
@@ -76,7 +76,7 @@ pub(super) fn read(
         }
     }
     if wide {
-        let text = decode(bytes).map_err(|byte| refuse(Refusal::new(None, byte.to_string())))?;
+        let text = decode(bytes).map_err(|byte| refuse(Refusal::new(None, byte)))?;
         return Ok(text.into_bytes());
     }
     reading.end_lines(&mut bytes);

@@ -49,7 +49,7 @@ impl LinePlace {
     pub fn read(path: &Path) -> Result<Vec<Self>, CaseError> {
         let refuse = |refusal: Refusal| refusal.of(path);
         let text = decode(read_bounded(path, "file", LARGEST_KEYS)?);
-        let text = text.map_err(|byte| refuse(Refusal::new(Some(byte.line), byte.to_string())))?;
+        let text = text.map_err(|byte| refuse(Refusal::new(Some(byte.line), byte)))?;
         parse(&text).map_err(refuse)
     }
 }

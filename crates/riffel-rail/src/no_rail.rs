@@ -1,7 +1,7 @@
 //! Columns and channels that tell nothing of a rail, by their names.
 
 use riffel_keys::table::{is_one_of, words};
-use riffel_keys::{Message, say};
+use riffel_keys::{Message, Value, say};
 
 /// Track geometry, but for lines along the head of a rail.
 const GEOMETRY: &str = "cant|superelevation|überhöhung|ueberhoehung|gauge|spurweite|twist|verwindung|curvature|krümmung|\
@@ -98,9 +98,10 @@ pub(crate) fn why_no_rail(names: &[&str]) -> Vec<Option<Message>> {
         .collect()
 }
 
-/// Whether a name says that a filter has touched the column.
-pub(crate) fn is_filtered(name: &str) -> bool {
-    Name::of(name).is_filtered()
+/// What a level of a column that is called `name` does not tell, where a filter has touched it; `column` are the words for it.
+pub(crate) fn filter_remark(name: &str, column: Value) -> Option<Message> {
+    let is_filtered = Name::of(name).is_filtered();
+    is_filtered.then(|| say!(column_is_filtered, column = column))
 }
 
 /// Whether the words of a name are those of a scatter, a count or a limit.

@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample, WheelPattern};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum, ThirdOctave, WavelengthBand};
 use riffel_case::Case;
-use riffel_keys::CaseError;
+use riffel_keys::{CaseError, Message};
 use riffel_rail::{AxleBoxFile, AxleBoxReading, LimitTable, RunEnd};
 
 use super::AxleBoxRequest;
@@ -171,7 +171,7 @@ pub(super) fn listen(
     progress: &dyn Fn(usize),
     before: Option<RunEnd>,
     heard: &mut Vec<Heard>,
-) -> Result<(Vec<String>, Longest, RunEnd), AnswerError> {
+) -> Result<(Vec<Message>, Longest, RunEnd), AnswerError> {
     let analysis = AnalysisSettings {
         longest_wavelength: request.longest,
         block: request.block,

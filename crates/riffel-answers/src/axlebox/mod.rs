@@ -140,12 +140,12 @@ impl AxleBoxAnswer {
             let (warnings, longest, end) = heard_of;
             ends.push((file.channels(), end));
             if longest.gaps > 0 && heard.iter().all(Heard::is_empty) {
-                let message = too_short(&longest, &request.run(case, file.rate()), &warnings);
+                let message = too_short(&longest, &request.run(case, file.rate()), warnings);
                 return Err(CaseError::data(path, message).into());
             }
             let said = warnings.into_iter();
             let file = path.display().to_string();
-            remarks.extend(said.map(|warning| Message::from(warning).about(file.as_str())));
+            remarks.extend(said.map(|warning| warning.about(file.as_str())));
         }
         let Some((path, _)) = files.first().filter(|_| heard.iter().all(Heard::is_empty)) else {
             return Self::judged(case, files, limits, request, heard, remarks);
@@ -307,9 +307,9 @@ impl Judged for AxleBoxRail {
 }
 
 /// Why nothing is heard between gaps.
-fn too_short(longest: &Longest, run: &RunSettings, warnings: &[String]) -> Message {
+fn too_short(longest: &Longest, run: &RunSettings, warnings: Vec<Message>) -> Message {
     let (length, speed) = (fixed(longest.length, 1), fixed(3.6 * longest.speed, 1));
-    let said = warnings.join("; ");
+    let said = Message::one_after_other(warnings).unwrap_or_else(|| Message::verbatim(""));
     if longest.speed < run.slowest {
         return say!(
             stretch_is_too_slow,

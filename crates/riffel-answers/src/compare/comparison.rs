@@ -98,7 +98,7 @@ impl Effect {
                 reason = reason.clone()
             )
         });
-        let reasons = reasons.reduce(|one, other| say!(one_after_other, one = one, other = other));
+        let reasons = reasons.reduce(Message::followed_by);
         let same = before.vehicles().len() == after.vehicles().len()
             && before
                 .vehicles()

@@ -166,7 +166,7 @@ impl OnTrackAnswer {
         let contacts: Vec<WheelsetContact> = found
             .into_iter()
             .collect::<Result<_, _>>()
-            .map_err(|error| AnswerError::Profile(error.to_string()))?;
+            .map_err(AnswerError::Profile)?;
         let [level, rolling] = case.radius_differences(&wheelset)?;
         let spacing = wheelset.wheels.spacing();
         let conicities = AMPLITUDES.iter().map(|amplitude| {

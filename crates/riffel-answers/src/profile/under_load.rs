@@ -99,8 +99,7 @@ impl UnderLoadAnswer {
     ) -> Result<Self, AnswerError> {
         let wheelset = case.wheelset_on_track()?;
         let steel: ElasticMaterial = case.steel()?;
-        let refused =
-            |error: riffel::profile::ProfileError| AnswerError::Profile(error.to_string());
+        let refused = AnswerError::Profile;
         let mut contacts = Vec::with_capacity(shifts.len());
         let mut rows = Vec::with_capacity(2 * shifts.len());
         for shift in shifts {

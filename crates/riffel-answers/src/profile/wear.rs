@@ -4,7 +4,7 @@ use std::io::{self, Write};
 use std::path::{Path, PathBuf};
 
 use riffel::profile::{
-    Profile, ProfileAlignment, ProfileWear, RailWear, WheelDimensions, WornPoint,
+    Profile, ProfileAlignment, ProfileError, ProfileWear, RailWear, WheelDimensions, WornPoint,
 };
 use riffel_case::file::{Inclination, ProfileKind};
 use riffel_case::{ProfileReading, profile_of};
@@ -179,12 +179,7 @@ impl WearAnswer {
         nominal_name: &str,
         settings: WearSettings,
     ) -> Result<Self, CaseError> {
-        let at_fault = |path: &Path, message: String| CaseError::Data {
-            path: path.to_owned(),
-            line: None,
-            message: message.into(),
-            help: None,
-        };
+        let at_fault = |path: &Path, message: Message| CaseError::data(path, message);
         let here = Path::new("");
         let read = profile_of(nominal_name, here, settings.reading)?;
         let (kind, mut remarks) = (read.kind, read.remarks);
@@ -203,12 +198,12 @@ impl WearAnswer {
             ProfileAlignment::FieldSide => !is_wheel,
         };
         if !suits {
-            let message = format!(
-                "is a {}, which is not laid by \"{}\"",
-                kind.name(),
-                alignment_name(alignment)
-            );
-            return Err(at_fault(Path::new(nominal_name), message));
+            let name = alignment_name(alignment);
+            let other = match kind {
+                ProfileKind::Wheel => say!(is_wheel_not_laid_so, alignment = name),
+                ProfileKind::Rail => say!(is_rail_not_laid_so, alignment = name),
+            };
+            return Err(at_fault(Path::new(nominal_name), other));
         }
         let mut worn = Vec::new();
         for file in files {
@@ -220,15 +215,14 @@ impl WearAnswer {
             };
             let read = profile_of(&name, here, reading)?;
             if read.kind != kind {
-                let message = format!(
-                    "is a {}, but {nominal_name} is a {}",
-                    read.kind.name(),
-                    kind.name()
-                );
-                return Err(at_fault(file, message));
+                let other = match kind {
+                    ProfileKind::Wheel => say!(is_rail_against_wheel, nominal = nominal_name),
+                    ProfileKind::Rail => say!(is_wheel_against_rail, nominal = nominal_name),
+                };
+                return Err(at_fault(file, other));
             }
             remarks.extend(read.remarks);
-            let refuse = |error: riffel::profile::ProfileError| at_fault(file, error.to_string());
+            let refuse = |error: ProfileError| at_fault(file, (&error).into());
             let wear =
                 ProfileWear::new(&read.profile, &nominal, is_wheel, alignment).map_err(refuse)?;
             let back = settings.flange_back_position;

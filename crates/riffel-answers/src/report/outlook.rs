@@ -247,7 +247,7 @@ fn months(report: &CompareAnswer) -> Option<Message> {
         })
     };
     let times = report.comparison.outcomes.iter().filter_map(when);
-    let times = times.reduce(|one, other| say!(one_after_other, one = one, other = other))?;
+    let times = times.reduce(Message::followed_by)?;
     Some(match &report.ground {
         Some(ground) => say!(
             limit_is_reached_from,

@@ -167,7 +167,7 @@ impl BranchDocument {
         let more = weaker.len().checked_sub(NAMED + 1);
         let more = more.map(|more| say!(more_branches, count = more + 1));
         let named = named.chain(more);
-        let named = named.reduce(|one, other| say!(one_after_other, one = one, other = other));
+        let named = named.reduce(Message::followed_by);
         say!(
             strongest_branch,
             words = words,

@@ -105,8 +105,7 @@ impl SectionVerdict {
     fn new(rail: &str, [from, to]: [f64; 2], known: &Judged<'_>) -> Self {
         let rms = known.rms.map(|(section, _)| section);
         let sentences = known.sentences().into_iter();
-        let sentence =
-            sentences.reduce(|one, other| say!(one_after_other, one = one, other = other));
+        let sentence = sentences.reduce(Message::followed_by);
         let over = usize::from(known.is_over_levels()) + usize::from(known.is_over_rms());
         Self {
             rail: rail.to_owned(),

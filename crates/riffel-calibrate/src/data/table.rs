@@ -21,7 +21,7 @@ pub(crate) struct Numbers {
     devices: Vec<(String, Vec<String>)>,
 }
 
-fn refuse(path: &Path, line: Option<usize>, message: String) -> CaseError {
+fn refuse(path: &Path, line: Option<usize>, message: impl Into<Message>) -> CaseError {
     CaseError::Data {
         path: path.to_owned(),
         line,
@@ -32,7 +32,7 @@ fn refuse(path: &Path, line: Option<usize>, message: String) -> CaseError {
 
 fn text(path: &Path) -> Result<String, CaseError> {
     let bytes = read_bounded(path, "table of measurements", LARGEST_RESPONSES)?;
-    decode(bytes).map_err(|byte| refuse(path, Some(byte.line), byte.to_string()))
+    decode(bytes).map_err(|byte| refuse(path, Some(byte.line), byte))
 }
 
 /// The names of the columns of a table, of the first line that is a head; else those of its first line.

@@ -80,8 +80,8 @@ impl CurvingCase {
     fn new_wheelset_on_track(&self) -> Result<WheelsetOnTrack, CaseError> {
         let profiles = self.profiles()?;
         if is_cone(profiles) {
-            let rule = "is \"cone\", which has no profile";
-            let help = "name a profile such as \"S1002\" or a file";
+            let help = say!(name_a_profile, name = "S1002");
+            let rule = say!(is_cone_without_profile);
             return Err(self.text.keys.invalid("profiles.wheel", rule, help));
         }
         let (left, right) = (
@@ -94,8 +94,10 @@ impl CurvingCase {
             None => wheel.clone(),
         };
         let fits = |key: &str, error: ProfileError| match error {
-            ProfileError::Gauge(rule) => self.text.keys.invalid("profiles.gauge", &rule, ""),
-            error => self.text.keys.invalid(key, error.to_string(), ""),
+            ProfileError::Gauge { .. } | ProfileError::GaugeHeight { .. } => {
+                self.text.keys.invalid("profiles.gauge", &error, "")
+            }
+            error => self.text.keys.invalid(key, &error, ""),
         };
         let track = Track::new(
             [&left, &right],
@@ -125,7 +127,7 @@ impl CurvingCase {
     ) -> Result<(), CaseError> {
         let gauge = &profiles.gauge;
         let refuse = |rule: Message| {
-            let help = "check profiles.gauge, flange_back_distance and flange_back_position";
+            let help = say!(check_places_of_flanges);
             Err(self.text.keys.invalid("profiles.gauge", &rule, help))
         };
         let flange_back = profiles.flange_back_position.si();
@@ -171,7 +173,7 @@ impl CurvingCase {
         let [_, right] = self.rolling_radii();
         let farthest = farthest(wheelset);
         let of = |table: Result<RadiusDifference, ProfileError>| {
-            table.map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))
+            table.map_err(|error| self.text.keys.invalid("profiles", &error, ""))
         };
         Ok([
             of(RadiusDifference::level(wheelset, right, farthest, STEP))?,
@@ -207,7 +209,7 @@ impl CurvingCase {
     /// The profile of a rail of the case.
     pub(crate) fn profile_of_rail(&self, rail: Rail) -> Result<Profile, CaseError> {
         let rails = self.profiles()?.rail.as_ref().ok_or_else(|| {
-            let help = "name a profile such as \"60E1\" or a file";
+            let help = say!(name_a_profile, name = "60E1");
             self.text.keys.missing("profiles.rail", help)
         })?;
         let (key, name) = match (rails, rail) {
@@ -224,13 +226,18 @@ impl CurvingCase {
         if let Some(nominal) = NominalProfile::named(name).filter(|one| one.is_wheel != is_wheel) {
             let of_kind = NOMINAL.iter().filter(|one| one.is_wheel == is_wheel);
             let known = of_kind.map(|one| one.name).collect::<Vec<_>>().join(", ");
-            let [is, asked] = match is_wheel {
-                true => ["a rail", "wheels"],
-                false => ["a wheel", "rails"],
+            let (name, known) = (nominal.name, known.as_str());
+            let [rule, help] = match is_wheel {
+                true => [
+                    say!(is_nominal_rail, name = name),
+                    say!(nominal_wheels, known = known),
+                ],
+                false => [
+                    say!(is_nominal_wheel, name = name),
+                    say!(nominal_rails, known = known),
+                ],
             };
-            let rule = format!("is \"{}\", which is {is}", nominal.name);
-            let help = format!("nominal {asked}: {known}");
-            return Err(self.text.keys.invalid(key, &rule, &help));
+            return Err(self.text.keys.invalid(key, rule, help));
         }
         let reading = ProfileReading {
             kind: Some(match is_wheel {
@@ -278,8 +285,7 @@ impl CurvingCase {
         contact_plane: ContactPlane,
     ) -> Result<Kinematics, CaseError> {
         if theory == CurvingTheory::Linear {
-            let rule = "is a profile, but curve.theory = \"linear\" runs on cones";
-            let help = "choose wheel = \"cone\" with the equivalent conicity of `riffel profile CASE --wheelset`";
+            let (rule, help) = (say!(is_profile_in_linear_theory), say!(choose_cone));
             return Err(self.text.keys.invalid("profiles.wheel", rule, help));
         }
         let of_cones = [
@@ -287,14 +293,14 @@ impl CurvingCase {
             ("profiles.flange", profiles.flange.is_some()),
         ];
         if let Some((key, _)) = of_cones.into_iter().find(|(_, given)| *given) {
-            let rule = "is set, but belongs to profiles.wheel = \"cone\"";
+            let rule = say!(is_set_but_of_cones);
             return Err(self.text.keys.invalid(key, rule, ""));
         }
         let make = || {
             let wheelset = self.wheelset_on_track()?;
             let farthest = farthest(&wheelset);
             let table = RollingTable::new(&wheelset, self.rolling_radii(), farthest, STEP)
-                .map_err(|error| self.text.keys.invalid("profiles", error.to_string(), ""))?;
+                .map_err(|error| self.text.keys.invalid("profiles", &error, ""))?;
             Ok(Arc::new(table))
         };
         Ok(Kinematics::Nonlinear {

@@ -62,11 +62,9 @@ impl CurvingCase {
         Ok(loaded
             .map_err(|error| match error {
                 ProfileError::Contact(riffel::Error::GridTooSmall { .. }) => say!(patches_join),
-                error => Message::verbatim(error.to_string()),
+                error => Message::from(&error),
             })
-            .and_then(|loaded| {
-                LoadedPatch::of(&loaded).map_err(|error| Message::verbatim(error.to_string()))
-            }))
+            .and_then(|loaded| LoadedPatch::of(&loaded).map_err(|error| Message::from(&error))))
     }
 }
 

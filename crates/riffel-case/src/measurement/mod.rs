@@ -97,7 +97,7 @@ fn bytes_of(path: &Path, what: &'static str) -> Result<Vec<u8>, MeasurementError
 }
 
 fn decoded(bytes: Vec<u8>) -> Result<String, MeasurementError> {
-    text_file::decode(bytes).map_err(|byte| MeasurementError::file(byte.to_string()))
+    text_file::decode(bytes).map_err(MeasurementError::file)
 }
 
 /// A function that was read elsewhere.

@@ -25,8 +25,7 @@ pub(super) fn read(
     measurement: &Measurement,
 ) -> Result<(FrequencyResponse, Vec<Message>), MeasurementError> {
     let axis = measurement.vertical_axis;
-    let file =
-        universal_file::read(bytes).map_err(|error| MeasurementError::file(error.to_string()))?;
+    let file = universal_file::read(bytes).map_err(|error| MeasurementError::file(&error))?;
     let function = match measurement.function {
         Some(number) => number
             .checked_sub(1)

@@ -8,7 +8,8 @@ use riffel_rail::AxleBoxFile;
 use super::roughness::{bands_table, grind_table, limits};
 use crate::arguments::{AxleBox, stem};
 use crate::messages::{language, print_remarks};
-use crate::output::{Progress, json, print, table};
+use crate::output::{json, print, table};
+use crate::progress::Progress;
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
@@ -24,7 +25,7 @@ pub(crate) fn run(arguments: &AxleBox) -> miette::Result<()> {
         .iter()
         .filter_map(|path| std::fs::metadata(path).ok());
     let size: u64 = sizes.map(|file| file.len()).sum();
-    let progress = Progress::new("listening", size as usize);
+    let progress = Progress::new(riffel_keys::say!(progress_listening), size as usize);
     let answer = AxleBoxAnswer::new(&case, &files, &limits, &request, &|by| progress.advance(by))?;
     drop(progress);
     let document = json(&answer.document());

@@ -15,8 +15,9 @@ use super::roughness::survey;
 use crate::arguments::{Compare, Models};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
-use crate::output::{Progress, json, table};
+use crate::output::{json, table};
 use crate::posterior::over;
+use crate::progress::Progress;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Compare) -> miette::Result<()> {
@@ -96,7 +97,7 @@ pub(super) fn compare(
     let over = over(draws.as_ref(), |draws, progress| {
         compare_over(draws, &request, progress)
     })?;
-    let progress = Progress::new("growth of the variants", steps);
+    let progress = Progress::new(riffel_keys::say!(progress_variants), steps);
     let mut answer = CompareAnswer::new(case, request, &|by| progress.advance(by)).map_err(
         |error| match error {
             AnswerError::OutsideWindow(error) => {

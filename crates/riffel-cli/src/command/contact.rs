@@ -10,7 +10,8 @@ use riffel_keys::CaseError;
 use crate::arguments::{Contact, positive};
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{Progress, json, table};
+use crate::output::{json, table};
+use crate::progress::Progress;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
@@ -22,7 +23,10 @@ pub(crate) fn run(arguments: &Contact) -> miette::Result<()> {
     let creepages = creepages(arguments, &theories)?;
     let ratios = ratios(arguments)?;
 
-    let progress = Progress::new("contact", creepages.len() + ratios.len() + 1);
+    let progress = Progress::new(
+        riffel_keys::say!(progress_contact),
+        creepages.len() + ratios.len() + 1,
+    );
     let request = ContactRequest {
         creepages: Some(creepages),
         ratios: Some(ratios),

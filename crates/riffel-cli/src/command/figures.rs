@@ -5,12 +5,13 @@ use riffel_keys::Language;
 
 use crate::arguments::Figures;
 use crate::error::CliError;
-use crate::output::{Progress, print};
+use crate::output::print;
+use crate::progress::Progress;
 use crate::staging::Staging;
 
 pub(crate) fn run(arguments: &Figures) -> miette::Result<()> {
     let mut staging = Staging::new("figures", &arguments.output)?;
-    let progress = Progress::new("figures of the paper", paper::FIGURES.len());
+    let progress = Progress::new(riffel_keys::say!(progress_figures), paper::FIGURES.len());
     let model = arguments.model.into();
     for (number, make) in paper::FIGURES {
         let figure = make(model, Language::English).map_err(CliError::from)?;

@@ -13,8 +13,9 @@ use crate::arguments::{Map, covering};
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
 use crate::observations;
-use crate::output::{Progress, json, table};
+use crate::output::{json, table};
 use crate::posterior::over;
+use crate::progress::Progress;
 use crate::results::Results;
 use crate::staging::Staging;
 
@@ -41,7 +42,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
         Some(path) => observations::read(path)?,
         None => Vec::new(),
     };
-    let progress = Progress::new("growth map", case.speed.points());
+    let progress = Progress::new(riffel_keys::say!(progress_growth_map), case.speed.points());
     let mut answer = MapAnswer::new(&case, |rows| progress.advance(rows));
     drop(progress);
     let traffic = arguments
@@ -58,7 +59,7 @@ pub(crate) fn run(arguments: &Map) -> miette::Result<()> {
     answer.over_posterior = over;
     if arguments.bay {
         let rows = case.speed.points() * BayGrowth::map_count();
-        let progress = Progress::new("growth over the bay", rows);
+        let progress = Progress::new(riffel_keys::say!(progress_bay), rows);
         let bay = BayGrowth::new(&case, curve, |rows| progress.advance(rows))?;
         answer.bay = Some(bay);
     }
@@ -93,7 +94,7 @@ fn write_files(
     let MapAnswer { map, ridge, .. } = answer;
     staging.write_picture("map", &figure.picture()?)?;
     staging.write("map.html", figure.html()?)?;
-    let progress = Progress::new("writing map.csv", case.speed.points());
+    let progress = Progress::new(riffel_keys::say!(progress_writing_map), case.speed.points());
     staging.write_with("map.csv", |file| {
         map_csv(map, file, |rows| progress.advance(rows))
     })?;
@@ -119,7 +120,7 @@ fn write_bay(staging: &mut Staging, case: &Case, bay: &BayGrowth) -> Result<(), 
     staging.write_with("bay.csv", |file| bay.position_csv(file))?;
     staging.write_with("bay-wavelength.csv", |file| bay.wavelength_csv(file))?;
     let (mean, ridge) = bay.mean();
-    let progress = Progress::new("writing bay-mean.csv", case.speed.points());
+    let progress = Progress::new(riffel_keys::say!(progress_writing_bay), case.speed.points());
     staging.write_with("bay-mean.csv", |file| {
         map_csv(mean, file, |rows| progress.advance(rows))
     })?;

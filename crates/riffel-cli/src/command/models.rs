@@ -6,7 +6,8 @@ use riffel_case::model::FieldModel;
 
 use crate::arguments::Compare;
 use crate::messages::{print_remarks, say};
-use crate::output::{Progress, json, table};
+use crate::output::{json, table};
+use crate::progress::Progress;
 use crate::results::Results;
 
 pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette::Result<()> {
@@ -19,7 +20,7 @@ pub(super) fn run(arguments: &Compare, models: &[&'static FieldModel]) -> miette
         0 => FieldModel::ALL.len(),
         named => named,
     };
-    let progress = Progress::new("growth by the models", steps);
+    let progress = Progress::new(riffel_keys::say!(progress_models), steps);
     let request = ModelsRequest {
         models: models.to_vec(),
         speed,

@@ -17,7 +17,8 @@ use crate::arguments::{
 };
 use crate::error::CliError;
 use crate::messages::print_remarks;
-use crate::output::{Progress, json, print, table};
+use crate::output::{json, print, table};
+use crate::progress::Progress;
 use crate::staging::Staging;
 
 /// Sites of a plan that the table shows.
@@ -121,7 +122,10 @@ fn ingest(arguments: &network::Ingest) -> miette::Result<()> {
     let store = Store::create_or_open(&arguments.store, settings)?;
     let file = SurveyFile::check(&arguments.path)?;
     let file = file.rename(arguments.rename.iter().cloned().collect())?;
-    let progress = Progress::new("taking in blocks", file.rows() as usize);
+    let progress = Progress::new(
+        riffel_keys::say!(progress_taking_in_blocks),
+        file.rows() as usize,
+    );
     let (line, date) = (&arguments.line, &arguments.date);
     let found = store.ingest(line, date, &file, arguments.replace, &|by| {
         progress.advance(by)
@@ -266,7 +270,10 @@ fn expecting(
     };
     let growth = match posterior.draws(&CaseArguments::of(case, &[]))? {
         Some(draws) => {
-            let progress = Progress::new("draws of the calibration", draws.count());
+            let progress = Progress::new(
+                riffel_keys::say!(progress_draws_of_calibration),
+                draws.count(),
+            );
             ExpectedRates::over(&draws, &bands, &|by| progress.advance(by))
         }
         None => {

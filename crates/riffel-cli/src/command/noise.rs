@@ -10,8 +10,8 @@ use super::history::History;
 use super::roughness::survey;
 use crate::arguments::Noise;
 use crate::messages::print_remarks;
-use crate::output::Progress;
 use crate::posterior::over;
+use crate::progress::Progress;
 use crate::results::Results;
 
 pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
@@ -66,7 +66,7 @@ pub(crate) fn run(arguments: &Noise) -> miette::Result<()> {
     };
     let traffic = question.traffic.as_ref();
     let vehicles = traffic.map_or(0, |traffic| traffic.file.vehicle.len());
-    let progress = Progress::new("growth under traffic", vehicles);
+    let progress = Progress::new(riffel_keys::say!(progress_traffic), vehicles);
     let mut answer = question.answer(&case, &|by| progress.advance(by))?;
     drop(progress);
     answer.over_posterior = over(draws.as_ref(), |draws, progress| {

@@ -6,14 +6,15 @@ use riffel_validation::{CHECKS, Check};
 
 use crate::arguments::Validate;
 use crate::error::CliError;
-use crate::output::{Progress, print, print_json, text_table};
+use crate::output::{print, print_json, text_table};
+use crate::progress::Progress;
 
 pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
     if arguments.field {
         return run_field(arguments);
     }
     let checks = chosen(&arguments.words)?;
-    let progress = Progress::new("validation", checks.len());
+    let progress = Progress::new(riffel_keys::say!(progress_validation), checks.len());
     let mut table = text_table(&["statement", "source", "expected", "Riffel", "tolerance", ""]);
     let mut failed = 0;
     for check in &checks {
@@ -42,7 +43,7 @@ pub(crate) fn run(arguments: &Validate) -> miette::Result<u8> {
 /// The sites of the field.
 fn run_field(arguments: &Validate) -> miette::Result<u8> {
     let samples = arguments.samples as usize;
-    let progress = Progress::new("field", field::runs(samples)?);
+    let progress = Progress::new(riffel_keys::say!(progress_field), field::runs(samples)?);
     let document = field::field(samples, arguments.seed, &|count| progress.advance(count))?;
     drop(progress);
     if arguments.json {

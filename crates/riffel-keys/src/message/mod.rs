@@ -66,6 +66,17 @@ impl Message {
         say!(about, subject = subject.into(), remark = self)
     }
 
+    /// Several sentences as one; None without any.
+    pub fn one_after_other(said: impl IntoIterator<Item = Self>) -> Option<Self> {
+        said.into_iter().reduce(Self::followed_by)
+    }
+
+    /// With another sentence behind it.
+    #[must_use]
+    pub fn followed_by(self, other: Self) -> Self {
+        say!(one_after_other, one = self, other = other)
+    }
+
     /// Which message it is, as in the Fluent files.
     pub fn id(&self) -> &'static str {
         self.id

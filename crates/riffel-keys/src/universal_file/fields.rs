@@ -71,12 +71,11 @@ impl<'a> Fields<'a> {
         if allowed.contains(&value) {
             return Ok(value);
         }
-        let allowed: Vec<String> = allowed.iter().map(i32::to_string).collect();
         Err(UniversalFileError::Choice {
             line: self.line,
             what,
             value,
-            allowed: allowed.join(" or "),
+            allowed: allowed.to_vec(),
         })
     }
 

@@ -3,6 +3,7 @@
 use std::path::Path;
 
 use jiff::civil::Date;
+use riffel_keys::Message;
 use riffel_network::SurveyFile;
 use riffel_rail::{AxleBoxFile, AxleBoxLayout, Layout, RoughnessFile, Survey};
 
@@ -267,7 +268,7 @@ fn columns_are_rails_or_left_out_and_told_in_both_readers() {
         with(&text, |path| {
             let file = AxleBoxFile::open(path, &AxleBoxLayout::default()).unwrap();
             let (remarks, _) = file.read(None, &mut |_| Ok(()), &|_| ()).unwrap();
-            let (channels, said) = (file.channels().len(), remarks.join("; "));
+            let (channels, said) = (file.channels().len(), in_words(remarks));
             let is_right = channels == 2 && why.is_none() || channels == 1 && is_told(&said);
             assert!(is_right, "axlebox, {head}: {said}");
         });
@@ -314,7 +315,7 @@ fn every_column_that_axle_boxes_leave_out_is_told() {
         with(&text, |path| {
             let file = AxleBoxFile::open(path, &AxleBoxLayout::default()).unwrap();
             let (remarks, _) = file.read(None, &mut |_| Ok(()), &|_| ()).unwrap();
-            let said = remarks.join("; ");
+            let said = in_words(remarks);
             assert!(said.contains(head) && said.contains(why), "{head}: {said}");
             assert_eq!(file.channels(), ["left"], "{head}");
         });
@@ -381,4 +382,10 @@ fn blocks_are_read_or_refused_with_column_and_line() {
         let found = check(&head.replace("rail", rail), ["0", "1", "2.5"]);
         assert_eq!(found.as_ref().err().map(String::as_str), said, "{rail}");
     }
+}
+
+/// Remarks as one text.
+fn in_words(remarks: Vec<Message>) -> String {
+    let said = Message::one_after_other(remarks);
+    said.map_or_else(String::new, |said| said.to_string())
 }

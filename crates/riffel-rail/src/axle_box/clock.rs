@@ -1,5 +1,7 @@
 //! The clock of a run: samples per second by its times, and where these leave the line.
 
+use riffel_keys::{Message, fixed, say};
+
 /// Share by which samples per second may differ along a run that has one sampling rate.
 const STEADY: f64 = 0.02;
 /// Share from which a drift is said: a quartz keeps a ten thousandth, and no wave is misread for ten of them.
@@ -224,7 +226,7 @@ impl Regression {
     ///
     /// # Errors
     /// A sentence for times without one sampling rate.
-    pub(super) fn finish(mut self) -> Result<(Clock, Option<String>), String> {
+    pub(super) fn finish(mut self) -> Result<(Clock, Option<Message>), Message> {
         self.close(true);
         let slope = |(rows, times): (f64, f64)| rows / times;
         let rate = slope(self.all);
@@ -256,20 +258,22 @@ impl Regression {
             return Ok((clock, None));
         }
         let [slowest, fastest] = [slowest, fastest].map(|rate| rounded(rate, unsure.max(1e-5)));
-        let drifts =
-            format!("the times make {slowest} to {fastest} samples a second along the run");
         match drift > STEADY {
-            true => Err(format!(
-                "{drifts}, but must make one rate to {:.0} %; give the sampling rate by --rate if the times are wrong",
-                100.0 * STEADY
+            true => Err(say!(
+                clock_without_one_rate,
+                slowest = slowest,
+                fastest = fastest,
+                percent = fixed(100.0 * STEADY, 0)
             )),
-            false => Ok((
-                clock,
-                Some(format!(
-                    "{drifts}: the clock drifts; {} is taken",
-                    clock.rate
-                )),
-            )),
+            false => {
+                let drifts = say!(
+                    clock_drifts,
+                    slowest = slowest,
+                    fastest = fastest,
+                    rate = clock.rate
+                );
+                Ok((clock, Some(drifts)))
+            }
         }
     }
 }
@@ -283,7 +287,9 @@ mod tests {
         let clock = Clock::of(&times[..times.len().min(2500)]).unwrap();
         let mut regression = Regression::new(clock);
         times.iter().for_each(|time| regression.add(*time));
-        regression.finish().map(|(clock, said)| (clock.rate, said))
+        let shown = |said: Message| said.to_string();
+        let found = regression.finish().map_err(shown)?;
+        Ok((found.0.rate, found.1.map(shown)))
     }
 
     fn rounded(time: f64, step: f64) -> f64 {

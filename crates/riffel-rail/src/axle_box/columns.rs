@@ -2,6 +2,7 @@
 
 use riffel::STANDARD_GRAVITY;
 use riffel_keys::table::{Heading, is_one_of, length_in, words};
+use riffel_keys::{Message, say};
 
 use crate::length_unit::metres;
 
@@ -35,7 +36,7 @@ const TIME: &str = "time|zeit|t";
 ///
 /// # Errors
 /// A sentence where a column that is needed has no unit known here.
-pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content>, String> {
+pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content>, Message> {
     let Some(name) = heading.name(column) else {
         return Ok(None);
     };
@@ -46,27 +47,30 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
         let mut own = own.iter().enumerate();
         own.any(|(place, word)| (place == 0 || word.len() > 2) && is_one_of(word, known))
     };
-    let missing = |example: &str| {
-        Err(format!(
-            "column `{name}` has no unit known here; call it {example}"
+    let missing = |one: &str, other: &str| {
+        Err(say!(
+            column_has_no_unit,
+            name = name,
+            one = one,
+            other = other
         ))
     };
     if is(ACCELERATION) {
         return match acceleration(&written) {
             Some(unit) => Ok(Some(Content::Acceleration(unit))),
-            None => missing("acceleration_m_per_s2 or acceleration_g"),
+            None => missing("acceleration_m_per_s2", "acceleration_g"),
         };
     }
     if is(SPEED) {
         return match speed(&written) {
             Some(unit) => Ok(Some(Content::Speed(unit))),
-            None => missing("speed_km_per_h or speed_m_per_s"),
+            None => missing("speed_km_per_h", "speed_m_per_s"),
         };
     }
     if is(ODOMETER) {
         return match length_in(&written).and_then(metres) {
             Some(unit) => Ok(Some(Content::Odometer(unit))),
-            None => missing("odometer_m or odometer_km"),
+            None => missing("odometer_m", "odometer_km"),
         };
     }
     if is(TIME) {
@@ -78,7 +82,7 @@ pub(super) fn content(heading: &Heading, column: usize) -> Result<Option<Content
         });
         return match unit {
             Some(unit) => Ok(Some(Content::Time(unit))),
-            None => missing("time_s or time_ms"),
+            None => missing("time_s", "time_ms"),
         };
     }
     // A unit of acceleration says as much as the word; a bare letter may be any name.
@@ -142,7 +146,7 @@ pub(super) fn channel_name(heading: &Heading, column: usize) -> String {
 mod tests {
     use super::*;
 
-    fn of(name: &str) -> Result<Option<Content>, String> {
+    fn of(name: &str) -> Result<Option<Content>, Message> {
         content(&Heading::of_name(name), 0)
     }
 
@@ -170,7 +174,7 @@ mod tests {
             ("odometer", "odometer_m"),
             ("time", "time_s"),
         ] {
-            assert!(of(name).unwrap_err().contains(part), "{name}");
+            assert!(of(name).unwrap_err().to_string().contains(part), "{name}");
         }
     }
 

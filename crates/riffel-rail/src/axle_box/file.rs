@@ -4,7 +4,7 @@ use std::fs::File;
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
-use riffel_keys::{CaseError, text_file};
+use riffel_keys::{CaseError, Message, say, text_file};
 
 use super::arrays::{AxleBoxArrays, AxleBoxPlace};
 use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, unreadable};
@@ -13,6 +13,7 @@ use super::run_end::RunEnd;
 use super::table::AxleBoxTable;
 use super::universal::{AxleBoxUniversal, is_universal};
 use super::wave::{AxleBoxWave, is_wave};
+use crate::no_rail::filter_remark;
 
 /// Bytes that are looked at first: one more than a table is found by, so that it knows of a line cut in two.
 const HEAD: u64 = (1 << 16) + 1;
@@ -61,8 +62,7 @@ impl AxleBoxFile {
             .and_then(|file| file.take(HEAD).read_to_end(&mut head));
         read.map_err(|reason| unreadable(path, reason))?;
         if !layout.channels.is_empty() && !is_wave(&head) {
-            let message = "--channels is for WAV files: what is in other files their heads say";
-            return Err(CaseError::data(path, message));
+            return Err(CaseError::data(path, say!(channels_are_for_wav)));
         }
         let (source, head) = if is_wave(&head) {
             let (wave, head) = AxleBoxWave::find(path, layout)?;
@@ -88,25 +88,28 @@ impl AxleBoxFile {
         place: AxleBoxPlace,
     ) -> Result<Self, CaseError> {
         let path = PathBuf::from(name);
-        let refuse = |message: String| Err(CaseError::data(&path, message));
+        let refuse = |message: Message| Err(CaseError::data(&path, message));
         let (names, channels): (Vec<_>, Vec<_>) = channels.into_iter().unzip();
         let Some(count) = channels.first().map(Vec::len).filter(|count| *count > 0) else {
-            return refuse("there is no acceleration".to_owned());
+            return refuse(say!(no_acceleration_given));
         };
         for (name, values) in names.iter().zip(&channels) {
             if values.len() != count {
-                return refuse(format!(
-                    "{name} has {} values, but {} has {count}",
-                    values.len(),
-                    names[0]
+                return refuse(say!(
+                    lengths_of_arrays_differ,
+                    name = name,
+                    count = values.len(),
+                    first = &names[0],
+                    other = count
                 ));
             }
         }
         if let Some(values) = place.values().filter(|values| values.len() != count) {
-            return refuse(format!(
-                "speed or odometer have {} values, but {} has {count}",
-                values.len(),
-                names[0]
+            return refuse(say!(
+                place_of_other_length,
+                count = values.len(),
+                first = &names[0],
+                other = count
             ));
         }
         let head = AxleBoxHead {
@@ -125,15 +128,17 @@ impl AxleBoxFile {
         )
     }
 
-    fn checked(path: PathBuf, head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
+    fn checked(path: PathBuf, mut head: AxleBoxHead, source: Source) -> Result<Self, CaseError> {
         for (index, name) in head.names.iter().enumerate() {
             if head.names[..index].contains(name) {
-                let message = format!(
-                    "two channels are called \"{name}\", and would be taken for one rail; call them apart"
-                );
-                return Err(CaseError::data(&path, message));
+                let two = say!(two_channels_of_one_name, name = name);
+                return Err(CaseError::data(&path, two));
             }
         }
+        let filtered = head.names.iter();
+        let filtered =
+            filtered.filter_map(|name| filter_remark(name, format!("\"{name}\"").into()));
+        head.remarks.extend(filtered);
         Ok(Self { path, head, source })
     }
 
@@ -162,7 +167,7 @@ impl AxleBoxFile {
         before: Option<RunEnd>,
         visit: &mut dyn FnMut(AxleBoxReading<'_>) -> Result<(), CaseError>,
         progress: &dyn Fn(usize),
-    ) -> Result<(Vec<String>, RunEnd), CaseError> {
+    ) -> Result<(Vec<Message>, RunEnd), CaseError> {
         let mut listener = Listener::new(&self.head, before);
         let mut take = |row: &Row<'_>| {
             let gap = listener.row(row);
@@ -227,6 +232,7 @@ mod tests {
         let (remarks, _) = file.read(None, &mut visit, &|_| ()).map_err(shown)?;
         assert_eq!(file.channels(), ["left"]);
         assert!((file.rate() - 1000.0).abs() < 1e-6, "{}", file.rate());
+        let remarks = remarks.iter().map(ToString::to_string).collect();
         Ok((samples, gaps, last, remarks))
     }
 
@@ -263,7 +269,8 @@ mod tests {
                 Ok(())
             };
             let (remarks, end) = file.read(before, &mut visit, &|_| ()).unwrap();
-            (first.unwrap(), end, remarks.join("; "))
+            let said = Message::one_after_other(remarks).map(|said| said.to_string());
+            (first.unwrap(), end, said.unwrap_or_default())
         };
         let (_, end, _) = read(0.0, None);
         assert!(

@@ -35,7 +35,7 @@ pub(super) struct AxleBoxHead {
     pub(super) witness: Option<PlaceBy>,
     pub(super) counting: Counting,
     /// What is to be said of the channels.
-    pub(super) remarks: Vec<String>,
+    pub(super) remarks: Vec<Message>,
 }
 
 impl AxleBoxHead {
@@ -44,7 +44,7 @@ impl AxleBoxHead {
         names: Vec<String>,
         rate: f64,
         places: &Places<S>,
-        remarks: Vec<String>,
+        remarks: Vec<Message>,
     ) -> Self {
         Self {
             names,
@@ -75,17 +75,17 @@ pub(super) enum Counting {
 }
 
 impl Counting {
-    pub(super) fn at(self, number: usize) -> String {
+    pub(super) fn at(self, number: usize) -> Message {
         match self {
-            Self::Lines => format!("line {number}"),
-            Self::Samples => format!("sample {number}"),
+            Self::Lines => say!(at_line, number = number),
+            Self::Samples => say!(at_sample, number = number),
         }
     }
 
     pub(super) fn refuse(self, number: usize, message: impl Into<Message>) -> Refusal {
         match self {
             Self::Lines => Refusal::new(Some(number), message),
-            Self::Samples => Refusal::new(None, format!("{}: {}", self.at(number), message.into())),
+            Self::Samples => Refusal::new(None, message.into().about(self.at(number))),
         }
     }
 }
@@ -152,7 +152,7 @@ impl<T> Signals<T> {
     pub(super) fn leave_out_others(
         &mut self,
         name: impl Fn(&T) -> String,
-    ) -> Result<Vec<String>, String> {
+    ) -> Result<Vec<Message>, Message> {
         let names: Vec<String> = self
             .channels
             .iter()
@@ -166,11 +166,11 @@ impl<T> Signals<T> {
         let others = others.filter_map(|(name, why)| Some(left_out(name, why?)));
         let seconds = self.seconds.drain(..);
         let seconds = seconds.map(|signal| left_out(&name(&signal), say!(it_is_second)));
-        let said: Vec<String> = others.chain(seconds).collect();
-        match self.channels.is_empty() && !said.is_empty() {
-            true => Err(said.join("; ")),
-            false => Ok(said),
+        let said: Vec<Message> = others.chain(seconds).collect();
+        if !self.channels.is_empty() {
+            return Ok(said);
         }
+        Message::one_after_other(said).map_or_else(|| Ok(Vec::new()), Err)
     }
 
     /// What the place is told by: a speed that is given, before an odometer, before speeds; None without any. `remarks` are told of
@@ -179,7 +179,7 @@ impl<T> Signals<T> {
         &mut self,
         given: Option<f64>,
         name: impl Fn(&T) -> String,
-        remarks: &mut Vec<String>,
+        remarks: &mut Vec<Message>,
     ) -> Option<Places<T>> {
         let (odometer, speed) = (self.odometer.take(), self.speed.take());
         if given.is_some() {
@@ -211,9 +211,9 @@ impl<T> Signals<T> {
 }
 
 /// That a channel is left out, and why.
-pub(super) fn left_out(name: &str, reason: Message) -> String {
+pub(super) fn left_out(name: &str, reason: Message) -> Message {
     let channel = format!("`{name}`");
-    say!(channel_left_out, channel = channel, reason = reason).to_string()
+    say!(channel_left_out, channel = channel, reason = reason)
 }
 
 /// What tells the place, and what else does, each with the SI units in one of its own.

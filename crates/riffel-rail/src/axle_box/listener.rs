@@ -1,6 +1,8 @@
 //! Readings of axle boxes, one after the other, whatever they come from.
 
 use riffel::axlebox::LONGEST_STEP;
+use riffel::error::readable;
+use riffel_keys::{Message, Value, fixed, say};
 
 use super::clock::{Tick, Ticking};
 use super::head::{AxleBoxHead, Counting, PlaceBy, Row};
@@ -64,12 +66,12 @@ impl Counted {
         self.count += 1;
     }
 
-    fn remark(&self, what: &str, counting: Counting) -> Option<String> {
+    fn remark(&self, what: Message, counting: Counting) -> Option<Message> {
         let (count, first) = (self.count, counting.at(self.first));
         match count {
             0 => None,
-            1 => Some(format!("{what} once, at {first}")),
-            _ => Some(format!("{what} {count} times; the first is {first}")),
+            1 => Some(say!(found_once, what = what, at = first)),
+            _ => Some(say!(found_often, what = what, count = count, at = first)),
         }
     }
 }
@@ -104,7 +106,7 @@ impl<'a> Listener<'a> {
         }
     }
 
-    fn refuse<T>(&self, number: usize, message: String) -> Result<T, Refusal> {
+    fn refuse<T>(&self, number: usize, message: Message) -> Result<T, Refusal> {
         Err(self.head.counting.refuse(number, message))
     }
 
@@ -130,8 +132,8 @@ impl<'a> Listener<'a> {
                     return Ok(std::mem::take(&mut self.is_there));
                 }
                 Tick::Back => {
-                    let message = format!("the time falls from {before} s to {time} s");
-                    return self.refuse(row.number, message);
+                    let falls = say!(time_falls, before = before, time = time);
+                    return self.refuse(row.number, falls);
                 }
             }
             there &= time.is_finite();
@@ -198,15 +200,18 @@ impl<'a> Listener<'a> {
             return Ok(false);
         }
         if speed < 0.0 {
-            let message = format!("the speed is {speed} m/s, but must be zero or greater");
-            return self.refuse(number, message);
+            return self.refuse(
+                number,
+                say!(speed_is_below_zero, speed = Value::Number(readable(speed))),
+            );
         }
         if speed > FASTEST {
-            let message = format!(
-                "the speed is {speed:.1} m/s, {:.0} km/h, faster than any train; is its unit right?",
-                3.6 * speed
+            let faster = say!(
+                speed_beyond_any_train,
+                speed = fixed(speed, 1),
+                kilometres = fixed(3.6 * speed, 0)
             );
-            return self.refuse(number, message);
+            return self.refuse(number, faster);
         }
         Ok(self.advance(speed))
     }
@@ -222,11 +227,8 @@ impl<'a> Listener<'a> {
         }
         let before = self.odometer.unwrap_or(odometer);
         if odometer < before - ROUNDING {
-            let message = format!(
-                "the odometer falls from {before} m to {odometer} m, but must rise; where chainage falls along the \
-                 run, give the speed in its stead"
-            );
-            return self.refuse(number, message);
+            let falls = say!(odometer_falls, before = before, odometer = odometer);
+            return self.refuse(number, falls);
         }
         // It may be read once a second.
         self.held += 1;
@@ -249,13 +251,13 @@ impl<'a> Listener<'a> {
         } else {
             let speed = (self.position - from) * self.head.rate / since as f64;
             if speed > FASTEST {
-                let message = format!(
-                    "by the odometer the train runs at {speed:.1} m/s, {:.0} km/h, faster than any train; are its unit \
-                     and the sampling rate, {} Hz, right?",
-                    3.6 * speed,
-                    self.head.rate
+                let faster = say!(
+                    odometer_beyond_any_train,
+                    speed = fixed(speed, 1),
+                    kilometres = fixed(3.6 * speed, 0),
+                    rate = self.head.rate
                 );
-                return self.refuse(number, message);
+                return self.refuse(number, faster);
             }
             self.second = (self.position, 0);
         }
@@ -263,36 +265,31 @@ impl<'a> Listener<'a> {
     }
 
     /// What is to be said at the end.
-    pub(super) fn finish(self) -> Result<Vec<String>, Refusal> {
+    pub(super) fn finish(self) -> Result<Vec<Message>, Refusal> {
         let counting = self.head.counting;
         let found = [
-            self.leaps
-                .remark("samples are lost where the time leaps", counting),
-            self.still.remark(
-                "a row has no time of its own and is left out: the time is repeated",
+            self.leaps.remark(say!(samples_are_lost), counting),
+            self.still.remark(say!(time_is_repeated), counting),
+            self.jumps.remark(
+                say!(odometer_leaps, length = fixed(LARGEST_COUNT, 0)),
                 counting,
             ),
-            self.jumps
-                .remark("the odometer leaps by more than 20 m", counting),
-            self.missing.remark("a value is missing", counting),
+            self.missing.remark(say!(value_is_missing), counting),
             self.marked.1.remark(
-                &format!("{} marks a missing value", self.marked.0),
+                say!(number_marks_missing_value, mark = self.marked.0),
                 counting,
             ),
         ];
         let mut remarks = self.head.remarks.clone();
         remarks.extend(found.into_iter().flatten());
         if self.before.is_some() && !self.follows {
-            let said = "its times do not go on from those of the file before, and no odometer says where it lies: it is taken for \
-                        another run from the same place";
-            remarks.push(said.to_owned());
+            remarks.push(say!(times_begin_anew));
         }
         if self.rows == 0 {
-            return Err(Refusal::new(None, "there is no reading"));
+            return Err(Refusal::new(None, say!(there_is_no_reading)));
         }
         if self.missing.count == self.rows {
-            let message = "every row lacks a value that is needed";
-            return Err(counting.refuse(self.missing.first, message));
+            return Err(counting.refuse(self.missing.first, say!(every_row_lacks_a_value)));
         }
         if let Some(witness) = self.witness {
             remarks.extend(witness.judged()?);

@@ -10,6 +10,8 @@ mod riff;
 mod run_end;
 mod sensor;
 mod table;
+#[cfg(test)]
+mod tests;
 mod universal;
 mod wave;
 mod witness;

@@ -4,6 +4,8 @@ use std::fs::File;
 use std::io::{self, BufReader, Read, Seek, SeekFrom};
 use std::path::Path;
 
+use riffel_keys::{CaseError, Message, say};
+
 /// Size of a chunk that its writer did not know, or that another chunk tells.
 const UNKNOWN: u64 = u32::MAX as u64;
 /// Sizes of a chunk that goes beyond the end of the file from which it is taken to be unknown: the largest of 31 bits, from which
@@ -33,8 +35,8 @@ pub(super) struct Wave {
 pub(super) enum WaveError {
     /// It cannot be read, or ends early.
     Read,
-    /// It is written in another way, in words.
-    Form(&'static str),
+    /// It is written in another way.
+    Form(Message),
 }
 
 impl From<io::Error> for WaveError {
@@ -67,7 +69,7 @@ impl Wave {
         let form: [u8; 12] = bytes(&mut file)?;
         match (&form[..4], &form[8..]) {
             (b"RIFF" | b"RF64" | b"BW64", b"WAVE") => {}
-            _ => return Err(WaveError::Form("no RIFF or RF64 file of waves")),
+            _ => return Err(WaveError::Form(say!(no_riff_of_waves))),
         }
         let (mut format, mut long) = (None, None);
         loop {
@@ -82,7 +84,7 @@ impl Wave {
                 b"fmt " => format = Some(Format::read(&mut file, size)?),
                 b"data" => {
                     let format: Format =
-                        format.ok_or(WaveError::Form("its samples come before their form"))?;
+                        format.ok_or_else(|| WaveError::Form(say!(samples_before_their_form)))?;
                     let size = match (size, long) {
                         (UNKNOWN, Some(long)) => long,
                         (0 | UNKNOWN, None) => end - start,
@@ -152,9 +154,9 @@ impl Wave {
     pub(super) fn each(
         &self,
         path: &Path,
-        mut take: impl FnMut(usize, &[f64]) -> Result<(), riffel_keys::CaseError>,
-        wrong: impl Fn(WaveError, usize) -> riffel_keys::CaseError,
-    ) -> Result<(), riffel_keys::CaseError> {
+        mut take: impl FnMut(usize, &[f64]) -> Result<(), CaseError>,
+        wrong: impl Fn(WaveError, usize) -> CaseError,
+    ) -> Result<(), CaseError> {
         let opened = File::open(path).and_then(|mut file| {
             file.seek(SeekFrom::Start(self.data))?;
             Ok(BufReader::with_capacity(1 << 18, file))
@@ -188,7 +190,7 @@ impl Format {
         let mut own = [0; 26];
         let known = (size as usize).min(own.len());
         if known < 16 {
-            return Err(WaveError::Form("its form is cut short"));
+            return Err(WaveError::Form(say!(form_is_cut_short)));
         }
         file.read_exact(&mut own[..known])?;
         let (tag, channels) = (number(&own[..2]), number(&own[2..4]) as usize);
@@ -206,11 +208,7 @@ impl Format {
         let float = match (tag, room) {
             (1, 1..=4) => false,
             (3, 4 | 8) => true,
-            _ => {
-                return Err(WaveError::Form(
-                    "integers of 8 to 32 bits or floating point of 32 or 64 alone",
-                ));
-            }
+            _ => return Err(WaveError::Form(say!(samples_of_other_kind))),
         };
         Ok(Self {
             channels,

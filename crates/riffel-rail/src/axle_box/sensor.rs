@@ -1,6 +1,7 @@
 //! Whether a sensor of acceleration is well.
 
 use riffel::STANDARD_GRAVITY;
+use riffel_keys::{Message, fixed, say};
 
 use super::head::Counting;
 use crate::refusal::Refusal;
@@ -111,7 +112,7 @@ impl Sensor {
     ///
     /// # Errors
     /// A sentence for one that is clipped too often, or in another unit than is said.
-    pub(super) fn judged(self) -> Result<Vec<String>, Refusal> {
+    pub(super) fn judged(self) -> Result<Vec<Message>, Refusal> {
         let name = &self.name;
         let mut remarks = Vec::new();
         let count = self.count.max(1) as f64;
@@ -128,60 +129,67 @@ impl Sensor {
                 };
                 return Err(Refusal {
                     line: None,
-                    message: format!(
-                        "{name}: the mean is {shown:.3} {what}, as gravity is in {other}: the unit is wrong"
-                    ).into(),
-                    help: Some(format!("give it in {other}").into()),
+                    message: say!(
+                        mean_is_gravity,
+                        mean = fixed(shown, 3),
+                        unit = what,
+                        other = other
+                    )
+                    .about(name),
+                    help: Some(say!(give_in_unit, unit = other)),
                 });
             }
         }
         let clipped: usize = self.ends.iter().map(|end| end.clipped).sum();
         if clipped > 0 {
             let share = clipped as f64 / count;
+            let percent = fixed(100.0 * share, 2);
             let line = self
                 .ends
                 .iter()
                 .filter(|end| end.clipped > 0)
                 .map(|end| end.line);
             let line = line.min().unwrap_or(0);
-            let at: Vec<String> = [(1.0, self.ends[0]), (-1.0, self.ends[1])]
-                .into_iter()
-                .filter(|(_, end)| end.clipped > 0)
-                .map(|(sign, end)| format!("{:.4} m/s²", sign * end.value))
-                .collect();
-            let message = format!(
-                "{name}: clipped at {} in {clipped} samples, {:.2} %; the first are at {}",
-                at.join(" and "),
-                100.0 * share,
-                self.counting.at(line)
-            );
+            let at = self.counting.at(line);
+            let [high, low] = self.ends;
+            let [high_end, low_end] = [high.value, -low.value].map(|end| fixed(end, 4));
+            let sentence = match (high.clipped, low.clipped) {
+                (1.., 1..) => say!(
+                    clipped_at_ends,
+                    high = high_end,
+                    low = low_end,
+                    count = clipped,
+                    share = percent,
+                    at = at
+                ),
+                (one, _) => say!(
+                    clipped_at_end,
+                    end = if one > 0 { high_end } else { low_end },
+                    count = clipped,
+                    share = percent,
+                    at = at
+                ),
+            };
             if share > MOST_CLIPPED {
-                return Err(self.counting.refuse(
-                    line,
-                    format!("{message}; at most {:.0} % may be", 100.0 * MOST_CLIPPED),
-                ));
+                let most = fixed(100.0 * MOST_CLIPPED, 0);
+                let too_many = say!(too_many_are_clipped, sentence = sentence, most = most);
+                return Err(self.counting.refuse(line, too_many.about(name)));
             }
-            remarks.push(format!("{message}: levels are too low there"));
+            remarks.push(say!(levels_too_low_there, sentence = sentence).about(name));
         }
         if self.dead > 0 {
-            let keeping = format!("keeping one value for more than {:.0} ms", 1e3 * DEAD);
-            let (times, first) = (self.dead, self.counting.at(self.dead_from));
-            remarks.push(match times {
-                1 => format!("{name}: drops out once, {keeping}, at {first}"),
-                _ => {
-                    format!("{name}: drops out {times} times, {keeping}; the first is {first}")
-                }
-            });
+            let (time, at) = (fixed(1e3 * DEAD, 0), self.counting.at(self.dead_from));
+            let drops_out = match self.dead {
+                1 => say!(drops_out_once, time = time, at = at),
+                count => say!(drops_out_often, count = count, time = time, at = at),
+            };
+            remarks.push(drops_out.about(name));
         }
         // As rough as the worst corrugation at any speed.
         const MOST: f64 = 2e3;
         if rms > MOST {
-            return Err(Refusal::new(
-                None,
-                format!(
-                    "{name}: the root mean square is {rms:.0} m/s², more than any axle box has; is its unit right?"
-                ),
-            ));
+            let beyond = say!(vibrates_beyond_any_axle_box, rms = fixed(rms, 0));
+            return Err(Refusal::new(None, beyond.about(name)));
         }
         Ok(remarks)
     }

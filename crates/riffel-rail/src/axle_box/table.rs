@@ -129,24 +129,25 @@ impl AxleBoxTable {
 
     /// The table, where in it what is, and what is to be said of that.
     fn columns(head: &[u8], layout: &AxleBoxLayout) -> Result<Found, Refusal> {
-        let refuse = |message: &str| Refusal::new(None, message);
+        let refuse = |message: Message| Refusal::new(None, message);
         match Encoding::of(head) {
             Ok(Encoding::Utf8 | Encoding::Windows1252) => {}
-            Ok(_) => return Err(refuse("the file is UTF-16; write it as UTF-8")),
-            Err(byte) => return Err(Refusal::new(None, byte.to_string())),
+            Ok(other) => {
+                return Err(refuse(say!(
+                    file_of_other_encoding,
+                    encoding = other.name()
+                )));
+            }
+            Err(byte) => return Err(refuse(byte.into())),
         }
-        let nothing =
-            "there is no table under a head such as time_s,acceleration_m_per_s2,speed_km_per_h";
-        let table = Table::find(head).ok_or_else(|| refuse(nothing))?;
-        let written = table
-            .heading
-            .names
-            .as_deref()
-            .ok_or_else(|| refuse(nothing))?;
+        const EXAMPLE: &str = "time_s,acceleration_m_per_s2,speed_km_per_h";
+        let nothing = || refuse(say!(no_table_under_a_head, example = EXAMPLE));
+        let table = Table::find(head).ok_or_else(nothing)?;
+        let written = table.heading.names.as_deref().ok_or_else(nothing)?;
         let mut signals = Signals::default();
         let (mut empty, mut clocks, mut others) = (None, Vec::new(), Vec::new());
         let mut leave_out = |column: usize, why: Message| {
-            others.push(left_out_sentence(column, &written[column], why).to_string());
+            others.push(left_out_sentence(column, &written[column], why));
         };
         for column in 0..written.len() {
             let kind = table.kind(column);
@@ -185,9 +186,13 @@ impl AxleBoxTable {
             }
         }
         if signals.channels.is_empty() {
-            let nothing = "there is no column of accelerations; call it acceleration_m_per_s2 or acceleration_g";
-            let said = [nothing.to_owned()].into_iter().chain(others);
-            return Err(refuse(&said.collect::<Vec<String>>().join("; ")));
+            let nothing = say!(
+                no_column_of_accelerations,
+                one = "acceleration_m_per_s2",
+                other = "acceleration_g"
+            );
+            let said = others.into_iter().fold(nothing, Message::followed_by);
+            return Err(refuse(said));
         }
         let is_of_clock = |column: &usize| {
             let cell = first_value(&table, head, *column).map(|(_, cell)| cell);
@@ -220,18 +225,10 @@ impl AxleBoxTable {
             empty = is_empty.then_some(column);
         }
         if let (Some(column), None) = (empty, layout.speed) {
-            let name = &written[column];
-            let message = format!(
-                "column `{name}` is empty in most rows, but the place of every sample is needed: fill it in, or give the \
-                 speed by --speed where it was constant"
-            );
-            return Err(Refusal::new(Some(table.header_lines), message));
+            return Err(at_head(say!(place_is_empty, name = &written[column])));
         }
         let Some(places) = places else {
-            return Err(refuse(
-                "there is no column of speeds or of an odometer, as speed_km_per_h or odometer_m; \
-                 give the speed by --speed where it was constant",
-            ));
+            return Err(refuse(say!(no_column_of_the_place)));
         };
         Ok((table, signals, places, has_clock, remarks))
     }
@@ -276,7 +273,7 @@ impl AxleBoxTable {
 }
 
 /// A table, where in it what is, whether its times are those of day, and what is to be said of that.
-type Found = (Table, Signals<usize>, Places<usize>, bool, Vec<String>);
+type Found = (Table, Signals<usize>, Places<usize>, bool, Vec<Message>);
 
 /// What takes the line and the numbers of a row.
 type TakeRow<'a> = dyn FnMut(usize, &mut [f64]) -> Result<(), CaseError> + 'a;
@@ -307,9 +304,7 @@ fn each_row(
         }
         let refuse = |message: Message| Refusal::new(Some(number), message).of(path);
         if read as u64 == LONGEST_LINE && !bytes.ends_with(b"\n") {
-            return Err(refuse(
-                format!("the line is longer than {LONGEST_LINE} bytes").into(),
-            ));
+            return Err(refuse(say!(line_is_too_long, most = LONGEST_LINE)));
         }
         progress(read);
         let line = bytes.strip_suffix(b"\n").unwrap_or(&bytes);
@@ -352,21 +347,22 @@ fn no_times(table: &Table, head: &[u8], column: usize) -> Refusal {
     let name = table.heading.name(column).unwrap_or_default();
     let (line, cell) =
         first_value(table, head, column).unwrap_or((table.header_lines + 1, String::new()));
-    let message = format!(
-        "column {}, `{name}`, holds no numbers, but \"{cell}\"; times are needed in seconds, or of day as in 02:59:54.25: write them so, or give the \
-         sampling rate by --rate",
-        column + 1
+    let text = say!(
+        times_are_text,
+        column = column + 1,
+        name = name,
+        cell = cell
     );
-    Refusal::new(Some(line), message)
+    Refusal::new(Some(line), text)
 }
 
 /// Samples per second: those that are given, which must agree with the times, or else those of the times; with the clock of
 /// the times. `at` is the first line with a time.
 fn rate(
-    clock: Option<Result<(Clock, Option<String>), String>>,
+    clock: Option<Result<(Clock, Option<Message>), Message>>,
     at: Option<usize>,
     given: Option<f64>,
-    remarks: &mut Vec<String>,
+    remarks: &mut Vec<Message>,
 ) -> Result<(f64, Option<Clock>), Refusal> {
     let (clock, given) = match (clock, given) {
         (Some(Ok((clock, drift))), given) => {
@@ -377,10 +373,8 @@ fn rate(
         (Some(Err(message)), None) => return Err(Refusal::new(at, message)),
         (None, None) => {
             let message = match at {
-                Some(_) => {
-                    "the times do not rise from line to line; give the sampling rate by --rate"
-                }
-                None => "there is no column of times, as time_s; give the sampling rate by --rate",
+                Some(_) => say!(times_do_not_rise),
+                None => say!(no_column_of_times),
             };
             return Err(Refusal::new(at, message));
         }
@@ -389,17 +383,12 @@ fn rate(
         return Ok((clock.rate, Some(clock)));
     };
     let off = (rate / clock.rate - 1.0).abs();
-    let contrary = format!(
-        "the times make {} samples a second, but --rate says {rate}",
-        clock.rate
-    );
+    let contrary = say!(times_make_another_rate, rate = clock.rate, given = rate);
     if off > SAME_RATE.0 {
         return Err(Refusal::new(at, contrary));
     }
     if off > SAME_RATE.1 {
-        remarks.push(format!(
-            "{contrary}, which is taken: one of the two clocks is wrong"
-        ));
+        remarks.push(say!(given_rate_is_taken, sentence = contrary));
     }
     Ok((rate, Some(clock)))
 }

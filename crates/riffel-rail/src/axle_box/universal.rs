@@ -8,7 +8,7 @@ use riffel_keys::universal_file::{
     ACCELERATION, Axis, DISPLACEMENT, Signal, SignalError, Signals, TIME, Units, VELOCITY,
     unit_size,
 };
-use riffel_keys::{CaseError, Exponents, Unit, say};
+use riffel_keys::{CaseError, Exponents, Message, Unit, say};
 
 use super::columns::Content;
 use super::head::Signals as Found;
@@ -58,7 +58,7 @@ impl AxleBoxUniversal {
         let file = File::open(path).map_err(|reason| unreadable(path, reason))?;
         let found = Signals::find(BufReader::with_capacity(1 << 20, file));
         let Signals { signals, units } = found.map_err(|error| at_fault(path, error))?;
-        let refuse = |message: String| Err(CaseError::data(path, message));
+        let refuse = |message: Message| Err(CaseError::data(path, message));
         let (mut found, mut others) = (Found::default(), Vec::new());
         for signal in signals {
             let function = &signal.function;
@@ -67,9 +67,9 @@ impl AxleBoxUniversal {
             }
             let kind = kind(&function.numerator);
             let (exponents, what) = match kind {
-                ACCELERATION => (Exponents::new(0, 1, -2), "an acceleration"),
-                VELOCITY => (Exponents::new(0, 1, -1), "a speed"),
-                DISPLACEMENT => (Exponents::new(0, 1, 0), "an odometer"),
+                ACCELERATION => (Exponents::new(0, 1, -2), say!(an_acceleration)),
+                VELOCITY => (Exponents::new(0, 1, -1), say!(a_speed)),
+                DISPLACEMENT => (Exponents::new(0, 1, 0), say!(an_odometer)),
                 _ => {
                     others.push(left_out(&function.title, say!(it_is_no_signal)));
                     continue;
@@ -94,17 +94,10 @@ impl AxleBoxUniversal {
         let places = found.place(layout.speed, title, &mut remarks);
         let channels = found.channels;
         let Some((first, _)) = channels.first() else {
-            return refuse(
-                "the file has no acceleration over time (dataset 58 with an abscissa of kind 17 and an ordinate of kind 12)"
-                    .to_owned(),
-            );
+            return refuse(say!(no_acceleration_over_time));
         };
         let Some(places) = places else {
-            return refuse(
-                "the file has no speed (kind 11) and no odometer (kind 8) over time; give the speed by --speed where \
-                 it was constant"
-                    .to_owned(),
-            );
+            return refuse(say!(no_place_over_time));
         };
         let names = names(&channels);
         let points = first.points;
@@ -112,21 +105,26 @@ impl AxleBoxUniversal {
         for (signal, _) in channels.iter().chain(&places.signal).chain(&places.witness) {
             let (other_begin, other) = times(signal).map_err(|refusal| refusal.of(path))?;
             let (line, title) = (signal.function.line, &signal.function.title);
-            let refuse = |message: String| Err(Refusal::new(Some(line), message).of(path));
+            let refuse = |message: Message| Err(Refusal::new(Some(line), message).of(path));
             if signal.function.complex
                 || (other / step - 1.0).abs() > SAME_STEP
                 || signal.points != points
             {
-                return refuse(format!(
-                    "\"{title}\" must have {points} real values with a step of {step} s, as the first acceleration has"
+                return refuse(say!(
+                    signal_of_other_form,
+                    title = title,
+                    points = points,
+                    step = step
                 ));
             }
             // Signals a step apart or more stand at other places.
             if (other_begin - begin).abs() > 0.5 * step {
-                let first = &first.function.title;
-                return refuse(format!(
-                    "\"{title}\" begins at {other_begin} s and \"{first}\" at {begin} s, but all signals of a run must begin \
-                     together: cut them to the times that all have"
+                return refuse(say!(
+                    signal_begins_elsewhere,
+                    title = title,
+                    begin = other_begin,
+                    first = &first.function.title,
+                    other = begin
                 ));
             }
         }
@@ -137,9 +135,7 @@ impl AxleBoxUniversal {
         if let Some(given) = layout.rate
             && (given / rate - 1.0).abs() > SAME_STEP
         {
-            return refuse(format!(
-                "the file says {rate} samples a second; leave out --rate"
-            ));
+            return refuse(say!(file_says_its_rate, rate = rate));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self {
@@ -197,17 +193,15 @@ impl AxleBoxUniversal {
 /// Begin and step of a signal over even times \[s\].
 fn times(signal: &Signal) -> Result<(f64, f64), Refusal> {
     let (line, title) = (signal.function.line, &signal.function.title);
-    let refuse = |message: String| Refusal::new(Some(line), message);
-    let (begin, step) = (signal.even).ok_or_else(|| {
-        refuse(format!(
-            "the times of \"{title}\" are uneven, but must have one step"
-        ))
-    })?;
+    let refuse = |message: Message| Refusal::new(Some(line), message);
+    let uneven = || refuse(say!(times_are_uneven, title = title));
+    let (begin, step) = signal.even.ok_or_else(uneven)?;
     let time = &signal.function.abscissa_axis;
     let second = unit_size(time, Exponents::new(0, 0, 1), 1.0).ok_or_else(|| {
-        refuse(format!(
-            "the times of \"{title}\" are in {}, which is no unit of time",
-            time.unit.trim()
+        refuse(say!(
+            times_in_other_unit,
+            title = title,
+            unit = time.unit.trim()
         ))
     })?;
     Ok((second * begin, second * step))
@@ -218,21 +212,23 @@ fn unit_of(
     signal: &Signal,
     exponents: Exponents,
     units: Option<Units>,
-    what: &str,
+    what: Message,
 ) -> Result<f64, Refusal> {
     let (axis, line) = (&signal.function.numerator, signal.function.line);
     let title = &signal.function.title;
     if !axis.has_unit() && units.is_none() {
-        let message = format!(
-            "\"{title}\" is {what} without a unit: neither its axis nor a dataset 164 gives one"
-        );
-        return Err(Refusal::new(Some(line), message));
+        let without = say!(signal_without_unit, title = title, what = what);
+        return Err(Refusal::new(Some(line), without));
     }
     let per_si = units.map_or(1.0, |units| units.length);
     unit_size(axis, exponents, per_si).ok_or_else(|| {
-        let unit = &axis.unit;
-        let message = format!("\"{title}\" is {what}, but is labelled with the unit \"{unit}\"");
-        Refusal::new(Some(line), message)
+        let other = say!(
+            signal_with_other_unit,
+            title = title,
+            what = what,
+            unit = &axis.unit
+        );
+        Refusal::new(Some(line), other)
     })
 }
 
@@ -262,7 +258,7 @@ fn names(channels: &[(Signal, f64)]) -> Vec<String> {
 fn at_fault(path: &Path, error: SignalError) -> CaseError {
     match error {
         SignalError::Read(reason) => unreadable(path, reason),
-        SignalError::File(error) => CaseError::data(path, error.to_string()),
+        SignalError::File(error) => CaseError::data(path, &error),
     }
 }
 

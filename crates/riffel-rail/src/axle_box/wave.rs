@@ -3,10 +3,10 @@
 use std::path::Path;
 
 use riffel_keys::table::Heading;
-use riffel_keys::{CaseError, say};
+use riffel_keys::{CaseError, Message, Value, say};
 
 use super::columns::{channel_name, content};
-use super::head::{AxleBoxHead, AxleBoxLayout, Row, Signals, left_out};
+use super::head::{AxleBoxHead, AxleBoxLayout, Counting, Row, Signals, left_out};
 use super::riff::{Wave, WaveError};
 use crate::refusal::Refusal;
 
@@ -37,18 +37,17 @@ impl AxleBoxWave {
         path: &Path,
         layout: &AxleBoxLayout,
     ) -> Result<(Self, AxleBoxHead), CaseError> {
-        let refuse = |message: String| CaseError::data(path, message);
+        let refuse = |message: Message| CaseError::data(path, message);
         let wave = open(path)?;
         let count = wave.channels;
         if layout.channels.is_empty() {
-            return Err(refuse(format!(
-                "a WAV file has no units: name its channels in their order, each with its value at full scale, as in {EXAMPLE}"
-            )));
+            return Err(refuse(say!(wav_has_no_units, example = EXAMPLE)));
         }
         if layout.channels.len() != count {
-            return Err(refuse(format!(
-                "the file has {count} channels, but --channels names {}",
-                layout.channels.len()
+            return Err(refuse(say!(
+                wav_has_other_count,
+                count = count,
+                named = layout.channels.len()
             )));
         }
         let (mut signals, mut others) = (Signals::default(), Vec::new());
@@ -57,22 +56,22 @@ impl AxleBoxWave {
             let scale = scale.trim().parse::<f64>().ok();
             let scale = scale.filter(|scale| *scale > 0.0 && scale.is_finite());
             let Some(scale) = scale else {
-                return Err(refuse(format!(
-                    "--channels has `{said}`, but must give each channel its value at full scale, above zero, as in {EXAMPLE}"
+                return Err(refuse(say!(
+                    channel_without_scale,
+                    channel = said,
+                    example = EXAMPLE
                 )));
             };
             let heading = Heading::of_name(name.trim());
-            let found =
-                content(&heading, 0).map_err(|message| refuse(format!("--channels: {message}")))?;
+            let option = || Value::Key("--channels".to_owned());
+            let found = content(&heading, 0).map_err(|message| refuse(message.about(option())))?;
             match found {
                 Some(content) => signals.push(channel, content.scaled(scale)),
                 None => others.push(left_out(name.trim(), say!(it_is_no_signal))),
             }
         }
         if signals.channels.is_empty() {
-            return Err(refuse(format!(
-                "--channels names no acceleration, as in {EXAMPLE}"
-            )));
+            return Err(refuse(say!(no_channel_of_accelerations, example = EXAMPLE)));
         }
         let said = |channel: usize| {
             layout.channels[channel]
@@ -93,17 +92,11 @@ impl AxleBoxWave {
             .map(|&(channel, _)| name(channel))
             .collect();
         let Some(places) = signals.place(layout.speed, own_name, &mut remarks) else {
-            return Err(refuse(
-                "no channel is the speed or an odometer; name it, as in speed_km_per_h=300, or give the speed by \
-                 --speed where it was constant"
-                    .to_owned(),
-            ));
+            return Err(refuse(say!(no_channel_of_the_place)));
         };
         let rate = wave.rate;
         if layout.rate.is_some_and(|given| given != rate) {
-            return Err(refuse(format!(
-                "the file says {rate} samples a second; leave out --rate"
-            )));
+            return Err(refuse(say!(file_says_its_rate, rate = rate)));
         }
         let head = AxleBoxHead::of_samples(names, rate, &places, remarks);
         let read = Self {
@@ -141,23 +134,26 @@ impl AxleBoxWave {
             })
         };
         wave.each(path, &mut take, |error, number| {
-            wrong(path, &error, Some(number))
+            wrong(path, error, Some(number))
         })
     }
 }
 
 fn open(path: &Path) -> Result<Wave, CaseError> {
-    Wave::open(path).map_err(|error| wrong(path, &error, None))
+    Wave::open(path).map_err(|error| wrong(path, error, None))
 }
 
 /// What a WAV file lacks.
-fn wrong(path: &Path, error: &WaveError, sample: Option<usize>) -> CaseError {
-    let at = sample.map_or_else(String::new, |number| format!("sample {number}: "));
+fn wrong(path: &Path, error: WaveError, sample: Option<usize>) -> CaseError {
     let message = match error {
-        WaveError::Read => format!("{at}the WAV file ends before its head says, or cannot be read"),
-        WaveError::Form(what) => format!("{at}no WAV file that is read here: {what}"),
+        WaveError::Read => say!(wav_ends_early),
+        WaveError::Form(reason) => say!(wav_of_another_form, reason = reason),
     };
-    Refusal::new(None, message).of(path)
+    let refusal = match sample {
+        Some(number) => Counting::Samples.refuse(number, message),
+        None => Refusal::new(None, message),
+    };
+    refusal.of(path)
 }
 
 #[cfg(test)]
@@ -225,7 +221,7 @@ mod tests {
                 Ok(())
             };
             let each = wave.each(&path, &mut take, |error, number| {
-                wrong(&path, &error, Some(number))
+                wrong(&path, error, Some(number))
             });
             each.map_err(|error| error.to_string())?;
             Ok(values)
@@ -342,7 +338,7 @@ mod tests {
             ..AxleBoxLayout::default()
         };
         let (_, head) = AxleBoxWave::find(&path, &layout).unwrap();
-        let said = head.remarks.join("; ");
+        let said = Message::one_after_other(head.remarks).unwrap().to_string();
         for part in [
             "`pantograph` is left out: it is no",
             "`odometer_m` is left out: places follow",

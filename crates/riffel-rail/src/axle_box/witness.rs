@@ -1,5 +1,7 @@
 //! Whether two accounts of how far a train ran agree.
 
+use riffel_keys::{Message, fixed, say};
+
 use super::head::PlaceBy;
 use crate::refusal::Refusal;
 
@@ -63,7 +65,7 @@ impl Witness {
     ///
     /// # Errors
     /// A sentence where they contradict each other and nobody has said which holds.
-    pub(super) fn judged(self) -> Result<Option<String>, Refusal> {
+    pub(super) fn judged(self) -> Result<Option<Message>, Refusal> {
         let [length, other] = self.lengths;
         let longer = length.max(other);
         let off = (length - other).abs() / longer;
@@ -73,31 +75,24 @@ impl Witness {
             return Ok(None);
         }
         let words = |by: PlaceBy, length: f64| {
-            let speed = 3.6 * length * self.rate / self.samples;
+            let speed = fixed(3.6 * length * self.rate / self.samples, 1);
             match by {
-                PlaceBy::Odometer => format!("the odometer makes {speed:.1} km/h in the mean"),
-                PlaceBy::Speed => format!("the speeds make {speed:.1} km/h in the mean"),
-                PlaceBy::Constant(_) => format!("--speed says {speed:.1} km/h"),
+                PlaceBy::Odometer => say!(odometer_makes, speed = speed),
+                PlaceBy::Speed => say!(speeds_make, speed = speed),
+                PlaceBy::Constant(_) => say!(given_speed_says, speed = speed),
             }
         };
-        let message = format!(
-            "{}, but {}",
-            words(self.place, length),
-            words(self.by, other)
-        );
+        let (one, other) = (words(self.place, length), words(self.by, other));
+        let sentence = say!(but_other_says, one = one, other = other);
         let is_given = matches!(self.place, PlaceBy::Constant(_));
         if off > CONTRARY + rounding && !is_given {
             return Err(Refusal {
                 line: None,
-                message: format!("{message}: one of the two is wrong, or in another unit").into(),
-                help: Some(
-                    "take the wrong one out, or give the speed by --speed where it was constant"
-                        .to_owned()
-                        .into(),
-                ),
+                message: say!(one_is_wrong, sentence = sentence),
+                help: Some(say!(take_the_wrong_one_out)),
             });
         }
-        Ok(Some(format!("{message}; the first is taken")))
+        Ok(Some(say!(first_is_taken, sentence = sentence)))
     }
 }
 
@@ -115,9 +110,10 @@ mod tests {
         for n in 0..1000 * seconds {
             witness.hear(at(n + 1) - at(n), 20.0, false);
         }
-        witness
+        let said = witness
             .judged()
-            .map_err(|refusal| refusal.message.to_string())
+            .map_err(|refusal| refusal.message.to_string())?;
+        Ok(said.map(|said| said.to_string()))
     }
 
     #[test]

@@ -11,7 +11,7 @@ use riffel_keys::{Message, number, say};
 use crate::date_column::{dates_of_heads, is_of_time, names_occasions};
 use crate::format::{Column, ReaderFormat};
 use crate::layout::Layout;
-use crate::no_rail::{is_filtered, why_no_rail};
+use crate::no_rail::{filter_remark, why_no_rail};
 use crate::unit_remark::{Kind, UnitRemarks};
 
 /// A table as a profile, with what a user says of it.
@@ -344,13 +344,8 @@ impl<'a> ProfileTable<'a> {
         }));
         let heads = format.rails.iter().filter_map(|rail| {
             let head = heading.name(rail.column - 1)?;
-            is_filtered(head).then(|| {
-                say!(
-                    column_is_filtered,
-                    column = number(rail.column),
-                    head = head
-                )
-            })
+            let column = say!(column_of_head, column = number(rail.column), head = head);
+            filter_remark(head, column.into())
         });
         sentences.extend(heads);
         let text: Vec<String> = (0..count)

@@ -187,7 +187,7 @@ fn refuse_what_is_no_text(bytes: &[u8]) -> Result<(), Refusal> {
         };
         return Err(Refusal::new(None, format!("the file {what}")));
     }
-    Encoding::of(bytes).map_err(|byte| Refusal::new(Some(byte.line), byte.to_string()))?;
+    Encoding::of(bytes).map_err(|byte| Refusal::new(Some(byte.line), byte))?;
     Ok(())
 }
 

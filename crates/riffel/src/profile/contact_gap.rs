@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::wheelset_on_track::{SampledWheel, Stand};
-use super::{Profile, ProfileError, ProfilePoint};
+use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 use crate::Rail;
 use crate::contact::GapStrip;
 
@@ -296,8 +296,7 @@ impl super::WheelsetOnTrack {
         inclination: Option<f64>,
     ) -> Result<ContactGap, ProfileError> {
         let (placed, wheel, stand) = self.standing(contact, rail);
-        ContactGap::new(rail, placed, wheel, stand, place, inclination).ok_or_else(|| {
-            ProfileError::Shape(format!("the {} wheel touches beside its rail", rail.name()))
-        })
+        ContactGap::new(rail, placed, wheel, stand, place, inclination)
+            .ok_or(ProfileError::Shape(ShapeFault::BesideRail(rail)))
     }
 }

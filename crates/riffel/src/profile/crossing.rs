@@ -1,6 +1,6 @@
 //! Outlines that cross themselves or close.
 
-use super::ProfileError;
+use super::{PointFault, ProfileError};
 
 /// Most points of an outline: a tenth of a millimetre apart they would go around it fifty times.
 const MOST: usize = 50_000;
@@ -12,32 +12,18 @@ const CLOSED: f64 = 0.05;
 /// Method: the chords in the order of their first ends along the longer side of the outline, each held against those that reach beyond
 /// its own. Cost: about n log n for an outline that runs one way, n² at most.
 pub(super) fn check_outline(points: &[[f64; 2]], length: f64) -> Result<(), ProfileError> {
-    let at_fault = |index: usize, rule: String| Err(ProfileError::Point { index, rule });
+    let at_fault = |index: usize, fault: PointFault| Err(ProfileError::Point { index, fault });
     let count = points.len();
     if count > MOST {
-        return at_fault(
-            MOST,
-            format!("the profile has {count} points, more than the {MOST} that are read"),
-        );
+        return at_fault(MOST, PointFault::TooMany { count, most: MOST });
     }
     if let Some((index, other)) = crossing(points) {
-        let place = 1e3 * points[other][0];
-        return at_fault(
-            index,
-            format!(
-                "the outline crosses or retraces itself here, near x = {place:.2} mm, as two passes of a device or points in a wrong \
-                 order do"
-            ),
-        );
+        let place = points[other][0];
+        return at_fault(index, PointFault::Crossing { place });
     }
     let (first, last) = (points[0], points[count - 1]);
     if (last[0] - first[0]).hypot(last[1] - first[1]) < CLOSED * length {
-        return at_fault(
-            count - 1,
-            "the outline closes here: give the running surface alone, from one flank to the other, or from the flange to the field \
-             side"
-            .to_owned(),
-        );
+        return at_fault(count - 1, PointFault::Closed);
     }
     Ok(())
 }
@@ -112,8 +98,8 @@ mod tests {
 
     fn index_of(points: &[[f64; 2]], words: &str) -> usize {
         match check(points) {
-            Err(ProfileError::Point { index, rule }) => {
-                assert!(rule.contains(words), "{rule}");
+            Err(ProfileError::Point { index, fault }) => {
+                assert!(fault.to_string().contains(words), "{fault}");
                 index
             }
             other => panic!("{other:?}"),

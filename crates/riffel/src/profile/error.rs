@@ -2,6 +2,9 @@
 
 use thiserror::Error;
 
+use super::{PointFault, ShapeFault};
+use crate::Rail;
+
 /// Points that are no profile, or profiles that do not fit each other.
 #[derive(Debug, Clone, PartialEq, Error)]
 #[non_exhaustive]
@@ -16,34 +19,44 @@ pub enum ProfileError {
     },
 
     /// A point at fault.
-    #[error("{rule}")]
+    #[error("{fault}")]
     Point {
         /// Its place among the others, from zero.
         index: usize,
-        /// What is wrong, as a sentence.
-        rule: String,
+        /// What is wrong with it.
+        fault: PointFault,
     },
 
     /// A profile that is not what it is used as.
     #[error("{0}")]
-    Shape(String),
+    Shape(ShapeFault),
 
     /// A gauge that the rails cannot have.
-    #[error("{0}")]
-    Gauge(String),
+    #[error("with a gauge of {:.1} mm the rails overlap", 1e3 * gauge)]
+    Gauge {
+        /// \[m\].
+        gauge: f64,
+    },
+
+    /// A rail whose gauge cannot be measured.
+    #[error("the inner side of the rail ends above the gauge height of {:.1} mm below its crown, or the profile is mirrored: x must be positive to the field side", 1e3 * gauge_height)]
+    GaugeHeight {
+        /// \[m\].
+        gauge_height: f64,
+    },
 
     /// A contact under load that has no solution.
     #[error("{0}")]
     Contact(#[from] crate::Error),
 
     /// A wheelset that does not touch both rails.
-    #[error("at a lateral shift of {:.3} mm and a yaw of {:.3} mrad the {rail} wheel does not touch its rail", 1e3 * lateral_shift, 1e3 * yaw)]
+    #[error("at a lateral shift of {:.3} mm and a yaw of {:.3} mrad the {} wheel does not touch its rail", 1e3 * lateral_shift, 1e3 * yaw, rail.name())]
     NoContact {
         /// Lateral shift \[m\].
         lateral_shift: f64,
         /// Yaw \[rad\].
         yaw: f64,
-        /// "left" or "right".
-        rail: &'static str,
+        /// The rail.
+        rail: Rail,
     },
 }

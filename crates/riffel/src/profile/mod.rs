@@ -9,6 +9,7 @@ mod contact_gap;
 mod contact_surface;
 mod crossing;
 mod error;
+mod fault;
 mod loaded_contact;
 mod nominal;
 #[expect(clippy::module_inception, reason = "the noun is that of the folder")]
@@ -26,6 +27,7 @@ pub use conicity::EquivalentConicity;
 pub use contact_gap::ContactGap;
 pub use contact_surface::ContactSurface;
 pub use error::ProfileError;
+pub use fault::{PointFault, ShapeFault};
 pub use loaded_contact::LoadedContact;
 pub use nominal::{NOMINAL, NominalProfile};
 pub use profile::{Profile, ProfilePoint};

@@ -1,9 +1,9 @@
 //! A smooth curve across the track.
 
-use super::ProfileError;
 use super::crossing::check_outline;
 use super::side::{OVERHANG, Side};
 use super::spline::slopes;
+use super::{PointFault, ProfileError};
 
 /// Fewest points of a profile.
 const LEAST: usize = 8;
@@ -29,16 +29,13 @@ struct Piece {
 
 /// `Ok` for points that are finite and do not stand twice.
 pub(super) fn check_points(points: &[[f64; 2]]) -> Result<(), ProfileError> {
-    let at_fault = |index: usize, rule: &str| ProfileError::Point {
-        index,
-        rule: rule.to_owned(),
-    };
+    let at_fault = |index: usize, fault: PointFault| Err(ProfileError::Point { index, fault });
     let finite = |point: &[f64; 2]| point.iter().all(|value| value.is_finite());
     if let Some(index) = points.iter().position(|point| !finite(point)) {
-        return Err(at_fault(index, "a coordinate is not finite"));
+        return at_fault(index, PointFault::NotFinite);
     }
     match points.windows(2).position(|pair| pair[0] == pair[1]) {
-        Some(index) => Err(at_fault(index + 1, "the point stands there twice")),
+        Some(index) => at_fault(index + 1, PointFault::Twice),
         None => Ok(()),
     }
 }
@@ -106,9 +103,9 @@ impl Profile {
         let original = |index: usize| if backward { count - 1 - index } else { index };
         let parameter = chords(&points);
         check_outline(&points, parameter[count - 1]).map_err(|error| match error {
-            ProfileError::Point { index, rule } => ProfileError::Point {
+            ProfileError::Point { index, fault } => ProfileError::Point {
                 index: original(index),
-                rule,
+                fault,
             },
             error => error,
         })?;
@@ -159,8 +156,7 @@ impl Profile {
             let turns = rises.iter().position(|outward| !outward).unwrap_or(0);
             return Err(ProfileError::Point {
                 index: original(turns),
-                rule: "the curve turns back across the track here, as a profile with a loop or in a wrong order of points does"
-                    .to_owned(),
+                fault: PointFault::TurnsBack,
             });
         }
         let profile = Self {
@@ -181,8 +177,7 @@ impl Profile {
         match (0..from).chain(to + 1..count).find(above) {
             Some(index) => Err(ProfileError::Point {
                 index: original(index),
-                rule: "the outline comes back here above itself, as two passes of a device do"
-                    .to_owned(),
+                fault: PointFault::ComesBack,
             }),
             None => Ok(profile),
         }

@@ -1,7 +1,7 @@
 //! Measured points of a profile without their scatter.
 
-use super::ProfileError;
 use super::profile::{check_points, chords};
+use super::{ProfileError, ShapeFault};
 
 /// Fewest points that are smoothed: fewer do not tell scatter from shape.
 const LEAST: usize = 30;
@@ -46,9 +46,7 @@ impl SmoothedPoints {
             });
         }
         if !(scatter > 0.0 && scatter.is_finite()) {
-            return Err(ProfileError::Shape(format!(
-                "the scatter of the points is {scatter} m, but must be above zero"
-            )));
+            return Err(ProfileError::Shape(ShapeFault::Scatter(scatter)));
         }
         check_points(points)?;
         let mut kept: Vec<usize> = (0..points.len()).collect();

@@ -1,6 +1,6 @@
 //! Wear of a measured profile against a nominal one.
 
-use super::{Profile, ProfileError, ProfilePoint};
+use super::{Profile, ProfileError, ProfilePoint, ShapeFault};
 
 /// Distance of the points of the nominal profile along it \[m\].
 const STEP: f64 = 2.5e-4;
@@ -68,7 +68,8 @@ impl ProfileWear {
         match alignment {
             ProfileAlignment::AsWritten => {}
             ProfileAlignment::Flange => {
-                shift[1] = tip(nominal, "nominal")?.height - tip(measured, "measured")?.height;
+                shift[1] = tip(nominal, ShapeFault::NoNominalTip)?.height
+                    - tip(measured, ShapeFault::NoTip)?.height;
             }
             ProfileAlignment::FieldSide => {
                 let found = on_field_side(measured, nominal)?;
@@ -85,10 +86,7 @@ impl ProfileWear {
             })
             .collect();
         if points.iter().all(|point| point.depth.is_none()) {
-            return Err(ProfileError::Shape(
-                "the measured profile lies nowhere within 20 mm of the nominal one: check its origin, orientation and unit"
-                    .to_owned(),
-            ));
+            return Err(ProfileError::Shape(ShapeFault::Elsewhere));
         }
         let area = points.windows(2).map(|pair| {
             let of = |point: &WornPoint| {
@@ -123,16 +121,14 @@ impl ProfileWear {
     }
 }
 
-/// The lowest point of a wheel, the tip of its flange.
-pub(super) fn tip(profile: &Profile, name: &str) -> Result<ProfilePoint, ProfileError> {
+/// The lowest point of a wheel, the tip of its flange; `without` is at fault where it ends there.
+pub(super) fn tip(profile: &Profile, without: ShapeFault) -> Result<ProfilePoint, ProfileError> {
     let samples = profile.sampled(1e-4);
     let lowest = (0..samples.len())
         .min_by(|&one, &other| samples[one].height.total_cmp(&samples[other].height));
     let place = lowest.filter(|&place| place > 0 && place + 1 < samples.len());
     let Some(place) = place else {
-        return Err(ProfileError::Shape(format!(
-            "the {name} profile does not reach around the tip of a flange, so that it cannot be laid by it"
-        )));
+        return Err(ProfileError::Shape(without));
     };
     let (mut low, mut high) = (samples[place - 1].x, samples[place + 1].x);
     // The slope rises through zero.
@@ -214,9 +210,7 @@ fn on_field_side(measured: &Profile, nominal: &Profile) -> Result<([f64; 2], f64
         }
         let determinant = sums[0] * sums[2] - sums[1] * sums[1];
         if count < LEAST || determinant <= 1e-6 * sums[0] * sums[2] {
-            return Err(ProfileError::Shape(
-                "the field side of the rail, corner and flank, is not measured, so that it cannot be laid by it".to_owned(),
-            ));
+            return Err(ProfileError::Shape(ShapeFault::NoFieldSide));
         }
         // A shift of the surface by s makes it −s·m deeper.
         let step = [

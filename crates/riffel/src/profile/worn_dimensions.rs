@@ -1,7 +1,7 @@
 //! The few numbers by which wear of wheels and rails is judged.
 
 use super::wear::{depth, tip};
-use super::{Profile, ProfileError, ProfileWear};
+use super::{Profile, ProfileError, ProfileWear, ShapeFault};
 
 /// Below the tread of a wheel, towards the tip, where the flange is measured \[m\].
 const FLANGE_MEASURE: f64 = 0.010;
@@ -30,16 +30,14 @@ impl WheelDimensions {
     /// # Errors
     /// [`ProfileError::Shape`] where the datum circle or the flange is not on the profile.
     pub fn new(wheel: &Profile, flange_back_position: f64) -> Result<Self, ProfileError> {
-        let tip = tip(wheel, "measured")?;
-        let missing =
-            |what: &str| ProfileError::Shape(format!("{what} is not on the profile of the wheel"));
+        let tip = tip(wheel, ShapeFault::NoTip)?;
         let datum = wheel
             .at(0.0)
-            .ok_or_else(|| missing("x = 0, the datum circle of the tread,"))?;
+            .ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
         // Between the tip and the datum circle the profile rises.
         let flank = |height: f64| {
             if height < tip.height || height > datum.height || tip.x > 0.0 {
-                return Err(missing("the flank of the flange"));
+                return Err(ProfileError::Shape(ShapeFault::NoFlank));
             }
             let (mut low, mut high) = (tip.x, 0.0);
             for _ in 0..60 {

@@ -55,8 +55,7 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
                 is_head = false;
             }
             if sections > 1 {
-                let message = "the file holds several profiles: give a file with one of them";
-                return Err(Fault::at(index + 1, message));
+                return Err(Fault::at(index + 1, say!(file_of_several_profiles)));
             }
             continue;
         }
@@ -66,11 +65,8 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
             match key.as_str() {
                 "columndef" => {
                     columns = columns_of(value).ok_or_else(|| {
-                        let shown = clipped(value);
-                        Fault::at(
-                            index + 1,
-                            format!("ColumnDef is \"{shown}\", but must name the columns X and Y"),
-                        )
+                        let other = say!(column_def_without_x_and_y, value = clipped(value));
+                        Fault::at(index + 1, other)
                     })?;
                 }
                 "xoffset" | "yoffset" => {
@@ -100,11 +96,8 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
             // The title of an old file.
             _ if is_head => {}
             _ => {
-                let shown = clipped(line);
-                return Err(Fault::at(
-                    index + 1,
-                    format!("\"{shown}\" has no numbers X and Y"),
-                ));
+                let none = say!(line_without_x_and_y, text = clipped(line));
+                return Err(Fault::at(index + 1, none));
             }
         }
     }
@@ -132,10 +125,8 @@ pub(super) fn read(text: &str, extension: &str) -> Result<WrittenProfile, Fault>
 
 /// The millimetres of an offset.
 fn offset(line: &str, value: &str, number: usize) -> Result<f64, Fault> {
-    number_in(value).ok_or_else(|| {
-        let shown = clipped(line);
-        Fault::at(number, format!("\"{shown}\" has no number in millimetres"))
-    })
+    number_in(value)
+        .ok_or_else(|| Fault::at(number, say!(line_without_millimetres, text = clipped(line))))
 }
 
 /// Where X and Y are among the columns.

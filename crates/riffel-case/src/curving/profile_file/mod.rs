@@ -97,26 +97,25 @@ pub fn profile_of(
 /// [`CaseError`] with file and line.
 pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfName, CaseError> {
     let bytes = text_file::read_bounded(path, "profile", LARGEST)?;
-    let at_fault = |line: Option<usize>, message: String| CaseError::Data {
+    let at_fault = |line: Option<usize>, message: Message| CaseError::Data {
         path: path.to_owned(),
         line,
-        message: message.into(),
+        message,
         help: None,
     };
     let of_fault = |fault: Fault| at_fault(fault.line, fault.message);
-    let text = text_file::decode(bytes)
-        .map_err(|binary| at_fault(Some(binary.line), binary.to_string()))?;
+    let text =
+        text_file::decode(bytes).map_err(|binary| at_fault(Some(binary.line), binary.into()))?;
     let extension = path.extension().and_then(|extension| extension.to_str());
     let extension = extension.unwrap_or_default().to_lowercase();
     let mut written = of_format(&text, &extension, reading).map_err(of_fault)?;
     let kind = match (reading.kind, written.kind) {
         (Some(asked), Some(kind)) if asked != kind => {
-            let message = format!(
-                "is the profile of a {} by what it says, but a {} is asked for",
-                kind.name(),
-                asked.name()
-            );
-            return Err(at_fault(None, message));
+            let other = match kind {
+                ProfileKind::Wheel => say!(is_profile_of_wheel),
+                ProfileKind::Rail => say!(is_profile_of_rail),
+            };
+            return Err(at_fault(None, other));
         }
         (asked, kind) => asked
             .or(kind)
@@ -131,10 +130,8 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         ..
     } = written;
     let refuse = |error: ProfileError| match &error {
-        ProfileError::Point { index, .. } => {
-            at_fault(lines.get(*index).copied(), error.to_string())
-        }
-        _ => at_fault(None, error.to_string()),
+        ProfileError::Point { index, .. } => at_fault(lines.get(*index).copied(), (&error).into()),
+        _ => at_fault(None, (&error).into()),
     };
     let name = path.display().to_string();
     let named = |remark: &Message| say!(about, subject = &name, remark = remark.clone());
@@ -156,9 +153,9 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
         .filter(|index| smooth.dropped.binary_search(index).is_err())
         .collect();
     let profile = Profile::through(&smooth.points).map_err(|error| match error {
-        ProfileError::Point { index, rule } => refuse(ProfileError::Point {
+        ProfileError::Point { index, fault } => refuse(ProfileError::Point {
             index: left.get(index).copied().unwrap_or(index),
-            rule,
+            fault,
         }),
         error => refuse(error),
     })?;
@@ -170,20 +167,13 @@ pub fn read_profile(path: &Path, reading: ProfileReading) -> Result<ProfileOfNam
 }
 
 /// Why a profile is too wide or too narrow for a wheel or a rail, if it is.
-fn check_width(written: &WrittenProfile) -> Result<(), String> {
+fn check_width(written: &WrittenProfile) -> Result<(), Message> {
     let across = written.width();
     if across > WIDEST_IN_METRES {
-        let message = format!(
-            "the profile is {across:.4} m across, wider than any wheel or rail: check its unit"
-        );
-        return Err(message);
+        return Err(say!(wider_than_any, across = fixed(across, 4)));
     }
     if across < NARROWEST && written.points.len() >= FEWEST {
-        let message = format!(
-            "the profile is {:.3} mm across, narrower than any wheel or rail: check its unit",
-            1e3 * across
-        );
-        return Err(message);
+        return Err(say!(narrower_than_any, across = fixed(1e3 * across, 3)));
     }
     Ok(())
 }
@@ -240,8 +230,7 @@ fn of_format(
     reading: ProfileReading,
 ) -> Result<WrittenProfile, Fault> {
     if matches!(extension, "slcs" | "slcw") {
-        let message = "is a list of slices along the rail or around the wheel: give one of the files it names";
-        return Err(Fault::of_file(message));
+        return Err(Fault::of_file(say!(is_list_of_slices)));
     }
     let first = text
         .lines()

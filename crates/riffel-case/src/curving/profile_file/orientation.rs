@@ -305,11 +305,10 @@ fn place_origin(written: &mut WrittenProfile, kind: ProfileKind) -> Result<(), F
                     .iter()
                     .fold(f64::MAX, |least, [x, _]| least.min(*x));
                 if tip - back < BEFORE_TIP {
-                    return Err(Fault::of_file(format!(
-                        "the tip of the flange lies at x = {:.1} mm and its back is not measured, so that the datum circle is not known: \
-                         give coordinates with their origin on it, {:.0} mm from the flange back",
-                        1e3 * tip,
-                        1e3 * BACK
+                    return Err(Fault::of_file(say!(
+                        datum_circle_not_known,
+                        tip = fixed(1e3 * tip, 1),
+                        back = fixed(1e3 * BACK, 0)
                     )));
                 }
                 moved = back + BACK;

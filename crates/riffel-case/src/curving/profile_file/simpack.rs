@@ -32,7 +32,7 @@ impl Keys {
                 Some(value) => Ok(Some(value)),
                 None => Err(Fault::at(
                     *line,
-                    format!("{key} is \"{}\", but must be a number", clipped(text)),
+                    say!(value_must_be_number, name = key, value = clipped(text)),
                 )),
             },
         }
@@ -49,10 +49,7 @@ impl Keys {
             (Some(per_metre), _) if per_metre > 0.0 => per_metre,
             (Some(_), _) => {
                 let line = self.0["spline.units.len.f"].1;
-                return Err(Fault::at(
-                    line,
-                    "units.len.f must be above zero: how many of the file's units make a metre",
-                ));
+                return Err(Fault::at(line, say!(units_per_metre_above_zero)));
             }
             (None, Some((unit, _))) if unit == "mm" => 1e3,
             (None, Some((unit, _))) if unit == "m" => 1.0,
@@ -94,21 +91,16 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
         }
         if let Some(section) = lower.strip_suffix(".begin") {
             if !matches!(section, "header" | "spline" | "point") {
-                let message = format!(
-                    "\"{}\" is no section of a profile: header, spline and point are",
-                    clipped(line)
-                );
-                return Err(Fault::at(index + 1, message));
+                let other = say!(no_section_of_profile, text = clipped(line));
+                return Err(Fault::at(index + 1, other));
             }
             open.push((section.to_owned(), index + 1));
         } else if let Some(section) = lower.strip_suffix(".end") {
             match open.pop() {
                 Some((begun, _)) if begun == section => {}
                 _ => {
-                    return Err(Fault::at(
-                        index + 1,
-                        format!("{section}.end closes no {section}.begin"),
-                    ));
+                    let closes_none = say!(section_closes_none, section = section);
+                    return Err(Fault::at(index + 1, closes_none));
                 }
             }
         } else if open.last().is_some_and(|(section, _)| section == "point") {
@@ -116,8 +108,8 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
             match (cells.next().flatten(), cells.next().flatten()) {
                 (Some(y), Some(z)) => written.push([y, z], index + 1),
                 _ => {
-                    let message = format!("\"{}\" is not a point y z", clipped(line));
-                    return Err(Fault::at(index + 1, message));
+                    let no_point = say!(line_is_no_point, text = clipped(line));
+                    return Err(Fault::at(index + 1, no_point));
                 }
             }
         } else if let Some((key, value)) = line.split_once('=') {
@@ -126,14 +118,14 @@ fn sections(text: &str) -> Result<(WrittenProfile, Keys), Fault> {
             keys.0
                 .insert(key, (value.trim().trim_matches('\'').to_owned(), index + 1));
         } else {
-            let message = format!("\"{}\" is neither key = value nor a section", clipped(line));
-            return Err(Fault::at(index + 1, message));
+            let neither = say!(line_is_no_key, text = clipped(line));
+            return Err(Fault::at(index + 1, neither));
         }
     }
     if let Some((section, line)) = open.first() {
         return Err(Fault::at(
             *line,
-            format!("{section}.begin has no {section}.end: the file is cut short"),
+            say!(section_without_end, section = section),
         ));
     }
     Ok((written, keys))

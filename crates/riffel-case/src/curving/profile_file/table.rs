@@ -1,7 +1,7 @@
 //! Two columns of lateral coordinate and height.
 
-use riffel_keys::clipped;
 use riffel_keys::table::{Delimiter, cells, is_one_of, label, number_in, words};
+use riffel_keys::{Message, clipped, say};
 
 use super::written::{Fault, WIDEST_IN_METRES, WrittenProfile};
 
@@ -31,11 +31,8 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
                     return Err(Fault::at(index + 1, columns_there(numbers.len())));
                 }
                 _ => {
-                    let shown = clipped(line);
-                    return Err(Fault::at(
-                        index + 1,
-                        format!("\"{shown}\" is not a pair of numbers x, y"),
-                    ));
+                    let no_pair = say!(line_is_no_pair, text = clipped(line));
+                    return Err(Fault::at(index + 1, no_pair));
                 }
             }
         }
@@ -50,11 +47,8 @@ pub(super) fn read(text: &str) -> Result<WrittenProfile, Fault> {
     Ok(written)
 }
 
-fn columns_there(count: usize) -> String {
-    format!(
-        "there are {count} columns, but a profile has two: lateral coordinate and height, under a head such as y_mm,z_mm where there \
-         are others; give one rail or wheel at a time"
-    )
+fn columns_there(count: usize) -> Message {
+    say!(other_count_of_columns, count = count)
 }
 
 /// A line without what follows #, ! or %, and without blanks around it.
@@ -111,7 +105,7 @@ impl Default for Head {
 
 impl Head {
     /// The columns by their names, x or y across and y or z upward, else in their order; row numbers are left out.
-    fn read(cells: &[String]) -> Result<Self, String> {
+    fn read(cells: &[String]) -> Result<Self, Message> {
         let names: Vec<Vec<String>> = cells.iter().map(|cell| words(cell)).collect();
         let first = |column: usize| names[column].first().map_or("", String::as_str);
         let is = |column: usize, known: &str| is_one_of(first(column), known);
@@ -150,12 +144,12 @@ impl Head {
             "mm" => Some(Ok(1e-3)),
             "m" => Some(Ok(1.0)),
             word => is_one_of(word, "um|µm|μm|cm|dm|nm|km|in|inch|inches|ft|mil")
-                .then(|| Err(format!("the head says {word}: give a profile in mm or m"))),
+                .then(|| Err(say!(head_says_other_unit, unit = word))),
         });
         let units: Vec<f64> = units.collect::<Result<_, _>>()?;
         let unit = match units[..] {
             [one, other] if one != other => {
-                return Err("the head gives both columns units of their own: give a profile in mm or m throughout".to_owned());
+                return Err(say!(head_with_two_units));
             }
             _ => units.first().copied(),
         };

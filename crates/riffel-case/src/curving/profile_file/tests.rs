@@ -2,6 +2,8 @@
 
 use std::path::PathBuf;
 
+use riffel_keys::Language;
+
 use super::*;
 
 /// Scatter is told, and smoothed if it is given; a spike is left out with its line.
@@ -249,6 +251,117 @@ fn remarks_stand_in_files_of_simpack() {
     assert_eq!(plain, remarked);
 }
 
+/// The German of a refusal has no word that only English has.
+#[track_caller]
+fn assert_german(error: &CaseError) -> String {
+    let german = error.message().text(Language::German);
+    assert_ne!(german, error.message().text(Language::English));
+    for english in [
+        " the ", " is ", " and ", " are ", " but ", " must ", " has ", " or ", " of ",
+    ] {
+        assert!(!german.contains(english), "{english} in: {german}");
+    }
+    german
+}
+
+/// Tables and wheels that are no profile, in German.
+#[test]
+fn wrong_profiles_are_refused_in_german() {
+    let folder = tempfile::tempdir().unwrap();
+    let points = |across: f64| -> String {
+        let row = |x: i32| format!("{},{}\n", across * f64::from(x), -f64::from(x * x) / 600.0);
+        (-30..=30).map(row).collect()
+    };
+    let wheel = ProfileReading {
+        kind: Some(ProfileKind::Wheel),
+        ..ProfileReading::default()
+    };
+    let smooth = ProfileReading {
+        scatter: Some(-1e-5),
+        ..ProfileReading::default()
+    };
+    for (name, text, reading, german) in [
+        (
+            "a.csv",
+            "1,2\nx,3\n".to_owned(),
+            ProfileReading::default(),
+            "ist kein Zahlenpaar x, y",
+        ),
+        (
+            "a.csv",
+            "1,2,3\n".to_owned(),
+            ProfileReading::default(),
+            "es gibt 3 Spalten, ein Profil",
+        ),
+        (
+            "a.csv",
+            "x_um,y_um\n1,2\n".to_owned(),
+            ProfileReading::default(),
+            "der Kopf sagt um:",
+        ),
+        (
+            "a.csv",
+            "x_mm,y_m\n1,2\n".to_owned(),
+            ProfileReading::default(),
+            "verschiedene Einheiten",
+        ),
+        (
+            "a.csv",
+            "1,2\n3,4\n".to_owned(),
+            ProfileReading::default(),
+            "braucht mindestens 8 Punkte",
+        ),
+        (
+            "a.csv",
+            format!("x_m,y_m\n{}", points(1.0)),
+            ProfileReading::default(),
+            "60,0000 m breit, breiter",
+        ),
+        (
+            "a.csv",
+            format!("x_mm,y_mm\n{}", points(0.01)),
+            ProfileReading::default(),
+            "0,600 mm breit, schmaler",
+        ),
+        (
+            "a.csv",
+            points(1.0).replacen("-20,", "-26,", 1),
+            ProfileReading::default(),
+            "quer zum Gleis um",
+        ),
+        (
+            "a.csv",
+            points(1.0),
+            smooth,
+            "die Streuung der Punkte ist -0,00001 m",
+        ),
+        (
+            "a.ban",
+            format!("X=1\n\n{}", points(1.0)),
+            wheel,
+            "verlangt ist aber ein Rad",
+        ),
+        (
+            "a.slcs",
+            "0 1 2\n".to_owned(),
+            ProfileReading::default(),
+            "eine Liste von Schnitten",
+        ),
+        (
+            "a.csv",
+            "\u{89}HDF\0\0".to_owned(),
+            ProfileReading::default(),
+            "die Datei ist binär",
+        ),
+    ] {
+        let path = folder.path().join(name);
+        std::fs::write(&path, &text).unwrap();
+        let error = read_profile(&path, reading).err().unwrap();
+        let said = assert_german(&error);
+        assert!(said.contains(german), "{german} not in: {said}");
+    }
+}
+
 /// A file that is cut, or has a letter among its numbers, is refused with its line.
 #[test]
 fn broken_files_are_refused_with_their_line() {
@@ -259,7 +372,10 @@ fn broken_files_are_refused_with_their_line() {
         let path = folder.path().join(name);
         std::fs::write(&path, text.replacen(from, to, 1)).unwrap();
         match read_profile(&path, ProfileReading::default()) {
-            Err(error) => error.to_string(),
+            Err(error) => {
+                assert_german(&error);
+                error.to_string()
+            }
             Ok(_) => panic!("{name} with {to} was taken"),
         }
     };
@@ -335,10 +451,10 @@ fn closed_and_crossing_outlines_are_refused() {
             .map(|(x, y)| format!("{x:.4},{y:.4}\n"))
             .collect();
         std::fs::write(&path, format!("x_mm,y_mm\n{text}")).unwrap();
-        read_profile(&path, ProfileReading::default())
-            .err()
-            .unwrap()
-            .to_string()
+        let refused = read_profile(&path, ProfileReading::default());
+        let error = refused.err().unwrap();
+        assert_german(&error);
+        error.to_string()
     };
     let head: Vec<(f64, f64)> = (-30..=30)
         .map(|x| (f64::from(x), -f64::from(x * x) / 600.0))

@@ -67,8 +67,8 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
                 continue;
             }
             [Some(_), ..] => {
-                let message = format!("\"{}\" is not y and z of both sides", clipped(text));
-                return Err(Fault::at(line, message));
+                let other = say!(line_without_both_sides, text = clipped(text));
+                return Err(Fault::at(line, other));
             }
             _ => {}
         }
@@ -80,7 +80,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
             number.ok_or_else(|| {
                 Fault::at(
                     line,
-                    format!("{key} is \"{}\", which is not known", clipped(value)),
+                    say!(value_not_known, name = key, value = clipped(value)),
                 )
             })
         };
@@ -102,13 +102,7 @@ pub(super) fn read(text: &str, side: Rail, flange_back: f64) -> Result<WrittenPr
             }
             "FLANGEBACK" | "GAUGE" => distance = Some(asked()?),
             _ => {
-                return Err(Fault::at(
-                    line,
-                    format!(
-                        "\"{}\" is no line of a head, nor are these coordinates",
-                        clipped(text)
-                    ),
-                ));
+                return Err(Fault::at(line, say!(line_of_no_head, text = clipped(text))));
             }
         }
     }

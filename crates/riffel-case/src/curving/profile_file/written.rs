@@ -13,21 +13,21 @@ pub(super) const NARROWEST: f64 = 5e-3;
 #[derive(Debug)]
 pub(super) struct Fault {
     pub(super) line: Option<usize>,
-    pub(super) message: String,
+    pub(super) message: Message,
 }
 
 impl Fault {
-    pub(super) fn at(line: usize, message: impl Into<String>) -> Self {
+    pub(super) fn at(line: usize, message: Message) -> Self {
         Self {
             line: Some(line),
-            message: message.into(),
+            message,
         }
     }
 
-    pub(super) fn of_file(message: impl Into<String>) -> Self {
+    pub(super) fn of_file(message: Message) -> Self {
         Self {
             line: None,
-            message: message.into(),
+            message,
         }
     }
 }

@@ -15,9 +15,9 @@ use riffel_keys::fixed;
 
 use super::LIMIT;
 use crate::arguments::{CalibrateChains, stem};
-use crate::command::study::progress::{SampleProgress, duration};
 use crate::messages::{complain, language, print_remarks, say};
 use crate::output::{json, print, table, table_of};
+use crate::progress::{self, duration};
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, check_files, stop_on_interrupt};
 use crate::threads::on_threads;
@@ -66,9 +66,12 @@ pub(super) fn run(arguments: &CalibrateChains) -> miette::Result<u8> {
     let begun = Instant::now();
     let sample = |folder: &Folder<'_>, _: &str| {
         let chains = sampler.chains;
-        let progress = SampleProgress::new("draws", chains * folder.draws_of_a_chain());
+        let progress = progress::Progress::counting(
+            riffel_keys::say!(progress_draws),
+            chains * folder.draws_of_a_chain(),
+        );
         let tell = |of: Progress| match of {
-            Progress::Drawn(draws) => progress.advance_by(draws),
+            Progress::Drawn(draws) => progress.advance(draws as usize),
             Progress::GoesOn { draws } => {
                 progress.lengthen(chains * (sampler.left_out() + draws));
                 say(riffel_keys::say!(chains_go_on, draws = draws));

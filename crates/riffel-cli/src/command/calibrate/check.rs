@@ -6,9 +6,9 @@ use riffel_calibrate::{Plan, Simulated};
 
 use super::LIMIT;
 use crate::arguments::CheckCalibration;
-use crate::command::study::progress::SampleProgress;
 use crate::messages::{complain, language, print_remarks};
 use crate::output::{json, print};
+use crate::progress::Progress;
 use crate::results::readable;
 use crate::staging::{INTERRUPTED, Staging, stop_on_interrupt};
 use crate::threads::on_threads;
@@ -20,13 +20,13 @@ pub(super) fn run(arguments: &CheckCalibration) -> miette::Result<u8> {
     let plan = Plan::read(&arguments.plan)?;
     let (_, limit) = level_limit(LIMIT)?;
     let stop = stop_on_interrupt();
-    let progress = SampleProgress::new("simulations", arguments.runs);
+    let progress = Progress::counting(riffel_keys::say!(progress_simulations), arguments.runs);
     let work = || {
         Simulated::of(
             &plan,
             arguments.runs,
             &limit,
-            &|done| progress.advance_by(done),
+            &|done| progress.advance(done as usize),
             &stop,
         )
     };

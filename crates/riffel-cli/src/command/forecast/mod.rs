@@ -21,7 +21,8 @@ use crate::command::history::History;
 use crate::command::roughness::survey;
 use crate::error::CliError;
 use crate::messages::{language, print_remarks};
-use crate::output::{Progress, json, table};
+use crate::output::{json, table};
+use crate::progress::Progress;
 use crate::results::Results;
 
 pub(crate) use ground::ground_rail;
@@ -82,7 +83,10 @@ pub(super) fn forecast(
     let dated = survey
         .map(|survey| Dated::new(&arguments.spectra, survey))
         .transpose()?;
-    let progress = Progress::new("growth under traffic", traffic.file.vehicle.len());
+    let progress = Progress::new(
+        riffel_keys::say!(progress_traffic),
+        traffic.file.vehicle.len(),
+    );
     let measured_on = dated.as_ref().and_then(|dated| dated.date);
     let request = ForecastRequest {
         traffic,

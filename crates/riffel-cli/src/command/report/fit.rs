@@ -14,7 +14,7 @@ use crate::arguments::Report;
 use crate::command::forecast::Measured;
 use crate::command::history::History;
 use crate::error::CliError;
-use crate::output::Progress;
+use crate::progress::Progress;
 
 /// The rail as it was before.
 #[derive(Clone)]
@@ -69,7 +69,7 @@ pub(super) fn fit(
     now: &Now<'_>,
 ) -> miette::Result<Result<WearReport, Message>> {
     let traffic = Traffic::read(traffic)?;
-    let progress = Progress::new("fit of the wear coefficient", traffic.file.vehicle.len());
+    let progress = Progress::new(riffel_keys::say!(progress_fit), traffic.file.vehicle.len());
     let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|by| {
         progress.advance(by);
     })?;

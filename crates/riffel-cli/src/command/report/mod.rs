@@ -35,8 +35,9 @@ use crate::command::roughness::profile::judged;
 use crate::command::roughness::{choose_nothing, limits, read};
 use crate::error::CliError;
 use crate::messages::language;
-use crate::output::{Progress, print};
+use crate::output::print;
 use crate::posterior::{finished_of, over};
+use crate::progress::Progress;
 use crate::staging::{Existing, write_file};
 use fit::Before;
 use inputs::inputs;
@@ -227,7 +228,7 @@ fn growth_map(
 ) -> miette::Result<MapAnswer> {
     case.check_window()?;
     let traffic = traffic.map(Traffic::read).transpose()?;
-    let progress = Progress::new("growth map", case.speed.points());
+    let progress = Progress::new(riffel_keys::say!(progress_growth_map), case.speed.points());
     let mut map = MapAnswer::new(case, |rows| progress.advance(rows));
     map.over_posterior = over(draws, growth_over)?;
     if draws.is_none() {

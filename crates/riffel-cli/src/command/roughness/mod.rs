@@ -7,14 +7,14 @@ mod spectra;
 mod synthesise;
 
 use std::path::{Path, PathBuf};
-use std::sync::Mutex;
 
+use riffel_keys::Message;
 use riffel_keys::text_file::is_standard_input;
 use riffel_rail::{LimitTable, ReaderFormat, RoughnessFile, Survey};
 
 use crate::arguments::{Layout, Roughness, positive, stem};
 use crate::error::CliError;
-use crate::output::Progress;
+use crate::progress::Progress;
 
 pub(crate) use bands::bands_table;
 pub(crate) use grind::grind_table;
@@ -71,7 +71,7 @@ pub(crate) fn read(path: &Path, layout: &Layout) -> miette::Result<RoughnessFile
         position_unit: layout.position_unit.clone(),
     };
     let size = std::fs::metadata(path).map_or(0, |file| file.len() as usize);
-    let file = with_progress("reading", size, |advance| {
+    let file = with_progress(riffel_keys::say!(progress_reading), size, |advance| {
         RoughnessFile::read(path, &layout, advance)
     });
     Ok(file?.part(path, &part)?)
@@ -140,16 +140,12 @@ pub(crate) fn limits(names: &[String]) -> miette::Result<Vec<LimitTable>> {
 
 /// Work done by several threads that tell one bar how far they are.
 pub(crate) fn with_progress<T>(
-    what: &'static str,
+    what: Message,
     length: usize,
     work: impl FnOnce(&(dyn Fn(usize) + Sync)) -> T,
 ) -> T {
-    let progress = Mutex::new(Progress::new(what, length));
-    work(&|by| {
-        if let Ok(progress) = progress.lock() {
-            progress.advance(by);
-        }
-    })
+    let progress = Progress::new(what, length);
+    work(&|by| progress.advance(by))
 }
 
 /// The folder given for results, or one named after the file.

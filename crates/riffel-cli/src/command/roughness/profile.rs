@@ -62,7 +62,7 @@ pub(crate) fn judged(
 ) -> miette::Result<ProfileAnswer> {
     let request = statistics.request();
     let steps = ProfileAnswer::steps(&record);
-    let profile = with_progress("roughness", steps, |advance| {
+    let profile = with_progress(riffel_keys::say!(progress_roughness), steps, |advance| {
         ProfileAnswer::new(path, record, limits, &request, advance)
     });
     Ok(profile?)

@@ -16,7 +16,8 @@ use super::{results, without_contact};
 use crate::arguments::Simulate;
 use crate::error::CliError;
 use crate::messages::{complain, print_remarks, say};
-use crate::output::{Progress, Table, json, table};
+use crate::output::{Table, json, table};
+use crate::progress::Progress;
 use crate::staging::{Existing, INTERRUPTED, check_files, stop_on_interrupt, write_file};
 
 /// What a run that was stopped is gone on from, in the folder of its results.
@@ -61,7 +62,7 @@ pub(super) fn run(
         resume(&mut run, path, passages)?;
     }
     let stop = stop_on_interrupt();
-    let progress = Progress::new("passages", passages as usize);
+    let progress = Progress::new(riffel_keys::say!(progress_passages), passages as usize);
     progress.advance(run.passages() as usize);
     let mut kept = Instant::now();
     let answer = loop {

@@ -7,11 +7,11 @@ use riffel_answers::study::Statistics;
 use riffel_study::{ChunkState, ResultFolder, Shard, Study, Summary};
 use serde::Serialize;
 
-use super::progress::SampleProgress;
 use super::statistics::table_of;
 use crate::arguments::{Run, stem};
 use crate::messages::{complain, print_remarks, say};
 use crate::output::{print, print_json};
+use crate::progress::Progress;
 use crate::staging::{INTERRUPTED, stop_on_interrupt};
 use crate::threads::on_threads;
 
@@ -53,8 +53,8 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     let samples: u64 = pending.iter().map(size).sum();
 
     let begun = Instant::now();
-    let progress = SampleProgress::new("samples", samples);
-    let work = || study.run(&folder, &pending, &|| progress.advance(), &stop);
+    let progress = Progress::counting(riffel_keys::say!(progress_samples), samples);
+    let work = || study.run(&folder, &pending, &|| progress.advance(1), &stop);
     let outcome = on_threads(arguments.threads, work)?;
     drop(progress);
     outcome?;
@@ -98,7 +98,7 @@ pub(super) fn run(arguments: &Run) -> miette::Result<u8> {
     if samples > 0 {
         say(format_args!(
             "{samples} samples in {}, {:.0} a second",
-            super::progress::duration(seconds),
+            crate::progress::duration(seconds),
             samples as f64 / seconds
         ));
     }

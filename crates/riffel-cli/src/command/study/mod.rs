@@ -2,7 +2,6 @@
 
 mod compute;
 mod merge;
-pub(super) mod progress;
 mod sensitivity;
 mod statistics;
 

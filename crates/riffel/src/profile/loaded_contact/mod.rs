@@ -5,7 +5,9 @@ mod overlap;
 mod tests;
 
 use super::contact_surface::PatchSurface;
-use super::{ContactGap, ContactSurface, ProfileError, WheelsetContact, WheelsetOnTrack};
+use super::{
+    ContactGap, ContactSurface, ProfileError, ShapeFault, WheelsetContact, WheelsetOnTrack,
+};
 use crate::contact::{
     ContactBody, ContactGrid, CreepForces, Creepages, EllipticContact, GapStrip, NormalContact,
     NormalState, PatchRolling, PenetrationState, VirtualPenetration,
@@ -230,10 +232,7 @@ fn is_free(state: &NormalState) -> bool {
 }
 
 fn beside(rail: Rail) -> ProfileError {
-    ProfileError::Shape(format!(
-        "under load the {} wheel touches beyond the end of a profile",
-        rail.name()
-    ))
+    ProfileError::Shape(ShapeFault::BeyondEnd(rail))
 }
 
 fn check_elements(elements: usize) -> Result<(), Error> {

@@ -151,7 +151,7 @@ impl WheelsetOnTrack {
         let failed = |rail: Rail| ProfileError::NoContact {
             lateral_shift,
             yaw: 0.0,
-            rail: rail.name(),
+            rail,
         };
         Ok(right.ok_or_else(|| failed(Rail::Right))? - left.ok_or_else(|| failed(Rail::Left))?)
     }
@@ -213,7 +213,7 @@ impl WheelsetOnTrack {
         let failed = |rail: Rail| ProfileError::NoContact {
             lateral_shift: shift_without_roll,
             yaw,
-            rail: rail.name(),
+            rail,
         };
         let mut roll = 0.0_f64;
         let mut near = [Vec::new(), Vec::new()];

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use crate::Rail;
-use crate::profile::{Profile, ProfileError};
+use crate::profile::{Profile, ProfileError, ShapeFault};
 
 /// Distance of the samples of a rail \[m\].
 const RAIL_STEP: f64 = 2e-5;
@@ -75,23 +75,13 @@ pub(super) fn placed(
     let crown = turned.crown();
     let [low, high] = turned.range();
     if crown.x - low < 1e-3 || high - crown.x < 1e-3 {
-        return Err(ProfileError::Shape(
-            "the highest point of the rail lies at its end, as in a profile that is drawn upside down or cut at its crown"
-                .to_owned(),
-        ));
+        return Err(ProfileError::Shape(ShapeFault::CrownAtEnd));
     }
-    let inner = turned.inner_face(crown.height - gauge_height).ok_or_else(|| {
-        ProfileError::Gauge(format!(
-            "the inner side of the rail ends above the gauge height of {:.1} mm below its crown, or the profile is mirrored: \
-             x must be positive to the field side",
-            1e3 * gauge_height
-        ))
-    })?;
+    let inner = turned
+        .inner_face(crown.height - gauge_height)
+        .ok_or(ProfileError::GaugeHeight { gauge_height })?;
     if 0.5 * gauge + low - inner <= 0.0 {
-        return Err(ProfileError::Gauge(format!(
-            "with a gauge of {:.1} mm the rails overlap",
-            1e3 * gauge
-        )));
+        return Err(ProfileError::Gauge { gauge });
     }
     Ok(PlacedRail::new(
         turned.moved([0.5 * gauge - inner, -crown.height]),

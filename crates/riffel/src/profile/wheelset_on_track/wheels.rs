@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use crate::profile::{Profile, ProfileError, ProfilePoint};
+use crate::profile::{Profile, ProfileError, ProfilePoint, ShapeFault};
 
 /// Distance of the samples of a wheel \[m\] among which minima of the gap are looked for.
 const WHEEL_STEP: f64 = 2e-4;
@@ -58,11 +58,9 @@ impl Wheels {
 }
 
 fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
-    let origin = profile.at(0.0).ok_or_else(|| {
-        ProfileError::Shape(
-            "x = 0, the datum circle of the tread, is not on the profile of the wheel".to_owned(),
-        )
-    })?;
+    let origin = profile
+        .at(0.0)
+        .ok_or(ProfileError::Shape(ShapeFault::NoDatumCircle))?;
     // A flange hangs 25 mm or more below the datum circle; trams have 15.
     const LEAST_FLANGE: f64 = 5e-3;
     let samples = profile.sampled(WHEEL_STEP);
@@ -78,11 +76,11 @@ fn check_wheel(profile: &Profile) -> Result<(), ProfileError> {
         return Ok(());
     }
     let why = if outside > LEAST_FLANGE {
-        "its flange lies at x above zero: it is mirrored, for x must be positive to the field side"
+        ShapeFault::Mirrored
     } else if highest - origin.height > LEAST_FLANGE {
-        "it has no flange below the tread: it is upside down, for y must be the height, and a flange hangs down"
+        ShapeFault::UpsideDown
     } else {
-        "it has no flange"
+        ShapeFault::NoFlange
     };
-    Err(ProfileError::Shape(why.to_owned()))
+    Err(ProfileError::Shape(why))
 }
