@@ -65,7 +65,7 @@ pub(super) fn taken_off(
         let rail = rail_of_channel(&name).ok_or(name);
         let key = (rail, felt.profile.start().to_bits());
         let (places, all) = groups.entry(key).or_default();
-        match all.iter().any(|other| is_multiple(&felt, other)) {
+        match all.iter().any(|other| felt.is_multiple(other)) {
             true => copies.push((vec![place], vec![felt])),
             false => {
                 places.push(place);
@@ -80,19 +80,6 @@ pub(super) fn taken_off(
         pieces.extend(of_channels.map(|((place, felt), found)| (place, felt, found)));
     }
     Ok(pieces)
-}
-
-/// Whether two records of one length of rail are one signal, each a multiple of the other: two axle boxes feel the rail one after the
-/// other, and each its own wheel and noise.
-fn is_multiple(one: &FeltProfile, other: &FeltProfile) -> bool {
-    /// Correlation of two channels that nothing but one sensor has.
-    const ONE_SIGNAL: f64 = 0.999;
-    let pairs = || one.profile.heights().iter().zip(other.profile.heights());
-    let (mut own, mut others, mut both) = (0.0, 0.0, 0.0);
-    for (a, b) in pairs() {
-        (own, others, both) = (own + a * a, others + b * b, both + a * b);
-    }
-    both.abs() > ONE_SIGNAL * (own * others).sqrt()
 }
 
 /// What is to be said of the level that waves that may be the wheel's make the most uncertain, if any by half a decibel.

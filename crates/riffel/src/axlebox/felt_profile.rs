@@ -13,3 +13,18 @@ pub struct FeltProfile {
     /// Lowest, mean and highest speed \[m/s\].
     pub speeds: [f64; 3],
 }
+
+impl FeltProfile {
+    /// Whether two records of one length of rail are one signal, each a multiple of the other: two axle boxes feel the rail one after
+    /// the other, and each its own wheel and noise.
+    pub fn is_multiple(&self, other: &Self) -> bool {
+        /// Correlation of two channels that nothing but one sensor has.
+        const ONE_SIGNAL: f64 = 0.999;
+        let pairs = self.profile.heights().iter().zip(other.profile.heights());
+        let (mut own, mut others, mut both) = (0.0, 0.0, 0.0);
+        for (a, b) in pairs {
+            (own, others, both) = (own + a * a, others + b * b, both + a * b);
+        }
+        both.abs() > ONE_SIGNAL * (own * others).sqrt()
+    }
+}

@@ -84,18 +84,18 @@ impl Segment<'_> {
     ) -> Vec<f64> {
         let samples = self.accelerations.len();
         let size = samples.next_power_of_two();
-        let (forward, backward) = (forward(size), backward(FINER * size));
-        let mut input = forward.make_input_vec();
+        let mut input = vec![0.0; size];
         let ramp = (self.edge / 2).max(1);
         for (index, (value, acceleration)) in input.iter_mut().zip(self.accelerations).enumerate() {
-            let from_end = (index + 1).min(samples - index) as f64 / ramp as f64;
-            *value = acceleration * (FRAC_PI_2 * from_end.min(1.0)).sin().powi(2);
+            let from_end = (index + 1).min(samples - index);
+            *value = match from_end < ramp {
+                true => acceleration * rising(from_end as f64 / ramp as f64),
+                false => *acceleration,
+            };
         }
-        let mut lines = forward.make_output_vec();
-        // Both fail only for buffers of another length, or an imaginary part where there is none.
-        let done = forward.process(&mut input, &mut lines);
-        debug_assert!(done.is_ok());
-        let mut fine = backward.make_input_vec();
+        let lines = forward(&mut input);
+        // The line at the highest frequency is beyond the stop.
+        let mut fine = vec![Complex64::ZERO; FINER * size / 2 + 1];
         let step = rate / size as f64;
         for (line, (value, found)) in fine.iter_mut().zip(&lines).enumerate() {
             let frequency = line as f64 * step;
@@ -105,11 +105,7 @@ impl Segment<'_> {
             let share = faded(frequency, stops.0, passed.0) * faded(frequency, stops.1, passed.1);
             *value = found * inverse.gain(frequency) * (share / size as f64);
         }
-        // The line at the highest frequency is beyond the stop.
-        fine[0] = Complex64::ZERO;
-        let mut heights = backward.make_output_vec();
-        let done = backward.process(&mut fine, &mut heights);
-        debug_assert!(done.is_ok());
+        let mut heights = backward(&mut fine);
         heights.truncate(FINER * samples);
         heights
     }
@@ -134,7 +130,14 @@ impl Segment<'_> {
 
 /// From zero at one frequency to one at the other, even in the logarithm.
 fn faded(frequency: f64, zero: f64, one: f64) -> f64 {
-    let share = ((frequency / zero).ln() / (one / zero).ln()).clamp(0.0, 1.0);
+    if (frequency > one) == (one > zero) {
+        return 1.0;
+    }
+    rising(((frequency / zero).ln() / (one / zero).ln()).clamp(0.0, 1.0))
+}
+
+/// From zero to one as a share goes there.
+fn rising(share: f64) -> f64 {
     (FRAC_PI_2 * share).sin().powi(2)
 }
 

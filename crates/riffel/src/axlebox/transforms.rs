@@ -1,20 +1,44 @@
-//! Transforms whose tables are made once: those of a segment take as long as the transform itself.
+//! Transforms whose tables and room are made once: those of a segment take as long as the transform itself.
 
 use std::cell::RefCell;
-use std::sync::Arc;
 
-use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
+use num_complex::Complex64;
+use realfft::RealFftPlanner;
 
 thread_local! {
-    static PLANNER: RefCell<RealFftPlanner<f64>> = RefCell::new(RealFftPlanner::new());
+    static KEPT: RefCell<(RealFftPlanner<f64>, Vec<Complex64>)> = RefCell::new((RealFftPlanner::new(), Vec::new()));
 }
 
-/// The transform of a power of two, as few lengths are kept.
-pub(super) fn forward(size: usize) -> Arc<dyn RealToComplex<f64>> {
-    PLANNER.with_borrow_mut(|planner| planner.plan_fft_forward(size))
+/// The transform of as many values as a power of two, as few lengths are kept; they are lost.
+pub(super) fn forward(values: &mut [f64]) -> Vec<Complex64> {
+    KEPT.with_borrow_mut(|(planner, scratch)| {
+        let transform = planner.plan_fft_forward(values.len());
+        let mut lines = transform.make_output_vec();
+        scratch.resize(
+            transform.get_scratch_len().max(scratch.len()),
+            Complex64::ZERO,
+        );
+        // Fails only for buffers of another length.
+        let done = transform.process_with_scratch(values, &mut lines, scratch);
+        debug_assert!(done.is_ok());
+        lines
+    })
 }
 
-/// The transform back to a power of two.
-pub(super) fn backward(size: usize) -> Arc<dyn ComplexToReal<f64>> {
-    PLANNER.with_borrow_mut(|planner| planner.plan_fft_inverse(size))
+/// The transform of lines back to as many values as a power of two; the lines are lost.
+pub(super) fn backward(lines: &mut [Complex64]) -> Vec<f64> {
+    // Of the lines without a counterpart the imaginary parts are nothing but rounded.
+    lines[0].im = 0.0;
+    lines[lines.len() - 1].im = 0.0;
+    KEPT.with_borrow_mut(|(planner, scratch)| {
+        let transform = planner.plan_fft_inverse(2 * (lines.len() - 1));
+        let mut values = transform.make_output_vec();
+        scratch.resize(
+            transform.get_scratch_len().max(scratch.len()),
+            Complex64::ZERO,
+        );
+        let done = transform.process_with_scratch(lines, &mut values, scratch);
+        debug_assert!(done.is_ok());
+        values
+    })
 }

@@ -274,19 +274,50 @@ fn deviations(waves: &[f64], spacing: f64) -> Vec<f64> {
     // Every so many samples are enough for a median.
     let step = (0.01 / spacing).ceil().max(1.0) as usize;
     let starts = (0..waves.len()).step_by(cell(spacing));
+    let mut middle = Middle::default();
     starts
         .map(|start| {
             let around = start.saturating_sub(near)..(start + near).min(waves.len());
-            let mut heights: Vec<f64> = waves[around]
-                .iter()
-                .step_by(step)
-                .map(|height| height.abs())
-                .collect();
-            let middle = heights.len() / 2;
-            let median = *heights.select_nth_unstable_by(middle, f64::total_cmp).1;
+            let median = middle.of(waves[around].iter().step_by(step));
             (median / MEDIAN).max(f64::MIN_POSITIVE)
         })
         .collect()
+}
+
+/// The middle of numbers without their signs, which is looked for near the one before.
+#[derive(Default)]
+struct Middle {
+    last: f64,
+    near: Vec<f64>,
+}
+
+impl Middle {
+    fn of<'a>(&mut self, numbers: impl ExactSizeIterator<Item = &'a f64> + Clone) -> f64 {
+        /// Parts of the middle before between which this one is mostly.
+        const NEAR: (f64, f64) = (0.8, 1.25);
+        let (from, to) = (NEAR.0 * self.last, NEAR.1 * self.last);
+        let middle = numbers.len() / 2;
+        self.near.resize(numbers.len(), 0.0);
+        // Numbers are written whether they are near or not, as that takes less time than to ask.
+        let (mut below, mut near) = (0, 0);
+        for number in numbers.clone() {
+            let number = number.abs();
+            self.near[near] = number;
+            below += usize::from(number < from);
+            near += usize::from(from <= number && number <= to);
+        }
+        if !(below..below + near).contains(&middle) {
+            (below, near) = (0, numbers.len());
+            for (kept, number) in self.near.iter_mut().zip(numbers) {
+                *kept = number.abs();
+            }
+        }
+        let near = &mut self.near[..near];
+        self.last = *near
+            .select_nth_unstable_by(middle - below, f64::total_cmp)
+            .1;
+        self.last
+    }
 }
 
 /// The samples about one that stands out, to where the rail is calm on either side.

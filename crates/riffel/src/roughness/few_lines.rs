@@ -14,8 +14,9 @@ use super::hann_window::{BATCH, window};
 const MOST_LINES: usize = 32;
 /// Rows of waves that are kept, of some 300 kB each.
 const MOST_KEPT: usize = 128;
-/// Lines that are summed at once.
+/// Lines that are summed at once, and parts: their sums and what they are made of fit into sixteen registers.
 const AT_ONCE: usize = 4;
+const PARTS: usize = 3;
 /// Numbers of which a row has a multiple, as registers have at most as many lanes.
 const LANES: usize = 8;
 
@@ -166,55 +167,102 @@ impl WithSimd for Batch<'_> {
     fn with_simd<S: Simd>(self, simd: S) -> Vec<f64> {
         let Self { lines, parts } = self;
         let mut powers = vec![0.0; lines.waves.len()];
-        let mut sums = vec![0.0; lines.window.len()];
-        let mut differences = sums.clone();
-        for (heights, share) in parts {
-            lines.fold(heights, &mut sums, &mut differences);
-            let seen = [&sums[..], &differences];
-            let (waves, rest) = lines.waves.as_chunks::<AT_ONCE>();
-            let (some, last) = powers.as_chunks_mut::<AT_ONCE>();
-            for (powers, waves) in some.iter_mut().zip(waves) {
-                add_powers(simd, powers, seen, waves, *share);
-            }
-            for (power, wave) in last
-                .as_chunks_mut()
-                .0
-                .iter_mut()
-                .zip(rest.as_chunks::<1>().0)
-            {
-                add_powers(simd, power, seen, wave, *share);
-            }
+        let mut folded: [Folded; PARTS] = std::array::from_fn(|_| {
+            let row = vec![0.0; lines.window.len()];
+            [row.clone(), row]
+        });
+        let (triples, rest) = parts.as_chunks();
+        for parts in triples {
+            lines.add(simd, parts, &mut folded, &mut powers);
+        }
+        let [folded, ..] = &mut folded;
+        for part in rest.as_chunks::<1>().0 {
+            lines.add(simd, part, std::array::from_mut(folded), &mut powers);
         }
         powers
     }
 }
 
-/// Add the powers of N lines.
-#[inline(always)]
-fn add_powers<S: Simd, const N: usize>(
-    simd: S,
-    powers: &mut [f64; N],
-    seen: [&[f64]; 2],
-    waves: &[[Vec<f64>; 2]; N],
-    share: f64,
-) {
-    let [sums, differences] = seen.map(|row| S::as_simd_f64s(row).0);
-    let count = sums.len();
-    let differences = &differences[..count];
-    let rows: [[&[S::f64s]; 2]; N] = std::array::from_fn(|line| {
-        std::array::from_fn(|part| &S::as_simd_f64s(&waves[line][part]).0[..count])
-    });
-    let mut found = [[simd.splat_f64s(0.0); 2]; N];
-    for index in 0..count {
-        let (sum, difference) = (sums[index], differences[index]);
-        for ([cosine, sine], [re, im]) in rows.iter().zip(&mut found) {
-            *re = simd.mul_add_e_f64s(cosine[index], sum, *re);
-            *im = simd.mul_add_e_f64s(sine[index], difference, *im);
+/// Sums and differences of heights.
+type Folded = [Vec<f64>; 2];
+
+impl FewLines {
+    /// Add the powers of P parts to those of all lines.
+    #[inline(always)]
+    fn add<S: Simd, const P: usize>(
+        &self,
+        simd: S,
+        parts: &[(&[f64], f64); P],
+        folded: &mut [Folded; P],
+        powers: &mut [f64],
+    ) {
+        for ((heights, _), [sums, differences]) in parts.iter().zip(folded.iter_mut()) {
+            self.fold(heights, sums, differences);
+        }
+        let (folded, shares) = (folded.each_ref(), parts.each_ref().map(|(_, share)| *share));
+        let (waves, rest) = self.waves.as_chunks::<AT_ONCE>();
+        let (some, last) = powers.as_chunks_mut::<AT_ONCE>();
+        for (powers, waves) in some.iter_mut().zip(waves) {
+            add_powers(simd, powers, folded, waves, shares);
+        }
+        let last = last.as_chunks_mut::<1>().0.iter_mut();
+        for (power, wave) in last.zip(rest.as_chunks::<1>().0) {
+            add_powers(simd, power, folded, wave, shares);
         }
     }
-    for (power, [re, im]) in powers.iter_mut().zip(found) {
-        *power += share * (simd.reduce_sum_f64s(re).powi(2) + simd.reduce_sum_f64s(im).powi(2));
+}
+
+/// Add the powers of N lines in P parts.
+#[inline(always)]
+fn add_powers<S: Simd, const N: usize, const P: usize>(
+    simd: S,
+    powers: &mut [f64; N],
+    folded: [&Folded; P],
+    waves: &[[Vec<f64>; 2]; N],
+    shares: [f64; P],
+) {
+    let mut both = [[[0.0; N]; P]; 2];
+    for (half, found) in both.iter_mut().enumerate() {
+        let rows = std::array::from_fn(|part| &folded[part][half][..]);
+        let waves = std::array::from_fn(|line| &waves[line][half][..]);
+        *found = products(simd, rows, waves);
     }
+    let [re, im] = &both;
+    for ((re, im), share) in re.iter().zip(im).zip(shares) {
+        for ((power, re), im) in powers.iter_mut().zip(re).zip(im) {
+            *power += share * (re.powi(2) + im.powi(2));
+        }
+    }
+}
+
+/// The products of each of P rows with each of N waves, which are read once for all of them. Closures would be compiled without the wide
+/// instructions.
+#[inline(always)]
+fn products<S: Simd, const N: usize, const P: usize>(
+    simd: S,
+    rows: [&[f64]; P],
+    waves: [&[f64]; N],
+) -> [[f64; N]; P] {
+    let count = S::as_simd_f64s(waves[0]).0.len();
+    let rows: [&[S::f64s]; P] = std::array::from_fn(|part| &S::as_simd_f64s(rows[part]).0[..count]);
+    let waves: [&[S::f64s]; N] =
+        std::array::from_fn(|line| &S::as_simd_f64s(waves[line]).0[..count]);
+    let mut sums = [[simd.splat_f64s(0.0); N]; P];
+    for index in 0..count {
+        for (row, sums) in rows.iter().zip(&mut sums) {
+            let height = row[index];
+            for (wave, sum) in waves.iter().zip(sums) {
+                *sum = simd.mul_add_e_f64s(wave[index], height, *sum);
+            }
+        }
+    }
+    let mut found = [[0.0; N]; P];
+    for (sums, found) in sums.iter().zip(&mut found) {
+        for (sum, found) in sums.iter().zip(found) {
+            *found = simd.reduce_sum_f64s(*sum);
+        }
+    }
+    found
 }
 
 #[cfg(test)]

@@ -23,13 +23,9 @@ pub(super) struct Lines {
 impl Lines {
     pub(super) fn of(heights: &[f64], spacing: f64) -> Self {
         let size = (2 * heights.len()).next_power_of_two();
-        let transform = forward(size);
-        let mut input = transform.make_input_vec();
+        let mut input = vec![0.0; size];
         input[..heights.len()].copy_from_slice(heights);
-        let mut lines = transform.make_output_vec();
-        // Fails only for buffers of another length.
-        let done = transform.process(&mut input, &mut lines);
-        debug_assert!(done.is_ok());
+        let mut lines = forward(&mut input);
         let scale = 1.0 / ((size * heights.len()) as f64).sqrt();
         lines.iter_mut().for_each(|line| *line *= scale);
         Self {
@@ -42,27 +38,26 @@ impl Lines {
     }
 
     fn back(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
-        let transform = backward(self.size);
-        let mut heights = transform.make_output_vec();
-        lines[0].im = 0.0;
-        if let Some(last) = lines.last_mut() {
-            last.im = 0.0;
-        }
-        let done = transform.process(&mut lines, &mut heights);
-        debug_assert!(done.is_ok());
+        let mut heights = backward(&mut lines);
         heights.truncate(self.count);
         let scale = (self.count as f64 / self.size as f64).sqrt();
         heights.iter_mut().for_each(|height| *height *= scale);
         heights
     }
 
-    /// The autocorrelation with even power over octaves, one at no distance.
-    pub(super) fn whitened_autocorrelation(&self) -> Vec<f64> {
+    /// Heights that there are.
+    pub(super) fn count(&self) -> usize {
+        self.count
+    }
+
+    /// The autocorrelation with even power over octaves, one at no distance, at distances below so many steps.
+    pub(super) fn whitened_autocorrelation(&self, steps: usize) -> Vec<f64> {
         /// Ratio of wavenumbers to either side over which power is averaged: a one-third octave.
         const WIDE: f64 = 1.122;
         /// Least power beside the greatest: what is filtered out is not made even.
         const LEAST: f64 = 1e-7;
-        let mut sums = vec![0.0];
+        let mut sums = Vec::with_capacity(self.lines.len() + 1);
+        sums.push(0.0);
         for line in &self.lines {
             sums.push(sums[sums.len() - 1] + line.norm_sqr());
         }
@@ -71,14 +66,15 @@ impl Lines {
             let high = ((index as f64 * WIDE) as usize + 1).min(self.lines.len() - 1);
             (sums[high + 1] - sums[low]) / (high + 1 - low) as f64
         };
-        let octave = |index: usize| index as f64 * mean(index);
-        let most = (1..self.lines.len()).map(octave).fold(0.0, f64::max);
-        let even = self.lines.iter().enumerate().map(|(index, line)| {
-            let power = if index == 0 { 0.0 } else { octave(index) };
+        let octaves = (1..self.lines.len()).map(|index| index as f64 * mean(index));
+        let octaves: Vec<f64> = std::iter::once(0.0).chain(octaves).collect();
+        let most = octaves.iter().copied().fold(0.0, f64::max);
+        let even = self.lines.iter().zip(octaves).map(|(line, power)| {
             let kept = power > LEAST * most;
-            Complex64::new(if kept { line.norm_sqr() / power } else { 0.0 }, 0.0)
+            if kept { line.norm_sqr() / power } else { 0.0 }
         });
-        let found = self.back(even.collect());
+        let even: Vec<f64> = even.collect();
+        let found = first_of_back(&even, steps.min(self.count));
         let share = |index: usize| (self.count - index) as f64 / self.count as f64;
         let all = found.iter().enumerate();
         all.map(|(index, value)| value / found[0] / share(index))
@@ -91,15 +87,24 @@ impl Lines {
         line(order as f64 - 0.5).min(last)..line(order as f64 + 0.5).min(last)
     }
 
-    /// Sum of the waves that a line becomes when its course is moved by up to `turns` turns either way.
-    fn comb(&self, line: usize, circumference: f64, turns: usize) -> f64 {
-        let half = 0.5 * TAU * line as f64 * self.step * circumference;
-        let all = 2 * turns + 1;
-        let sum = match half.sin() {
-            sine if sine.abs() < 1e-9 => all as f64,
-            sine => (all as f64 * half).sin() / sine,
-        };
-        sum - 1.0
+    /// Sum of the waves that each of some lines becomes when its course is moved by up to `turns` turns either way.
+    fn comb(
+        &self,
+        lines: Range<usize>,
+        circumference: f64,
+        turns: usize,
+    ) -> impl Iterator<Item = f64> {
+        let all = (2 * turns + 1) as f64;
+        // sin(all x)/sin x; the angle x grows from line to line by as much.
+        let grows = 0.5 * TAU * self.step * circumference;
+        let by = [1.0, all].map(|times| Complex64::cis(times * grows));
+        let mut waves = [1.0, all].map(|times| Complex64::cis(times * lines.start as f64 * grows));
+        lines.map(move |_| {
+            let [one, moved] = waves.map(|wave| wave.im);
+            (waves[0], waves[1]) = (waves[0] * by[0], waves[1] * by[1]);
+            let sum = if one.abs() < 1e-9 { all } else { moved / one };
+            sum - 1.0
+        })
     }
 
     /// Power about an order \[m²\], and how much of it repeats over so many turns.
@@ -107,12 +112,16 @@ impl Lines {
         let length = self.count as f64 * self.spacing;
         let compared = |turn: usize| 2.0 * (1.0 - turn as f64 * circumference / length);
         let compared: f64 = (1..=turns).map(compared).sum();
-        self.band(order, circumference)
-            .fold([0.0; 2], |[all, repeating], line| {
-                let power = 2.0 * self.lines[line].norm_sqr();
-                let share = self.comb(line, circumference, turns) / compared;
+        let band = self.band(order, circumference);
+        let lines = self.lines[band.clone()].iter();
+        let [all, repeating] = lines.zip(self.comb(band, circumference, turns)).fold(
+            [0.0; 2],
+            |[all, repeating], (line, share)| {
+                let power = 2.0 * line.norm_sqr();
                 [all + power, repeating + power * share]
-            })
+            },
+        );
+        [all, repeating / compared]
     }
 
     /// The circumference whose orders have the wavenumbers of the highest lines near them, each with the weight of its power
@@ -189,4 +198,26 @@ impl Lines {
         }
         found
     }
+}
+
+/// The first of the values that real lines become, but for a factor: lines so many apart are the lines of a shorter course, whose
+/// transform takes less time.
+fn first_of_back(lines: &[f64], count: usize) -> Vec<f64> {
+    let size = 2 * (lines.len() - 1);
+    let short = (2 * count).next_power_of_two().min(size);
+    let apart = size / short;
+    let mut found = vec![0.0; count];
+    for first in 0..=apart / 2 {
+        let all = (first..size).step_by(apart);
+        let mut own: Vec<f64> = all.map(|line| lines[line.min(size - line)]).collect();
+        // The lines from the other end become the same.
+        let times = if 2 * first % apart == 0 { 1.0 } else { 2.0 };
+        let by = Complex64::cis(-TAU * first as f64 / size as f64);
+        let mut wave = Complex64::new(times, 0.0);
+        for (value, own) in found.iter_mut().zip(forward(&mut own)) {
+            *value += (wave * own).re;
+            wave *= by;
+        }
+    }
+    found
 }

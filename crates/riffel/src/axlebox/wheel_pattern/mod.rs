@@ -118,7 +118,7 @@ impl Turning {
             return None;
         }
         let own = &lines[index];
-        let (steps, share) = best_distance(&own.whitened_autocorrelation(), nominal / spacing)?;
+        let (steps, share) = best_distance(own, nominal / spacing)?;
         if share < LEAST_SHARE {
             return None;
         }
@@ -127,7 +127,11 @@ impl Turning {
         let mut orders = standing_out(own, felt, circumference, turns);
         // The first distance is too coarse for the highest orders, which tell it best.
         for _ in 0..3 {
+            let before = circumference;
             circumference = own.refined(&orders, circumference);
+            if circumference == before {
+                break;
+            }
             orders = standing_out(own, felt, circumference, turns);
         }
         // Other circumferences nearby have a single wave as another order.
@@ -223,10 +227,13 @@ fn is_of_rail(lines: &[Lines], own: usize, order: usize, circumference: f64, tur
 
 /// The distance at which a course repeats the most, in its steps, and how much of it: the mean of the autocorrelation at
 /// all multiples of the distance, more of them each time, beside the best before.
-fn best_distance(repeats: &[f64], about: f64) -> Option<(f64, f64)> {
+fn best_distance(lines: &Lines, about: f64) -> Option<(f64, f64)> {
     /// Distances that are looked at more closely.
     const KEPT: usize = 24;
-    let most = ((0.5 * repeats.len() as f64 / about) as usize).min(2 * MOST_TURNS);
+    let most = ((0.5 * lines.count() as f64 / about) as usize).min(2 * MOST_TURNS);
+    // Distances change by less than two steps while they are looked at.
+    let longest = about * (1.0 + WORN) + 2.0;
+    let repeats = lines.whitened_autocorrelation((most as f64 * longest) as usize + 2);
     let at = |lag: f64| {
         let (low, share) = (lag as usize, lag.fract());
         match repeats.get(low..low + 2) {
