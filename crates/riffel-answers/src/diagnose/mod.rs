@@ -178,6 +178,11 @@ impl Diagnosis {
         let usual = UsualTraffic::of(case);
         let [slowest, fastest] = usual.speeds;
         let sentence = say!(speeds_of_the_usual_traffic, traffic = usual.in_words());
-        Ok((TrafficSpeeds::between(slowest, fastest)?, sentence))
+        let speeds = TrafficSpeeds::between(slowest, fastest)?;
+        let growing = usual.traffic().ok().map(|it| it.passing_speeds());
+        Ok(match growing.transpose()? {
+            Some(growing) => (speeds.growing_under(growing), sentence),
+            None => (speeds, sentence),
+        })
     }
 }

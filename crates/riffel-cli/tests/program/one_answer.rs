@@ -111,6 +111,38 @@ fn commands_agree_under_the_usual_traffic() {
     assert_eq!(wheels["speeds_m_per_s"], models["speeds_m_per_s"]);
 }
 
+/// The ridge of a diagnosis without speeds is where the map says that the usual traffic has it. It is looked for at 200 wavelengths a
+/// decade, and lines of the traffic are 1.5 % apart; evenly spread speeds have it at 158 mm, not at 162.
+#[test]
+fn a_diagnosis_has_the_ridge_of_the_usual_traffic() {
+    const CASE: &str =
+        "cases/metro-curve.toml --set map.wavelength.points=7 --set map.speed.points=3";
+    let sandbox = Sandbox::new();
+    let map = sandbox.json(&format!("map {CASE} --json -o map"));
+    std::fs::write(sandbox.path("rail.csv"), rail_of_160_mm()).unwrap();
+    let diagnosed = sandbox.json(&format!("diagnose {CASE} --roughness rail.csv --json"));
+    let candidates = diagnosed["dominant_wavelengths"][0]["candidates"].as_array();
+    let mut candidates = candidates.unwrap().iter();
+    let ridge = candidates.find(|it| it["of"] == "wheelset 1, low rail");
+    let under = &map["under_traffic"];
+    let speeds = [0, 1].map(|end| number(&under["speeds_m_per_s"][end]));
+    let wavelength = speeds[0].midpoint(speeds[1]) / number(&ridge.unwrap()["frequency_hz"]);
+    let led = number(&under["fastest"]["wavelength_m"]);
+    assert!((wavelength / led - 1.0).abs() < 0.015, "{wavelength} {led}");
+}
+
+/// A low rail with a wave of 160 mm in what hardly repeats.
+fn rail_of_160_mm() -> String {
+    let mut text = "position_m,low_um\n".to_owned();
+    for place in 0..10_000 {
+        let position = 0.01 * f64::from(place);
+        let rough = (1e4 * (12.9898 * f64::from(place)).sin()).fract();
+        let height = 30.0 * (std::f64::consts::TAU * position / 0.16).cos() + 2.0 * rough;
+        text += &format!("{position:.2},{height:.4}\n");
+    }
+    text
+}
+
 /// Waves shorter than one and a half lengths of the patch, which the contact averages out, lead no answer: the ridge begins
 /// where they end.
 #[test]

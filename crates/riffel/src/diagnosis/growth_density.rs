@@ -41,11 +41,11 @@ impl GrowthDensity {
             .map(|step| from * (to / from).powf(step as f64 / steps))
             .collect();
         let feedback = feedback.into();
-        if speeds.shares().len() <= FEW
+        if speeds.of_growth().len() <= FEW
             && let Ok(window) = Axis::new(from, to, 2)
         {
             let course = GrowthCourse::of(window, |wavelength| {
-                let shares = speeds.shares().iter();
+                let shares = speeds.of_growth().iter();
                 let rates = shares.map(|&(speed, share)| {
                     share * feedback.complex_growth_rate(wavelength, speed).re
                 });
@@ -57,7 +57,7 @@ impl GrowthDensity {
         let mut evaluator = RowEvaluator::new(&feedback, &wavelengths);
         let mut row = vec![Complex64::ZERO; wavelengths.len()];
         let mut rates = vec![0.0; wavelengths.len()];
-        for &(speed, share) in speeds.shares() {
+        for &(speed, share) in speeds.of_growth() {
             evaluator.evaluate(speed, &mut row);
             for (rate, value) in rates.iter_mut().zip(&row) {
                 let growth = per_dissipation * value.re;

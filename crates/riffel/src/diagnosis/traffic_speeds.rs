@@ -7,6 +7,8 @@ use crate::Error;
 pub struct TrafficSpeeds {
     /// Speed \[m/s\] and share, by speed; shares add up to one.
     shares: Vec<(f64, f64)>,
+    /// The same of the passages that make growth, where a traffic has them in other words.
+    of_growth: Option<Vec<(f64, f64)>>,
 }
 
 impl TrafficSpeeds {
@@ -26,7 +28,10 @@ impl TrafficSpeeds {
         for share in &mut shares {
             share.1 /= sum;
         }
-        Ok(Self { shares })
+        Ok(Self {
+            shares,
+            of_growth: None,
+        })
     }
 
     /// Speeds from one to another \[m/s\], evenly; one speed where the two are the same.
@@ -53,6 +58,20 @@ impl TrafficSpeeds {
             shares.extend(Self::between(slowest, fastest)?.shares);
         }
         Self::new(shares)
+    }
+
+    /// The same speeds, growth in the mean over those of a traffic that stands for them: a normal distribution for even speeds.
+    #[must_use]
+    pub fn growing_under(self, traffic: Self) -> Self {
+        Self {
+            of_growth: Some(traffic.shares),
+            ..self
+        }
+    }
+
+    /// Each speed \[m/s\] with its share of the passages that make growth.
+    pub fn of_growth(&self) -> &[(f64, f64)] {
+        self.of_growth.as_ref().unwrap_or(&self.shares)
     }
 
     /// Each speed \[m/s\] with its share.
