@@ -11,7 +11,7 @@ use riffel_answers::forecast::{CrackedWave, HardenedWave, WearReport, rail_to_fi
 use riffel_case::traffic::{Line, Traffic, TrafficOnCase, UsualTraffic, bands_of};
 use riffel_case::{Hold, Variant};
 use riffel_keys::{CaseError, Message};
-use riffel_rail::Layout;
+use riffel_rail::{Elapsed, Layout, RailDates};
 
 use crate::array::owned;
 use crate::begins::{Begins, GivenDates, GivenGround};
@@ -210,15 +210,19 @@ pub(crate) fn fit_wear<'py>(
         }
     };
     let traffic = traffic_of(case, traffic.as_ref())?;
-    let now = later.clone();
+    let (mut now, before) = (later.clone(), earlier.clone());
     let found = case.compute(py, move |case| {
         let on = traffic.on(case, &bands_of(case), &Variant::none(""), &|_| ())?;
+        let passages = passages.or_else(|| on.passages_in(days?));
+        // The rail that leads by how each has grown, as in a forecast of these two dates.
+        let history =
+            passages.map(|ago| RailDates::new(&now, vec![(ago, before)], Elapsed::Passages));
+        now.history = history;
         let rail = rail_to_fit(case, &now, &on, Some(&limit));
-        Ok::<_, CaseError>((on, rail))
+        Ok::<_, CaseError>((on, passages, rail))
     })?;
-    let (on, rail) = found.map_err(of_case)?;
-    let by_days = days.and_then(|days| on.passages_in(days));
-    let passages = passages.or(by_days).ok_or_else(|| {
+    let (on, passages, rail) = found.map_err(of_case)?;
+    let passages = passages.ok_or_else(|| {
         wrong(
             "days needs traffic with passages_per_day or mgt_per_year under [line]; give passages",
         )
