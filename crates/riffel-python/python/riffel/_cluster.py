@@ -73,6 +73,8 @@ def _threads(client: Client) -> dict[str, int]:
 
     `Client.scheduler_info` tells the same from what it keeps, which a timer replaces now and then by one without workers.
     """
+    if client.scheduler is None:
+        return {}
     known = client.sync(client.scheduler.identity, n_workers=-1)
     return {address: worker["nthreads"] for address, worker in known["workers"].items()}
 
