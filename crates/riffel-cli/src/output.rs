@@ -123,8 +123,9 @@ pub(crate) fn table_of(table: &riffel_answers::Table) -> Table {
 }
 
 /// A table with right-aligned columns but the first.
-pub(crate) fn table(header: &[&str]) -> Table {
+pub(crate) fn table(header: &[impl ToString]) -> Table {
     let mut table = Table::new();
+    let header = header.iter().map(ToString::to_string);
     table.load_style(STYLE).set_header(header);
     for column in table.column_iter_mut().skip(1) {
         column.set_cell_alignment(CellAlignment::Right);

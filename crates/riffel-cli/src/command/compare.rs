@@ -131,8 +131,8 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
         text += &format!("{}\n", sentence.text(language()));
     }
     let header = answer.header().into_iter();
-    let header: Vec<String> = header.map(|head| head.text(language())).collect();
-    let header = std::iter::once("").chain(header.iter().map(String::as_str));
+    let header = header.map(|head| head.text(language()));
+    let header = std::iter::once(String::new()).chain(header);
     let mut rows = table(&header.collect::<Vec<_>>());
     for outcome in &answer.comparison.outcomes {
         let mut row = vec![Message::verbatim(&outcome.title)];
@@ -153,14 +153,13 @@ fn readable(case: &Case, answer: &CompareAnswer) -> String {
 
 /// Growth by band.
 fn bands(answer: &CompareAnswer) -> String {
-    let wavelength = say!(wavelength_of_band).text(language());
-    let mut header = vec![wavelength.as_str()];
+    let mut header = vec![say!(wavelength_of_band).text(language())];
     header.extend(
         answer
             .comparison
             .outcomes
             .iter()
-            .map(|outcome| outcome.title.as_str()),
+            .map(|outcome| outcome.title.clone()),
     );
     let mut rows = table(&header);
     for (place, band) in answer.comparison.bands.iter().enumerate().rev() {

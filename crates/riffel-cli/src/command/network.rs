@@ -332,7 +332,7 @@ fn status_in_words(status: &Status) -> String {
         .collect::<Vec<_>>();
     let bands = status.bands_m.iter();
     header.extend(bands.map(|&band| format!("rms {} mm µm", millimetres(band))));
-    let mut rows = table(&header.iter().map(String::as_str).collect::<Vec<_>>());
+    let mut rows = table(&header);
     for line in &status.lines {
         let measured: f64 = line.measured_m.iter().map(|(_, length)| length).sum();
         let mut row = vec![

@@ -121,7 +121,7 @@ fn readable(case: &Case, answer: &ForecastAnswer) -> String {
     let heads: Vec<String> = (answer.heads().iter())
         .map(|head| head.text(language()))
         .collect();
-    let mut rows = table(&heads.iter().map(String::as_str).collect::<Vec<_>>());
+    let mut rows = table(&heads);
     for row in answer.rows() {
         rows.add_row(row.iter().map(|cell| cell.text(language())));
     }
