@@ -179,7 +179,6 @@ impl WearAnswer {
         nominal_name: &str,
         settings: WearSettings,
     ) -> Result<Self, CaseError> {
-        let at_fault = |path: &Path, message: Message| CaseError::data(path, message);
         let here = Path::new("");
         let read = profile_of(nominal_name, here, settings.reading)?;
         let (kind, mut remarks) = (read.kind, read.remarks);
@@ -203,7 +202,7 @@ impl WearAnswer {
                 ProfileKind::Wheel => say!(is_wheel_not_laid_so, alignment = name),
                 ProfileKind::Rail => say!(is_rail_not_laid_so, alignment = name),
             };
-            return Err(at_fault(Path::new(nominal_name), other));
+            return Err(CaseError::data(Path::new(nominal_name), other));
         }
         let mut worn = Vec::new();
         for file in files {
@@ -219,10 +218,10 @@ impl WearAnswer {
                     ProfileKind::Wheel => say!(is_rail_against_wheel, nominal = nominal_name),
                     ProfileKind::Rail => say!(is_wheel_against_rail, nominal = nominal_name),
                 };
-                return Err(at_fault(file, other));
+                return Err(CaseError::data(file, other));
             }
             remarks.extend(read.remarks);
-            let refuse = |error: ProfileError| at_fault(file, (&error).into());
+            let refuse = |error: ProfileError| CaseError::data(file, &error);
             let wear =
                 ProfileWear::new(&read.profile, &nominal, is_wheel, alignment).map_err(refuse)?;
             let back = settings.flange_back_position;

@@ -14,10 +14,7 @@ pub(super) fn forward(values: &mut [f64]) -> Vec<Complex64> {
     KEPT.with_borrow_mut(|(planner, scratch)| {
         let transform = planner.plan_fft_forward(values.len());
         let mut lines = transform.make_output_vec();
-        scratch.resize(
-            transform.get_scratch_len().max(scratch.len()),
-            Complex64::ZERO,
-        );
+        enlarge(scratch, transform.get_scratch_len());
         // Fails only for buffers of another length.
         let done = transform.process_with_scratch(values, &mut lines, scratch);
         debug_assert!(done.is_ok());
@@ -33,12 +30,16 @@ pub(super) fn backward(lines: &mut [Complex64]) -> Vec<f64> {
     KEPT.with_borrow_mut(|(planner, scratch)| {
         let transform = planner.plan_fft_inverse(2 * (lines.len() - 1));
         let mut values = transform.make_output_vec();
-        scratch.resize(
-            transform.get_scratch_len().max(scratch.len()),
-            Complex64::ZERO,
-        );
+        enlarge(scratch, transform.get_scratch_len());
         let done = transform.process_with_scratch(lines, &mut values, scratch);
         debug_assert!(done.is_ok());
         values
     })
+}
+
+/// Room for the longest transform so far.
+fn enlarge(scratch: &mut Vec<Complex64>, least: usize) {
+    if scratch.len() < least {
+        scratch.resize(least, Complex64::ZERO);
+    }
 }
