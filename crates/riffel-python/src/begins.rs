@@ -67,9 +67,9 @@ impl Begins {
 
     /// Why the dates of the rail do not tell how it grows, if they do not.
     pub(crate) fn remark(&self, passages_per_day: Option<f64>) -> Option<Message> {
-        let has_dates = self.survey.as_ref()?.history.is_some();
+        let survey = self.survey.as_ref()?;
         let starts = self.starts(passages_per_day);
-        RailStart::without_growth(&starts, has_dates, self.ground.is_some(), passages_per_day)
+        RailStart::without_growth(&starts, survey, self.ground.is_some(), passages_per_day)
     }
 }
 

@@ -34,7 +34,7 @@ impl Survey {
         columns.filter(changes).map(str::to_owned).collect()
     }
 
-    /// That dates do not tell how a rail grows, where those of an instrument were left out and one date alone is there.
+    /// Sentence that dates tell no growth, where an instrument was left out and one date is left.
     pub fn without_common_instrument(&self) -> Option<Message> {
         let mut warnings = self.warnings.iter();
         let left_out = warnings.any(|warning| warning.id() == "device-is-left-out");

@@ -115,9 +115,7 @@ impl CompareAnswer {
             Comparison::compute(case, &variants, &traffic, &starts, Some(&limit), progress)?;
         let per_day = comparison.base().passages_per_day;
         let without_growth = survey.as_ref().and_then(|survey| {
-            let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
-            RailStart::without_growth(&starts(per_day), has_dates, is_ground, per_day)
-                .or_else(|| survey.without_common_instrument())
+            RailStart::without_growth(&starts(per_day), survey, ground.is_some(), per_day)
         });
         warnings.extend(not_forecast(&rails, &comparison.base().rails, case));
         Ok(Self {
@@ -169,7 +167,7 @@ impl CompareAnswer {
         document::line_table(self, file)
     }
 
-    /// What the reader should know of variants besides: that a part or all has no effect, that less friction means less
+    /// What the reader should know of variants: that a part or all has no effect, that less friction means less
     /// traction, and how well rates are known.
     pub fn effects(&self) -> Vec<Message> {
         let spread = self.wear_spread.filter(|_| self.over_posterior.is_none());

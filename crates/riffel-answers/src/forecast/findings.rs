@@ -72,10 +72,10 @@ impl ForecastAnswer {
 
     /// What growth goes by: how the leading rail grew, or else that its dates do not tell it, and a mean wear that no rail has.
     pub(crate) fn first_said(&self) -> Vec<Message> {
-        let by_model = || [&self.without_growth, &self.unlikely_wear].map(Clone::clone);
+        let by_model = [&self.without_growth, &self.unlikely_wear];
         match self.own_growth() {
             Some(own) => vec![own],
-            None => by_model().into_iter().flatten().collect(),
+            None => by_model.into_iter().flatten().cloned().collect(),
         }
     }
 
@@ -97,8 +97,8 @@ impl ForecastAnswer {
         own.own_growth(&self.on.growth, self.on.passages_per_day)
     }
 
-    /// Where the rail that leads is not that of the case: that it is not, and how the case's own rail grew and what of that the model
-    /// explains.
+    /// What is said where another rail leads than that of the case: that it is another, how the case's own rail grew, and what of that
+    /// growth the model explains.
     fn rail_of_case(&self) -> Vec<Message> {
         if self.leading().start.is_of_case || self.own_growth().is_none() {
             return Vec::new();
@@ -106,10 +106,7 @@ impl ForecastAnswer {
         let rails = self.rails.iter().filter(|rail| rail.start.is_of_case);
         let own = rails.filter_map(|rail| {
             let grew = rail.own_growth(&self.on.growth, self.on.passages_per_day)?;
-            Some(match self.rail(rail) {
-                Some(name) => grew.about(name),
-                None => grew,
-            })
+            Some(self.about(rail, grew))
         });
         [say!(model_is_of_the_other_rail)]
             .into_iter()
@@ -162,19 +159,23 @@ impl ForecastAnswer {
         hardened.into_iter().chain(cracked)
     }
 
-    /// What follows, in sentences; those on the rail that leads first.
-    pub fn findings(&self) -> Vec<Message> {
-        let about = |rail, sentence: Message| match self.rail(rail) {
+    /// A sentence with the name of its rail, where there are several.
+    fn about(&self, rail: &RailForecast, sentence: Message) -> Message {
+        match self.rail(rail) {
             Some(name) => sentence.about(name),
             None => sentence,
-        };
+        }
+    }
+
+    /// What follows, in sentences; those on the rail that leads first.
+    pub fn findings(&self) -> Vec<Message> {
         let mut findings: Vec<Message> = self
             .rails
             .iter()
             .enumerate()
             .map(|(place, rail)| match (self.rail(rail), place) {
                 (Some(name), 0) => say!(rail_leads, rail = name, sentence = self.interval(rail)),
-                _ => about(rail, self.interval(rail)),
+                _ => self.about(rail, self.interval(rail)),
             })
             .collect();
         // Of the rail that leads, which is the first.
@@ -182,7 +183,7 @@ impl ForecastAnswer {
         findings.splice(0..0, self.first_said());
         findings.extend(self.rail_of_case());
         let rails = self.rails.iter();
-        findings.extend(rails.map(|rail| about(rail, self.linear_range(rail))));
+        findings.extend(rails.map(|rail| self.about(rail, self.linear_range(rail))));
         let decays = |rail: &RailForecast| {
             let mut bands = rail.forecast.bands().iter();
             bands.any(|band| rail.forecast.growth_rate(band) < 0.0)

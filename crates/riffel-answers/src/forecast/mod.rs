@@ -149,9 +149,7 @@ impl ForecastAnswer {
             .map_or_else(Vec::new, |survey| survey.warnings.clone());
         warnings.extend(not_forecast(&measured, &rails, case));
         let without_growth = survey.as_ref().and_then(|survey| {
-            let (has_dates, is_ground) = (survey.history.is_some(), ground.is_some());
-            RailStart::without_growth(&measured, has_dates, is_ground, on.passages_per_day)
-                .or_else(|| survey.without_common_instrument())
+            RailStart::without_growth(&measured, survey, ground.is_some(), on.passages_per_day)
         });
         let by_model = rails.iter().any(|rail| rail.start.growth.is_none());
         if let (Some(from), true) = (case.from_curve(), by_model && rails.len() > 1) {

@@ -105,9 +105,21 @@ pub(crate) fn rates_without_time(
 }
 
 impl RailStart {
-    /// Why the records of rails tell of none how it grows, where they have dates, or would tell nothing else, as of a rail that will be
-    /// ground; axle passages a day where they are known.
+    /// Why the records of a survey tell of no rail how it grows, where they have dates or are of several instruments, or would tell nothing
+    /// else, as of a rail that will be ground; axle passages a day where they are known.
     pub fn without_growth(
+        starts: &[Self],
+        survey: &Survey,
+        is_ground: bool,
+        passages_per_day: Option<f64>,
+    ) -> Option<Message> {
+        let has_dates = survey.history.is_some();
+        Self::without_dates(starts, has_dates, is_ground, passages_per_day)
+            .or_else(|| survey.without_common_instrument())
+    }
+
+    /// The same of records of which it is known alone whether they have dates.
+    pub(crate) fn without_dates(
         starts: &[Self],
         has_dates: bool,
         is_ground: bool,

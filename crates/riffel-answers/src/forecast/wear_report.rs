@@ -101,7 +101,7 @@ impl WearReport {
     ) -> Result<Self, CaseError> {
         let of_one = rail.filter(|_| later.rails().len() > 1);
         let chosen = |survey: &Survey| {
-            let found = survey.of_rail(rail);
+            let found = survey.clone().of_rail(rail);
             found.ok_or_else(|| {
                 let rail = rail_in_words(rail.unwrap_or_default());
                 CaseError::data(survey.path(), say!(rail_is_not_measured, rail = rail))

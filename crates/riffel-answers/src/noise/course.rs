@@ -55,7 +55,7 @@ impl Course {
         let has_dates = question.history.is_some();
         let per_day = on.passages_per_day;
         let without =
-            RailStart::without_growth(std::slice::from_ref(&start), has_dates, false, per_day);
+            RailStart::without_dates(std::slice::from_ref(&start), has_dates, false, per_day);
         let forecast = start.forecast(&on).map_err(AnswerError::OutsideWindow)?;
         let without_time = start.without_time(&forecast, &on);
         let mut remarks: Vec<Message> = on.remarks.into_iter().chain(without).collect();

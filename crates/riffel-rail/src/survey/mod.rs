@@ -206,21 +206,21 @@ impl Survey {
 
     /// The records of one rail by any of its names, at all dates; all records without a name, or where rails are not named. None where
     /// the rail is not among them.
-    pub fn of_rail(&self, rail: Option<&str>) -> Option<Self> {
-        let mut survey = self.clone();
-        if let (Some(rail), Some(column)) = (rail, self.rail_column()) {
-            survey.records.retain(|record| {
-                let name = record.label(column).unwrap_or_default();
+    pub fn of_rail(mut self, rail: Option<&str>) -> Option<Self> {
+        let column = self.rail_column().map(str::to_owned);
+        if let (Some(rail), Some(column)) = (rail, column) {
+            self.records.retain(|record| {
+                let name = record.label(&column).unwrap_or_default();
                 find_rail([name].into_iter(), rail).is_some()
             });
-            if let Some(history) = &mut survey.history {
+            if let Some(history) = &mut self.history {
                 let dates = std::mem::take(&mut history.dates).into_iter();
                 let dates =
                     dates.filter_map(|(time, survey)| Some((time, survey.of_rail(Some(rail))?)));
                 history.dates = dates.collect();
             }
         }
-        (!survey.records.is_empty()).then_some(survey)
+        (!self.records.is_empty()).then_some(self)
     }
 
     /// The records by the dates in a column, the earliest first.

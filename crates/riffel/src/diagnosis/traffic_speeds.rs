@@ -7,7 +7,7 @@ use crate::Error;
 pub struct TrafficSpeeds {
     /// Speed \[m/s\] and share, by speed; shares add up to one.
     shares: Vec<(f64, f64)>,
-    /// The same of the passages that make growth, where a traffic has them in other words.
+    /// Speeds and shares over which growth is averaged, where they are others.
     of_growth: Option<Vec<(f64, f64)>>,
 }
 
@@ -60,7 +60,7 @@ impl TrafficSpeeds {
         Self::new(shares)
     }
 
-    /// The same speeds, growth in the mean over those of a traffic that stands for them: a normal distribution for even speeds.
+    /// The same speeds, with growth in the mean over those of a traffic: its normal distribution stands for an even range.
     #[must_use]
     pub fn growing_under(self, traffic: Self) -> Self {
         Self {
@@ -69,7 +69,7 @@ impl TrafficSpeeds {
         }
     }
 
-    /// Each speed \[m/s\] with its share of the passages that make growth.
+    /// Each speed \[m/s\] over which growth is averaged, with its share.
     pub fn of_growth(&self) -> &[(f64, f64)] {
         self.of_growth.as_ref().unwrap_or(&self.shares)
     }

@@ -75,8 +75,8 @@ impl<'a> Measured<'a> {
         }
     }
 
-    /// The fit of the change of one rail, of so many passages since the oldest record or its part since the rail was ground; under a
-    /// limit the rail that leads.
+    /// The fit of how one rail has changed, by so many passages since the oldest record: of several rails that of the case, or else the
+    /// one that leads under a limit. It begins where that rail was last ground.
     pub(crate) fn fit(
         &self,
         case: &Case,
@@ -86,14 +86,12 @@ impl<'a> Measured<'a> {
     ) -> Result<WearReport, CaseError> {
         let rail = rail_to_fit(case, self.now, on, limit);
         let rail = rail.as_deref();
-        let history = self.now.of_rail(rail).and_then(|own| own.history);
+        let history = self.now.clone().of_rail(rail).and_then(|own| own.history);
         if let Some((share, earlier)) = history.as_ref().and_then(RailDates::since_ground) {
             return WearReport::new(on, rail, earlier, self.now, share * passages);
         }
-        let [earlier, now] = match self.places {
-            Some([oldest, now]) => [oldest, now],
-            None => [self.oldest, self.now],
-        };
+        let places = self.places.map(|[oldest, now]| [oldest, now]);
+        let [earlier, now] = places.unwrap_or([self.oldest, self.now]);
         WearReport::new(on, rail, earlier, now, passages)
     }
 }
@@ -110,7 +108,7 @@ pub(super) fn readable(report: &WearReport) -> String {
         Message::verbatim(""),
     ];
     let heads = heads.map(|head| head.text(language()));
-    let mut rows = table(&heads.each_ref().map(String::as_str));
+    let mut rows = table(&heads);
     for band in report.fit.bands.iter().rev() {
         let decibels = |value: f64| number_alone(format_args!("{value:+.1}"));
         let fitted = |value: f64| match claimed {
