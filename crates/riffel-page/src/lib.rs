@@ -47,6 +47,9 @@ pub const RELEASE: &str = concat!("answers of riffel ", env!("CARGO_PKG_VERSION"
 /// How [`RELEASE`] begins.
 pub const RELEASE_BEGINS: &str = "answers of riffel ";
 
+/// Told how many steps are done, and how many there are.
+pub type Tell<'a> = &'a (dyn Fn(u64, u64) + Sync);
+
 /// A question that was understood.
 pub trait Question {
     /// What the answer is for: of the questions of one page for the same, only the newest is wanted.
@@ -57,6 +60,14 @@ pub trait Question {
     /// # Errors
     /// A [`Fault`] of the case or of the question.
     fn answer(&self) -> Result<Reply, Fault>;
+
+    /// The same; what takes seconds tells how many of its steps are done, and how many there are.
+    ///
+    /// # Errors
+    /// As of [`Self::answer`].
+    fn answer_telling(&self, _tell: Tell<'_>) -> Result<Reply, Fault> {
+        self.answer()
+    }
 }
 
 /// Reads a question.

@@ -1,13 +1,14 @@
 //! `POST /api/remedies`: what would slow growth under the traffic of the line.
 
 use std::collections::BTreeMap;
+use std::sync::atomic::{AtomicU64, Ordering};
 
 use riffel_answers::remedies::{RemediesAnswer, Remedy};
 use riffel_keys::Message;
 use serde::{Deserialize, Serialize};
 
 use crate::traffic::OnLine;
-use crate::{Fault, Reply};
+use crate::{Fault, Reply, Tell};
 
 #[derive(Deserialize)]
 pub(crate) struct Question {
@@ -48,8 +49,14 @@ impl crate::Question for Question {
     }
 
     fn answer(&self) -> Result<Reply, Fault> {
+        self.answer_telling(&|_, _| ())
+    }
+
+    fn answer_telling(&self, tell: Tell<'_>) -> Result<Reply, Fault> {
         let (case, traffic) = self.line.read()?;
-        let answer = RemediesAnswer::new(&case, traffic.as_ref(), &|_| ())?;
+        let (begun, steps) = (AtomicU64::new(0), RemediesAnswer::steps(&case) as u64);
+        let progress = |by| tell(begun.fetch_add(by as u64, Ordering::Relaxed), steps);
+        let answer = RemediesAnswer::new(&case, traffic.as_ref(), &progress)?;
         let answer = answer.with_costs(&self.costs)?;
         let ranked = answer.remedies.iter().map(|remedy| Ranked {
             name: &remedy.title,
@@ -68,5 +75,25 @@ impl crate::Question for Question {
             left_out: left_out.collect(),
             notes: &answer.remarks,
         })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use std::sync::Mutex;
+
+    #[test]
+    fn each_step_is_told() {
+        let toml = riffel_case::NOMINAL_CASE;
+        let asked = serde_json::json!({ "case": { "toml": toml } }).to_string();
+        let question = crate::read("/api/remedies", asked.as_bytes());
+        let question = question.unwrap().unwrap();
+        let told = Mutex::new(Vec::new());
+        let tell = |done, of| told.lock().unwrap().push((done, of));
+        let answer = question.answer_telling(&tell).unwrap();
+        let told = told.into_inner().unwrap();
+        let of = told[0].1;
+        assert_eq!(told, (0..of).map(|done| (done, of)).collect::<Vec<_>>());
+        assert_eq!(answer.bytes, question.answer().unwrap().bytes);
     }
 }

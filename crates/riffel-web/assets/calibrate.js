@@ -8,7 +8,7 @@ import { said } from './german.js';
 import { inUnit, set } from './keys.js';
 import { Priors, nameOfValue, withNames } from './priors.js';
 import { remember, remembered } from './remembered.js';
-import { Fault, Line, askOnce, json, peek } from './server.js';
+import { Fault, Line, askOnce, json, progress } from './server.js';
 import { currentLanguage, sentence, t, translate } from './words.js';
 
 /** How often is asked how far the chains are [ms]. */
@@ -117,7 +117,7 @@ export function startCalibrate({ state, traffic, inLabels, unitOf, listen, compl
     if (is) looking = setInterval(look, LOOK);
   }
   async function look() {
-    const { done, of } = await peek('/api/calibration/progress').catch(() => ({ of: 0 }));
+    const { done, of } = await progress(line.path);
     if (bar.hidden || !of) return;
     bar.value = done / of;
     status.textContent = t('draws_done', { done, of });

@@ -20,7 +20,7 @@ import { Outlook } from './outlook.js';
 import { startPaper } from './paper.js';
 import { drawPhasors, words } from './phasors.js';
 import { startPrinting } from './printing.js';
-import { Fault, Line, cancelled, framed, json, traffic as requests, work } from './server.js';
+import { Fault, Line, cancelled, framed, json, progress, traffic as requests, work } from './server.js';
 import { Sidebar } from './sidebar.js';
 import { Steps } from './steps.js';
 import { offer } from './figures.js';
@@ -356,13 +356,23 @@ function announce(message, language = '') {
 
 /** A sign of a question that takes longer than this [ms], with a way to stop it. */
 const SIGN_AFTER = 500;
+/** How often a question that takes longer still is asked how far it is [ms]. */
+const LOOK = 1000;
 let sign;
 work.onChange = () => {
   clearTimeout(sign);
-  const show = () => ($('working').hidden = !work.running.size || work.age < SIGN_AFTER);
-  show();
-  if (work.running.size) sign = setTimeout(show, SIGN_AFTER - work.age + 1);
+  $('working').hidden = work.age < SIGN_AFTER;
+  $('share').hidden = true;
+  if (work.oldest) sign = setTimeout(look, Math.max(SIGN_AFTER - work.age, 0), work.oldest);
 };
+async function look(asked) {
+  $('working').hidden = false;
+  const { done, of } = await progress(asked.path);
+  if (asked !== work.oldest) return;
+  $('share').hidden = !of;
+  if (of) Object.assign($('share'), { max: of, value: done });
+  sign = setTimeout(look, LOOK, asked);
+}
 $('stop-work').addEventListener('click', () => work.cancel());
 
 // Steps back and forth -------------------------------------------------------------------------------

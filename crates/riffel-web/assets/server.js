@@ -2,7 +2,7 @@
 // gives up its place, here by AbortController and there by the name of this page.
 
 import { heard } from './german.js';
-import { reach } from './transport.js';
+import { inside, reach } from './transport.js';
 
 const NAME = 'riffel-page';
 /** How long a reload may take to give back the name of the page [ms]. */
@@ -52,8 +52,8 @@ export const traffic = { asked: 0, answered: 0, superseded: 0, retried: 0 };
 export const work = {
   running: new Map(),
   onChange: () => {},
-  begin(abort) {
-    this.running.set(abort, performance.now());
+  begin(abort, path) {
+    this.running.set(abort, { since: performance.now(), path });
     this.onChange();
   },
   end(abort) {
@@ -62,7 +62,10 @@ export const work = {
   },
   /** How long the oldest has been under way [ms]; 0 if nothing is. */
   get age() {
-    return this.running.size ? performance.now() - Math.min(...this.running.values()) : 0;
+    return this.oldest ? performance.now() - this.oldest.since : 0;
+  },
+  get oldest() {
+    return this.running.values().next().value;
   },
   cancel() {
     for (const abort of this.running.keys()) abort.abort('cancelled');
@@ -107,7 +110,7 @@ async function ask(path, body, signal, headers = {}) {
 /** A question on its own: its whole answer. */
 export async function askOnce(path, body, headers) {
   const abort = new AbortController();
-  work.begin(abort);
+  work.begin(abort, path);
   try {
     return await ask(path, body, abort.signal, headers);
   } finally {
@@ -118,8 +121,9 @@ export async function askOnce(path, body, headers) {
 /** A file that the program makes for this page. */
 export const fetched = (path) => reach(path, { headers: { 'X-Riffel-Page': page } });
 
-/** A question that is no work, such as how far work is. */
-export const peek = (path) => ask(path, {}).then(json);
+/** How far the work on what was asked at a path is: `done` of `of` steps, of none where nothing is known. */
+const UNKNOWN = { done: 0, of: 0 };
+export const progress = async (path) => (inside ? UNKNOWN : ask('/api/progress', { subject: path.split('/')[2] }).then(json, () => UNKNOWN));
 
 /** How long a question may be under way before a newer one breaks it off [ms]. */
 const PATIENCE = 250;
@@ -155,7 +159,7 @@ export class Line {
     this.next = null;
     const abort = new AbortController();
     this.running = { abort, since: performance.now() };
-    work.begin(abort);
+    work.begin(abort, this.path);
     try {
       const answer = await this.read(await ask(this.path, body, abort.signal));
       show(answer);

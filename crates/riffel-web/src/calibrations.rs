@@ -8,7 +8,6 @@ use tempfile::TempDir;
 
 use crate::fault::Fault;
 use crate::numbered_files::NumberedFiles;
-use crate::program::Progress;
 use crate::uploads::Uploads;
 use crate::workspace::Workspace;
 
@@ -27,7 +26,6 @@ pub(crate) struct Calibration {
     pub(crate) folder: TempDir,
     /// The data.
     pub(crate) data: NumberedFiles,
-    progress: Mutex<Progress>,
     drawn: Mutex<Option<Arc<Drawn>>>,
 }
 
@@ -59,7 +57,6 @@ impl Calibrations {
         let calibration = Arc::new(Calibration {
             folder,
             data: NumberedFiles::default(),
-            progress: Mutex::default(),
             drawn: Mutex::default(),
         });
         let mut calibrations = locked(&self.0);
@@ -72,15 +69,6 @@ impl Calibrations {
 }
 
 impl Calibration {
-    /// How far its chains are.
-    pub(crate) fn progress(&self) -> Progress {
-        *locked(&self.progress)
-    }
-
-    pub(crate) fn tell(&self, progress: Progress) {
-        *locked(&self.progress) = progress;
-    }
-
     /// Its chains, if they were drawn.
     pub(crate) fn drawn(&self) -> Result<Arc<Drawn>, Fault> {
         locked(&self.drawn).clone().ok_or_else(gone)

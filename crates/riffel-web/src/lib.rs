@@ -59,6 +59,12 @@ pub(crate) struct Page {
     program: Program,
 }
 
+impl Page {
+    fn queues(&self) -> impl Iterator<Item = &Queue> {
+        [&self.queue, &self.marches, &self.long, &self.chains].into_iter()
+    }
+}
+
 /// The page as a service.
 pub(crate) fn router(page: Page) -> Router {
     let questions = QUESTIONS
@@ -87,12 +93,9 @@ pub(crate) fn router(page: Page) -> Router {
         .route("/api/calibration/data", post(api::calibration::data))
         .route("/api/calibration/remove", post(api::calibration::remove))
         .route("/api/calibration/plan", post(api::calibration::plan))
-        .route(
-            "/api/calibration/progress",
-            post(api::calibration::progress),
-        )
         .route("/api/calibration/decision", post(api::decision::post))
         .route("/api/calibration/example", get(api::calibration::example))
+        .route("/api/progress", post(api::progress::post))
         .route("/api/sample", get(api::along::sample))
         .route("/api/report", post(api::report::of_rail))
         .route("/api/report/case", post(api::report::of_case))

@@ -14,12 +14,12 @@ use std::process::{Child, Command};
 use std::time::{Duration, Instant};
 
 use axum::http::StatusCode;
-use serde::{Deserialize, Serialize};
+use serde::Deserialize;
 use serde_json::Value;
 use sysinfo::{Pid, ProcessRefreshKind, ProcessesToUpdate, System};
 
 use crate::fault::{Fault, disk};
-use crate::queue::Wanted;
+use crate::queue::{Progress, Wanted};
 
 /// What ends a run, on a line of standard error.
 #[derive(Deserialize)]
@@ -31,13 +31,6 @@ struct Line {
 #[derive(Deserialize)]
 struct ProgressLine {
     progress: Progress,
-}
-
-/// How far a run is.
-#[derive(Clone, Copy, Default, Deserialize, Serialize)]
-pub(crate) struct Progress {
-    done: u64,
-    of: u64,
 }
 
 /// What ended a run.
@@ -133,26 +126,9 @@ impl Program {
         question: &Value,
         wanted: &Wanted,
     ) -> Result<Value, Fault> {
-        self.ask_telling(folder, name, question, wanted, &|_| ())
-    }
-
-    /// The same, with how far it is.
-    pub(crate) fn ask_telling(
-        &self,
-        folder: &Path,
-        name: &str,
-        question: &Value,
-        wanted: &Wanted,
-        tell: &dyn Fn(Progress),
-    ) -> Result<Value, Fault> {
         let own = std::process::id().to_string();
-        let printed = self.run_telling(
-            folder,
-            &["ask", "--translations", "--page", &own, name],
-            question,
-            wanted,
-            tell,
-        )?;
+        let arguments = ["ask", "--translations", "--page", &own, name];
+        let printed = self.run(folder, &arguments, question, wanted)?;
         serde_json::from_str(&printed)
             .map_err(|_| Fault::defect("the program printed something else than a document"))
     }
@@ -164,17 +140,6 @@ impl Program {
         arguments: &[&str],
         input: &Value,
         wanted: &Wanted,
-    ) -> Result<String, Fault> {
-        self.run_telling(folder, arguments, input, wanted, &|_| ())
-    }
-
-    fn run_telling(
-        &self,
-        folder: &Path,
-        arguments: &[&str],
-        input: &Value,
-        wanted: &Wanted,
-        tell: &dyn Fn(Progress),
     ) -> Result<String, Fault> {
         let failed =
             |error: io::Error| Fault::defect(format!("the program cannot be run: {error}"));
@@ -216,7 +181,7 @@ impl Program {
                 ));
             }
             if let Some(progress) = progress_of(&fs::read_to_string(&err).unwrap_or_default()) {
-                tell(progress);
+                wanted.tell(progress);
             }
             std::thread::sleep(LOOK);
         };

@@ -8,6 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 use std::time::Duration;
 
 use riffel::wanted::run_while;
+use serde::{Deserialize, Serialize};
 use tokio::sync::Semaphore;
 
 use crate::fault::{Fault, Refusal};
@@ -36,7 +37,14 @@ pub(crate) struct Queue {
     newest: Arc<Mutex<HashMap<String, Wanted>>>,
 }
 
-/// Whether somebody still waits for a result. Work asks now and then and stops if not.
+/// How far work is; nothing of nothing where it has not said so.
+#[derive(Clone, Copy, Default, Deserialize, Serialize)]
+pub(crate) struct Progress {
+    pub(crate) done: u64,
+    pub(crate) of: u64,
+}
+
+/// Whether somebody still waits for a result. Work asks now and then and stops if not; it tells here how far it is.
 #[derive(Clone, Default)]
 pub(crate) struct Wanted(Arc<Flags>);
 
@@ -44,6 +52,7 @@ pub(crate) struct Wanted(Arc<Flags>);
 struct Flags {
     dropped: AtomicBool,
     closing: Option<Arc<AtomicBool>>,
+    progress: Mutex<Progress>,
     /// Order in which requests came, to forget the oldest.
     number: u64,
 }
@@ -54,6 +63,12 @@ impl Wanted {
         let closing = self.0.closing.as_ref();
         !self.0.dropped.load(Ordering::Relaxed)
             && !closing.is_some_and(|closing| closing.load(Ordering::Relaxed))
+    }
+
+    /// The work is so far.
+    pub(crate) fn tell(&self, progress: Progress) {
+        let mut told = self.0.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        *told = progress;
     }
 
     fn drop_it(&self) {
@@ -114,6 +129,14 @@ impl Queue {
         self.closing.store(true, Ordering::Relaxed);
     }
 
+    /// How far the work on a subject is; `None` where none is under way.
+    pub(crate) fn progress(&self, subject: &str) -> Option<Progress> {
+        let newest = self.newest.lock().unwrap_or_else(PoisonError::into_inner);
+        let wanted = newest.get(subject).filter(|wanted| wanted.still())?;
+        let told = wanted.0.progress.lock();
+        Some(*told.unwrap_or_else(PoisonError::into_inner))
+    }
+
     /// Do the work when a worker is free. `subject` names what the answer is for, such as the map of one
     /// page: a newer request for the same drops the older one.
     pub(crate) async fn run<T: Send + 'static>(
@@ -163,6 +186,7 @@ impl Queue {
         let wanted = Wanted(Arc::new(Flags {
             dropped: AtomicBool::new(false),
             closing: Some(self.closing.clone()),
+            progress: Mutex::default(),
             number: NUMBER.fetch_add(1, Ordering::Relaxed),
         }));
         if let Some(subject) = subject {
@@ -208,6 +232,33 @@ mod tests {
         release.send(()).unwrap();
         assert!(busy.await.unwrap() && first.await.unwrap() && second.await.unwrap());
         assert_eq!(queue.waiting.load(Ordering::Relaxed), 0);
+    }
+
+    #[tokio::test]
+    async fn work_under_way_tells_how_far_it_is() {
+        let queue = Queue::new(1);
+        let (release, held) = std::sync::mpsc::channel::<()>();
+        let work = move |wanted: &Wanted| {
+            wanted.tell(Progress { done: 3, of: 8 });
+            Ok(held.recv())
+        };
+        let subject = "remedies of a";
+        assert!(queue.progress(subject).is_none());
+        let busy = tokio::spawn({
+            let queue = queue.clone();
+            async move { queue.run(Some(subject.to_owned()), work).await.is_ok() }
+        });
+        let so_far = loop {
+            match queue.progress(subject) {
+                Some(Progress { done, of }) if of > 0 => break (done, of),
+                _ => tokio::task::yield_now().await,
+            }
+        };
+        assert_eq!(so_far, (3, 8));
+        assert!(queue.progress("remedies of b").is_none());
+        release.send(()).unwrap();
+        assert!(busy.await.unwrap());
+        assert!(queue.progress(subject).is_none());
     }
 
     #[tokio::test]

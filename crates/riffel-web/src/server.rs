@@ -105,7 +105,7 @@ async fn listen(options: Options, ready: impl FnOnce(&str)) -> Result<PathBuf, S
         program: Program::new(options.program),
     };
     let place = page.uploads.place().to_owned();
-    let queues = [&page.queue, &page.marches, &page.long, &page.chains].map(Queue::clone);
+    let queues = page.queues().cloned().collect::<Vec<_>>();
     let service = TowerToHyperService::new(router(page));
     let mut http = http1::Builder::new();
     http.timer(TokioTimer::new()).header_read_timeout(HEAD_TIME);

@@ -55,6 +55,28 @@ def test_what_is_not_yet_computed_pales_and_can_be_stopped(open_page):
     page.close(complaints=len(page.complaints))
 
 
+@pytest.mark.parametrize(("steps", "share"), [((3, 8), 0.375), ((0, 0), None)])
+def test_long_work_tells_its_share(open_page, steps, share):
+    page = open_page()
+    release = hold(page, "**/api/remedies")
+    asked = []
+
+    def answer(route):
+        asked.append(json.loads(route.request.post_data))
+        route.fulfill(json=dict(zip(("done", "of"), steps)))
+
+    page.page.route("**/api/progress", answer)
+    page.set("contact.friction", "0.3")
+    page.until(lambda: {"subject": "remedies"} in asked)
+    bar = page.page.locator("#share")
+    page.until(lambda: bar.is_visible() == (share is not None))
+    assert share is None or bar.evaluate("bar => bar.position") == share
+    page.keep("share")
+    release()
+    page.until(lambda: not page.page.locator("#working").is_visible())
+    page.close(complaints=len(page.complaints))
+
+
 def test_a_case_that_is_refused_pales_what_is_shown(open_page):
     page = open_page()
     page.set("contact.normal_load", "-50")

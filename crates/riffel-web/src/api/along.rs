@@ -78,7 +78,7 @@ pub(crate) async fn post(
     let upload = page.uploads.of(&asker.owner()?)?;
     let program = page.program.clone();
     page.long
-        .run(asker.subject("course"), move |wanted| {
+        .run(asker.subject("along"), move |wanted| {
             let files = Workspace::within(upload.folder())?;
             let file = files.put(&upload.file(), &question.name)?;
             let along = question.along.map(|table| {

@@ -1,5 +1,5 @@
 //! `POST /api/calibration`: what measurements say of the case of the page; `/data`, `/remove`: the files of these; `/plan`: what
-//! would be computed; `/progress`: how far it is. `GET /api/calibration/example`: a case with data to try.
+//! would be computed. `GET /api/calibration/example`: a case with data to try.
 
 use axum::body::Body;
 use axum::extract::State;
@@ -125,24 +125,14 @@ pub(crate) async fn post(
     let program = page.program.clone();
     page.chains
         .run(asker.subject("calibration"), move |wanted| {
-            own.tell(crate::program::Progress::default());
             let (files, plan) = question.put(&own, &program, wanted)?;
             let asked = json!({ "plan": PLAN_FILE, "output": POSTERIOR });
-            let tell = |progress| own.tell(progress);
-            let answer = program.ask_telling(files.path(), "calibrate", &asked, wanted, &tell)?;
+            let answer = program.ask(files.path(), "calibrate", &asked, wanted)?;
             let plan = plan["text"].as_str().unwrap_or_default().to_owned();
             own.keep(Drawn { files, plan });
             Ok(Told(answer))
         })
         .await
-}
-
-pub(crate) async fn progress(
-    State(page): State<Page>,
-    asker: Asker,
-) -> Result<Told<Value>, Refusal> {
-    let own = page.calibrations.of(&asker.owner()?)?;
-    Ok(Told(json!(own.progress())))
 }
 
 /// Levels of three dates, with the case and the traffic that they belong to: made by Riffel, with known values.

@@ -10,6 +10,7 @@ mod file_headers;
 pub(crate) mod kept;
 pub(crate) mod noise;
 mod numbered;
+pub(crate) mod progress;
 pub(crate) mod questions;
 mod reading;
 pub(crate) mod report;

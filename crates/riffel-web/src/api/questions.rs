@@ -9,6 +9,7 @@ use riffel_page::{Reader, Reply, VOCABULARY};
 
 use crate::Page;
 use crate::fault::Refusal;
+use crate::queue::Progress;
 use crate::request::{AskedJson, Asker};
 
 pub(crate) async fn post(
@@ -31,7 +32,8 @@ pub(crate) async fn post(
     let answered = page.answered.clone();
     let reply = queue
         .run(subject, move |wanted| {
-            answered.keep(path, json, wanted, || question.answer())
+            let tell = |done, of| wanted.tell(Progress { done, of });
+            answered.keep(path, json, wanted, || question.answer_telling(&tell))
         })
         .await?;
     // One that is not kept has no other owner, and is not copied.

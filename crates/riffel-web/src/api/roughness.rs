@@ -95,7 +95,7 @@ pub(crate) async fn measure(
     let earlier = question.earlier(&upload)?;
     let program = page.program.clone();
     page.long
-        .run(asker.subject("measurement"), move |wanted| {
+        .run(asker.subject("measure"), move |wanted| {
             let (files, record) = question.put(&upload)?;
             let before = earlier.put(&files)?;
             let ask = |name, question: &Value| program.ask(files.path(), name, question, wanted);
