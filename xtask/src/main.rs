@@ -5,6 +5,7 @@ mod check;
 mod compiler;
 mod dependencies;
 mod environment;
+mod golden;
 mod page;
 mod python;
 mod release;
@@ -44,6 +45,12 @@ enum Task {
     Python,
     /// Write the generated files of the book. A test of the program says whether they are current.
     Generate,
+    /// All that the program prints and writes in its tests and the book, in a new folder: two of them, from before and after a change,
+    /// are compared by `diff --recursive`.
+    Golden {
+        /// The folder.
+        records: PathBuf,
+    },
     /// Dependencies alone: licences, versions and sources against `deny.toml`.
     Dependencies,
     /// What a release consists of, for this system: archive of the program, wheel, source distribution.
@@ -60,6 +67,9 @@ enum Task {
 type Outcome = Result<(), String>;
 
 fn main() -> ExitCode {
+    if let Some(recorded) = golden::record() {
+        return recorded;
+    }
     let outcome = match Arguments::parse().command {
         Task::Test { quick: true } => check::quick(),
         Task::Test { quick: false } => check::all(),
@@ -67,6 +77,7 @@ fn main() -> ExitCode {
         Task::Page => page::install(),
         Task::Python => python::test_alone(),
         Task::Generate => generate(),
+        Task::Golden { records } => golden::capture(&records),
         Task::Dependencies => dependencies::check(),
         Task::Release => release::build(),
         Task::Bench { build } => bench(build),

@@ -17,8 +17,8 @@ const LINE_EVERY: Duration = Duration::from_secs(10);
 /// The same where a program reads it.
 const TOLD_EVERY: Duration = Duration::from_millis(300);
 
-/// A bar on a terminal once the work has taken a second; elsewhere a line every ten seconds, but none where results go to the same
-/// place.
+/// A bar on a terminal once the work has taken a second; elsewhere a line every ten seconds, but none into a pipe that has
+/// the results too.
 pub(crate) struct Progress {
     bar: ProgressBar,
     count: Arc<Count>,
@@ -159,17 +159,22 @@ impl Drop for Progress {
     }
 }
 
-/// Whether standard error goes where standard output goes, as after `2>&1`.
+/// Whether standard error goes into the pipe into which standard output goes, where somebody reads both as one; a file that has both, as
+/// after `> log 2>&1`, is a log.
 #[cfg(unix)]
 fn is_among_results() -> bool {
     use std::fs::File;
     use std::os::fd::{AsFd, BorrowedFd};
-    use std::os::unix::fs::MetadataExt;
-    let place = |stream: BorrowedFd<'_>| {
+    use std::os::unix::fs::{FileTypeExt, MetadataExt};
+    let pipe = |stream: BorrowedFd<'_>| {
         let file = File::from(stream.try_clone_to_owned().ok()?);
-        file.metadata().ok().map(|there| (there.dev(), there.ino()))
+        let there = file.metadata().ok()?;
+        there
+            .file_type()
+            .is_fifo()
+            .then(|| (there.dev(), there.ino()))
     };
-    place(stderr().as_fd()).is_some_and(|there| place(std::io::stdout().as_fd()) == Some(there))
+    pipe(stderr().as_fd()).is_some_and(|there| pipe(std::io::stdout().as_fd()) == Some(there))
 }
 
 /// Whether standard error goes where standard output goes: not told by the system.

@@ -67,7 +67,11 @@ impl Wanted {
 
     /// The work is so far.
     pub(crate) fn tell(&self, progress: Progress) {
-        let mut told = self.0.progress.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut told = self
+            .0
+            .progress
+            .lock()
+            .unwrap_or_else(PoisonError::into_inner);
         *told = progress;
     }
 

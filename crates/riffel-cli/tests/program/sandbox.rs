@@ -13,6 +13,12 @@ pub(crate) fn root() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("../..")
 }
 
+/// The program, or what records it.
+pub(crate) fn program() -> PathBuf {
+    let recorder = std::env::var_os("RIFFEL_RECORDER");
+    recorder.map_or_else(|| env!("CARGO_BIN_EXE_riffel").into(), PathBuf::from)
+}
+
 /// A temporary folder with `cases/`.
 pub(crate) struct Sandbox {
     folder: TempDir,
@@ -56,8 +62,10 @@ impl Sandbox {
 
     /// The program, ready to be given arguments.
     pub(crate) fn command(&self) -> Command {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_riffel"));
+        let mut command = Command::new(program());
         command.current_dir(self.folder.path()).env("NO_COLOR", "1");
+        let test = std::thread::current();
+        command.env("RIFFEL_TEST", test.name().unwrap_or("another"));
         command
     }
 

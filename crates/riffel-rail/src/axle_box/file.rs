@@ -311,6 +311,13 @@ mod tests {
         assert_eq!((samples, gaps), (1850, 1));
         assert!(remarks[0].contains("drops out once"), "{remarks:?}");
         assert!(remarks[0].contains("line 802"), "{remarks:?}");
+        let silent = table(HEAD, |_, values| values[1] = 0.0);
+        let (.., remarks) = read(&silent, &AxleBoxLayout::default()).unwrap();
+        // It drops out, and is not clipped.
+        assert!(
+            remarks[0].contains("drops out once") && remarks.len() == 1,
+            "{remarks:?}"
+        );
     }
 
     #[test]

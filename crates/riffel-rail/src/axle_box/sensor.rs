@@ -141,7 +141,9 @@ impl Sensor {
             }
         }
         let clipped: usize = self.ends.iter().map(|end| end.clipped).sum();
-        if clipped > 0 {
+        // What keeps one value from its beginning to its end is dead, and has no range to stand at the ends of.
+        let varies = self.ends[0].value > -self.ends[1].value;
+        if clipped > 0 && varies {
             let share = clipped as f64 / count;
             let percent = fixed(100.0 * share, 2);
             let line = self
