@@ -20,8 +20,10 @@ const RECORDER: &str = "RIFFEL_RECORDER";
 /// The test that runs the program.
 const TEST: &str = "RIFFEL_TEST";
 
-/// Texts that are kept as they are; of other files a checksum.
+/// Texts that are kept as they are, of other files a checksum.
 const TEXTS: [&str; 8] = ["csv", "html", "json", "md", "svg", "toml", "txt", "xml"];
+/// Largest of them \[bytes\]: pages hold a library.
+const LARGEST: usize = 200_000;
 
 /// Run the tests of the program and keep what it printed and wrote in a new folder.
 pub(crate) fn capture(records: &Path) -> Outcome {
@@ -124,7 +126,8 @@ impl Run {
 
     fn text(&self, status: Option<i32>, [out, err]: &[String; 2]) -> String {
         let mut text = format!("$ riffel {}\nstatus {status:?}\n", self.arguments.join(" "));
-        for (name, printed) in [("output", out), ("errors", err)] {
+        let err: Vec<&str> = err.lines().filter(|line| !is_progress(line)).collect();
+        for (name, printed) in [("output", out), ("errors", &err.join("\n"))] {
             text.push_str(&format!("--- {name}\n{printed}\n"));
         }
         for (path, state) in files(&self.folder) {
@@ -132,19 +135,23 @@ impl Run {
                 continue;
             }
             let bytes = fs::read(self.folder.join(&path)).unwrap_or_default();
-            let is_text = path
-                .extension()
-                .is_some_and(|kind| TEXTS.iter().any(|text| kind == *text));
-            let content = match String::from_utf8(bytes) {
-                Ok(content) if is_text => content,
-                content => {
-                    checksum(&content.map_or_else(|error| error.into_bytes(), String::into_bytes))
-                }
+            let is_text = bytes.len() <= LARGEST
+                && path
+                    .extension()
+                    .is_some_and(|kind| TEXTS.iter().any(|text| kind == *text));
+            let content = match is_text {
+                true => String::from_utf8_lossy(&bytes).into_owned(),
+                false => checksum(&bytes),
             };
             text.push_str(&format!("--- {}\n{content}\n", path.display()));
         }
         text.replace(&*self.folder.to_string_lossy(), "SANDBOX")
     }
+}
+
+/// Whether a line says how far the work is, which another run says at other moments.
+fn is_progress(line: &str) -> bool {
+    line.ends_with(" left") || line.ends_with(": 0 %") || line.starts_with("{\"progress\"")
 }
 
 /// All that a stream holds, which another is given as it comes.
