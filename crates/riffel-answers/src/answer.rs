@@ -1,10 +1,24 @@
 //! What every answer is: a document, tables, a figure and what is said of them.
 
+use riffel_case::Case;
 use riffel_keys::Message;
-use riffel_plot::LineFigure;
-use serde::Serialize;
+use riffel_plot::{LineFigure, MapFigure};
+use serde::{Serialize, Serializer};
 
 use crate::Table;
+use crate::netcdf::Grid;
+
+/// A file beside the document of an answer.
+pub enum ResultFile<'a> {
+    /// A picture of lines, as PNG, SVG and page.
+    Lines(&'static str, LineFigure),
+    /// A picture of maps, likewise.
+    Maps(&'static str, MapFigure),
+    /// A table as CSV.
+    Table(Table),
+    /// A grid as NetCDF-3.
+    Grid(&'static str, Grid<'a>),
+}
 
 /// An answer as data; its document is what `--json` prints.
 pub trait Answer: Serialize {
@@ -23,6 +37,20 @@ pub trait Answer: Serialize {
     /// The picture.
     fn figure(&self) -> LineFigure;
 
+    /// The files beside the document, in the order in which they are named.
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let tables = self.tables().into_iter().map(ResultFile::Table);
+        [ResultFile::Lines(Self::NAME, self.figure())]
+            .into_iter()
+            .chain(tables)
+            .collect()
+    }
+
     /// What the reader should know.
     fn remarks(&self) -> &[Message];
+}
+
+/// The file of a case, as documents repeat it.
+pub(crate) fn inputs<S: Serializer>(case: &Case, serializer: S) -> Result<S::Ok, S::Error> {
+    case.file.serialize(serializer)
 }

@@ -8,7 +8,8 @@ use riffel_case::Case;
 use serde::Serialize;
 
 /// The wavelength that grows fastest.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize)]
+#[serde(into = "HighestDocument")]
 pub struct Highest {
     /// Wavelength \[m\].
     pub wavelength: f64,

@@ -75,7 +75,7 @@ pub mod wheels;
 pub mod wheelset;
 pub mod wheelset_motions;
 
-pub use answer::Answer;
+pub use answer::{Answer, ResultFile};
 pub use banded::Banded;
 pub use calibration::{Calibration, four_digits};
 pub use capital::{capital, sentence};
@@ -87,6 +87,7 @@ pub use highest::Highest;
 pub use level_limit::level_limit;
 pub use line_growth::{FastestGrowth, LineGrowth};
 pub use mode_in_words::mode_in_words;
+pub use netcdf::Grid;
 pub use over_posterior::{NumberOverPosterior, OverPosterior, PosteriorDraws};
 pub use parameters::parameters;
 pub use plan_document::PlanDocument;

@@ -18,40 +18,51 @@ pub(crate) struct Variable<'a> {
     pub(crate) values: Box<dyn Fn() -> Vec<f64> + 'a>,
 }
 
-/// Write a grid with coordinates, units and long names; axes with their numbers of points.
-///
-/// # Errors
-/// [`AnswerError::Grid`].
-pub(crate) fn write_netcdf(
-    path: &Path,
-    title: &str,
-    axes: &[(&str, usize)],
-    variables: &[Variable<'_>],
-) -> Result<(), AnswerError> {
-    let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
-    let define = || -> Result<DataSet, InvalidDataSet> {
-        let mut data_set = DataSet::new();
-        data_set.add_global_attr_string("title", title)?;
-        data_set.add_global_attr_string("source", concat!("riffel ", env!("CARGO_PKG_VERSION")))?;
-        data_set.add_global_attr_string("Conventions", "CF-1.8")?;
-        for (name, points) in axes {
-            data_set.add_fixed_dim(name, *points)?;
-        }
-        for variable in variables {
-            data_set.add_var_f64(variable.name, variable.axes)?;
-            data_set.add_var_attr_string(variable.name, "units", variable.unit)?;
-            data_set.add_var_attr_string(variable.name, "long_name", variable.long_name)?;
-        }
-        Ok(data_set)
-    };
-    let data_set = define().map_err(|error| wrong(&error))?;
-    let write = || -> Result<(), WriteError> {
-        let mut writer = FileWriter::create_new(path)?;
-        writer.set_def(&data_set, Version::Offset64Bit, 0)?;
-        for variable in variables {
-            writer.write_var_f64(variable.name, &(variable.values)())?;
-        }
-        writer.close()
-    };
-    write().map_err(|error| wrong(&error))
+/// Quantities on a grid.
+pub struct Grid<'a> {
+    pub(crate) title: &'a str,
+    /// Axes with their numbers of points.
+    pub(crate) axes: Vec<(&'static str, usize)>,
+    pub(crate) variables: Vec<Variable<'a>>,
+}
+
+impl Grid<'_> {
+    /// Write it with coordinates, units and long names.
+    ///
+    /// # Errors
+    /// [`AnswerError::Grid`].
+    pub fn write(&self, path: &Path) -> Result<(), AnswerError> {
+        let Self {
+            title,
+            axes,
+            variables,
+        } = self;
+        let wrong = |error: &dyn std::fmt::Debug| AnswerError::Grid(format!("{error:?}"));
+        let define = || -> Result<DataSet, InvalidDataSet> {
+            let mut data_set = DataSet::new();
+            data_set.add_global_attr_string("title", title)?;
+            data_set
+                .add_global_attr_string("source", concat!("riffel ", env!("CARGO_PKG_VERSION")))?;
+            data_set.add_global_attr_string("Conventions", "CF-1.8")?;
+            for (name, points) in axes {
+                data_set.add_fixed_dim(name, *points)?;
+            }
+            for variable in variables {
+                data_set.add_var_f64(variable.name, variable.axes)?;
+                data_set.add_var_attr_string(variable.name, "units", variable.unit)?;
+                data_set.add_var_attr_string(variable.name, "long_name", variable.long_name)?;
+            }
+            Ok(data_set)
+        };
+        let data_set = define().map_err(|error| wrong(&error))?;
+        let write = || -> Result<(), WriteError> {
+            let mut writer = FileWriter::create_new(path)?;
+            writer.set_def(&data_set, Version::Offset64Bit, 0)?;
+            for variable in variables {
+                writer.write_var_f64(variable.name, &(variable.values)())?;
+            }
+            writer.close()
+        };
+        write().map_err(|error| wrong(&error))
+    }
 }

@@ -29,6 +29,8 @@ pub struct Column {
 pub enum Values {
     /// Words.
     Words(Vec<Message>),
+    /// Numbers as documents have them, in the fewest digits that tell them, 1.0 and 1e-7; none where there is nothing.
+    Exact(Vec<Option<f64>>),
     /// Numbers as they are, such as nominal frequencies and rates of 10⁻⁷; none where there is nothing.
     Plain(Vec<Option<f64>>),
     /// Numbers to so many digits after the point in a file and before a reader; none where there is nothing.
@@ -48,7 +50,7 @@ impl Values {
     fn count(&self) -> usize {
         match self {
             Self::Words(words) => words.len(),
-            Self::Plain(values) => values.len(),
+            Self::Exact(values) | Self::Plain(values) => values.len(),
             Self::Fixed { values, .. } => values.len(),
         }
     }
@@ -56,6 +58,9 @@ impl Values {
     fn in_file(&self, row: usize) -> String {
         match self {
             Self::Words(words) => words[row].to_string(),
+            Self::Exact(values) => values[row].map_or_else(String::new, |value| {
+                ryu::Buffer::new().format(value).to_owned()
+            }),
             Self::Plain(values) => values[row].map_or_else(String::new, |value| value.to_string()),
             Self::Fixed { values, file, .. } => {
                 values[row].map_or_else(String::new, |value| format!("{value:.file$}"))
@@ -83,7 +88,7 @@ impl Values {
                     false => format!("{value:.shown$}"),
                 }
             }
-            Self::Plain(_) => self.in_file(row),
+            Self::Exact(_) | Self::Plain(_) => self.in_file(row),
         };
         number.replace('.', language.decimal_mark())
     }
@@ -105,6 +110,25 @@ impl Column {
             name: name.to_owned(),
             head: None,
             values: Values::Plain(values.map(Some).collect()),
+        }
+    }
+
+    /// Words for files alone.
+    pub fn names<T: ToString>(name: &str, names: impl Iterator<Item = T>) -> Self {
+        let names = names.map(|name| Message::verbatim(name.to_string()));
+        Self {
+            name: name.to_owned(),
+            head: None,
+            values: Values::Words(names.collect()),
+        }
+    }
+
+    /// Numbers for files alone, as documents have them.
+    pub fn exact<T: Into<Option<f64>>>(name: &str, values: impl Iterator<Item = T>) -> Self {
+        Self {
+            name: name.to_owned(),
+            head: None,
+            values: Values::Exact(values.map(Into::into).collect()),
         }
     }
 

@@ -57,10 +57,8 @@ impl<'a> Results<'a> {
         self.hand_out(
             || json(answer),
             |staging| {
-                staging.write_figure(A::NAME, &answer.figure())?;
-                for table in &tables {
-                    let name = format!("{}.csv", table.name);
-                    staging.write_with(&name, |file| table.csv(file))?;
+                for file in answer.files() {
+                    staging.write_result(file)?;
                 }
                 staging.write("summary.json", json(answer))
             },

@@ -10,6 +10,7 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 use std::sync::{Arc, Mutex, MutexGuard, OnceLock, PoisonError};
 
+use riffel_answers::ResultFile;
 use riffel_arrays::whole_file;
 use riffel_plot::{DEFAULT_PNG_SCALE, LineFigure, Picture};
 use riffel_study::Stop;
@@ -134,6 +135,25 @@ impl Staging {
     pub(crate) fn write_figure(&mut self, name: &str, figure: &LineFigure) -> Result<(), CliError> {
         self.write_picture(name, &figure.picture()?)?;
         self.write(&format!("{name}.html"), figure.html()?)
+    }
+
+    /// Write a file of an answer.
+    pub(crate) fn write_result(&mut self, file: ResultFile<'_>) -> Result<(), CliError> {
+        match file {
+            ResultFile::Lines(name, figure) => self.write_figure(name, &figure),
+            ResultFile::Maps(name, maps) => {
+                self.write_picture(name, &maps.picture()?)?;
+                self.write(&format!("{name}.html"), maps.html()?)
+            }
+            ResultFile::Table(table) => {
+                let name = format!("{}.csv", table.name);
+                self.write_with(&name, |file| table.csv(file))
+            }
+            ResultFile::Grid(name, grid) => {
+                let path = self.path(&format!("{name}.nc"));
+                Ok(grid.write(&path)?)
+            }
+        }
     }
 
     /// Write a file piece by piece.

@@ -21,12 +21,11 @@ pub(crate) fn wheels_of_curve<'py>(
     let answer = answer.map_err(of_answer)?;
     let maps = (answer.wheels.iter())
         .map(|wheel| {
-            let growth = wheel.growth.as_ref().ok()?;
-            let rates: Vec<f64> = growth.rates_on_the_grid().collect();
+            let rates: Vec<f64> = wheel.in_loop.as_ref()?.rates_on_the_grid().collect();
             Some(rates.to_pyarray(py))
         })
         .collect();
     let axes = [case.case.speed, case.case.wavelength].map(|axis| axis.values().to_pyarray(py));
-    let document = document(py, &answer.document(&case.case))?;
+    let document = document(py, &answer)?;
     Ok((document, axes, maps))
 }

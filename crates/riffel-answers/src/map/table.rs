@@ -6,7 +6,7 @@ use std::path::Path;
 use riffel::{Complex64, GrowthMap};
 
 use crate::AnswerError;
-use crate::netcdf::{Variable, write_netcdf};
+use crate::netcdf::{Grid, Variable};
 
 /// A quantity of every point of a map.
 struct MapOutput {
@@ -107,9 +107,14 @@ pub fn map_netcdf(map: &GrowthMap, title: &str, path: &Path) -> Result<(), Answe
             points.map(|&value| (output.value)(value, rate)).collect()
         }),
     }));
-    let axes = [
+    let axes = vec![
         ("speed", map.speed().points()),
         ("wavelength", map.wavelength().points()),
     ];
-    write_netcdf(path, title, &axes, &variables)
+    Grid {
+        title,
+        axes,
+        variables,
+    }
+    .write(path)
 }

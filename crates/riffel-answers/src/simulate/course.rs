@@ -8,7 +8,7 @@ use riffel_plot::{LinePanel, LineStyle, Series};
 use serde::Serialize;
 
 use crate::AnswerError;
-use crate::netcdf::{Variable, write_netcdf};
+use crate::netcdf::{Grid, Variable};
 
 /// What a wheel does along a rail, place by place.
 #[derive(Debug, Clone, PartialEq, Serialize)]
@@ -127,12 +127,13 @@ impl Course {
                     .map(|values| of(name, unit, long_name, values)),
             );
         }
-        write_netcdf(
-            path,
+        let axes = vec![("position", self.position_m.len())];
+        Grid {
             title,
-            &[("position", self.position_m.len())],
-            &variables,
-        )
+            axes,
+            variables,
+        }
+        .write(path)
     }
 
     /// One row for each place.

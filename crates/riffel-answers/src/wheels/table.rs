@@ -1,132 +1,127 @@
 //! The wheels of a curve as tables.
 
-use std::io::{self, Write};
-use std::path::Path;
-
 use riffel::Axis;
-use riffel_case::Case;
 use riffel_case::file::{ContactOfWheel, CurveRail};
+use riffel_keys::{Message, decimal, fixed, say};
 
 use super::{WheelAnswer, WheelsAnswer};
-use crate::netcdf::{Variable, write_netcdf};
-use crate::{AnswerError, column};
+use crate::forecast::number_alone;
+use crate::netcdf::{Grid, Variable};
+use crate::{Column, Highest, Table, column};
 
-pub(super) fn words(answer: &WheelsAnswer) -> (Vec<&'static str>, Vec<Vec<String>>) {
-    let heading = vec![
-        "wheelset",
-        "rail",
-        "along %",
-        "across %",
-        "spin 1/m",
-        "normal kN",
-        "angle deg",
-        "highest 10⁻⁶ per passage",
-        "mm",
-        "Hz",
-    ];
-    let rows = answer.wheels.iter().map(|wheel| {
-        let state = &wheel.state;
-        let mut row = vec![
-            state.wheelset.to_string(),
-            match wheel.contact {
-                ContactOfWheel::Tread => wheel.rail.name().to_owned(),
-                ContactOfWheel::Flange => format!("{}, flange", wheel.rail.name()),
-            },
-            format!("{:.3}", 100.0 * state.creepages.longitudinal),
-            format!("{:.3}", 100.0 * state.creepages.lateral),
-            format!("{:.3}", state.creepages.spin),
-            format!("{:.1}", 1e-3 * state.normal_force),
-            format!("{:.1}", state.contact_angle.to_degrees()),
-        ];
-        match &wheel.growth {
-            Err(_) => row.push("not in the loop".to_owned()),
-            Ok(growth) => match growth.highest {
-                None => row.push("no growth".to_owned()),
-                Some(highest) => row.extend([
-                    format!("{:.2}", 1e6 * highest.rate),
-                    format!(
-                        "{:.1}{}",
-                        1e3 * highest.wavelength,
-                        if highest.at_edge { " (edge)" } else { "" }
-                    ),
-                    format!("{:.0}", highest.frequency),
-                ]),
-            },
-        }
-        row
-    });
-    (heading, rows.collect())
+fn rail_in_words(rail: CurveRail) -> Message {
+    match rail {
+        CurveRail::Low => say!(low),
+        _ => say!(high),
+    }
 }
 
-pub(super) fn sentence(answer: &WheelsAnswer) -> String {
-    let under = answer.under();
-    let Some((wheel, highest)) = answer.fastest() else {
-        return format!("{under} corrugation grows under no wheel");
+/// One row for each wheel.
+pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
+    let wheels = || answer.wheels.iter();
+    let shown = |head: Message, words: &dyn Fn(&WheelAnswer) -> Message| {
+        Column::shown(head, wheels().map(words).collect())
     };
-    let (rate, mm) = (highest.rate, 1e3 * highest.wavelength);
-    format!(
-        "{under} it grows fastest at {}: {rate:.2e} per passage at {mm:.0} mm, {:.0} Hz",
-        wheel.name, highest.frequency
-    )
-}
-
-pub(super) fn wheels(answer: &WheelsAnswer, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    writer.write_record([
-        "wheelset",
-        "rail",
-        "side",
-        "contact",
-        "longitudinal_creepage",
-        "lateral_creepage",
-        "spin_1_per_m",
-        "normal_force_n",
-        "contact_angle_rad",
-        "tractive_ratio",
-        "share_of_second_contact",
-        "highest_growth_rate_per_passage",
-        "highest_wavelength_m",
-        "highest_frequency_hz",
-        "not_in_loop",
-    ])?;
-    for wheel in &answer.wheels {
-        let WheelAnswer { state, growth, .. } = wheel;
-        let highest = growth.as_ref().ok().and_then(|growth| growth.highest);
-        writer.serialize((
-            state.wheelset,
-            wheel.rail.name(),
-            state.rail.name(),
-            wheel.contact.name(),
-            state.creepages.longitudinal,
-            state.creepages.lateral,
-            state.creepages.spin,
-            state.normal_force,
-            state.contact_angle,
-            state.tractive_ratio,
-            state.share_of_second_contact(),
-            highest.map(|highest| highest.rate),
-            highest.map(|highest| highest.wavelength),
-            highest.map(|highest| highest.frequency),
-            growth.as_ref().err(),
-        ))?;
+    let digits = |head: Message, digits: usize, of: fn(&WheelAnswer) -> f64| {
+        shown(head, &|wheel| number_alone(decimal(of(wheel), digits)))
+    };
+    let number = |name: &str, of: fn(&WheelAnswer) -> f64| Column::exact(name, wheels().map(of));
+    let highest =
+        |name: &str, of: fn(&WheelAnswer) -> Option<f64>| Column::exact(name, wheels().map(of));
+    Table {
+        name: "wheels",
+        columns: vec![
+            Column::names("wheelset", wheels().map(|wheel| wheel.wheelset)),
+            Column::names("rail", wheels().map(|wheel| wheel.rail.name())),
+            Column::names("side", wheels().map(|wheel| wheel.side)),
+            Column::names("contact", wheels().map(|wheel| wheel.contact.name())),
+            number("longitudinal_creepage", |wheel| wheel.longitudinal_creepage),
+            number("lateral_creepage", |wheel| wheel.lateral_creepage),
+            number("spin_1_per_m", |wheel| wheel.spin_1_per_m),
+            number("normal_force_n", |wheel| wheel.normal_force_n),
+            number("contact_angle_rad", |wheel| wheel.contact_angle_rad),
+            number("tractive_ratio", |wheel| wheel.tractive_ratio),
+            number("share_of_second_contact", |wheel| {
+                wheel.share_of_second_contact
+            }),
+            highest("highest_growth_rate_per_passage", |wheel| {
+                Some(wheel.highest?.rate)
+            }),
+            highest("highest_wavelength_m", |wheel| {
+                Some(wheel.highest?.wavelength)
+            }),
+            highest("highest_frequency_hz", |wheel| {
+                Some(wheel.highest?.frequency)
+            }),
+            Column::names(
+                "not_in_loop",
+                wheels().map(|wheel| {
+                    wheel
+                        .not_in_loop
+                        .as_ref()
+                        .map_or_else(String::new, ToString::to_string)
+                }),
+            ),
+            shown(say!(wheelset_column), &|wheel| number_alone(wheel.wheelset)),
+            shown(say!(rail_column), &|wheel| match wheel.contact {
+                ContactOfWheel::Tread => rail_in_words(wheel.rail),
+                ContactOfWheel::Flange => say!(flange_of_rail, rail = rail_in_words(wheel.rail)),
+            }),
+            digits(say!(creeps_along_column), 3, |wheel| {
+                100.0 * wheel.longitudinal_creepage
+            }),
+            digits(say!(creeps_across_column), 3, |wheel| {
+                100.0 * wheel.lateral_creepage
+            }),
+            digits(say!(spin_column), 3, |wheel| wheel.spin_1_per_m),
+            digits(say!(normal_force_column), 1, |wheel| {
+                1e-3 * wheel.normal_force_n
+            }),
+            digits(say!(contact_angle_column), 1, |wheel| {
+                wheel.contact_angle_rad.to_degrees()
+            }),
+            shown(say!(highest_growth_column), &|wheel| match wheel.highest {
+                Some(highest) => number_alone(decimal(1e6 * highest.rate, 2)),
+                None if wheel.in_loop.is_some() => say!(no_growth_in_table),
+                None => say!(not_in_loop_in_table),
+            }),
+            shown(Message::verbatim("mm"), &|wheel| match wheel.highest {
+                Some(Highest {
+                    wavelength,
+                    at_edge: true,
+                    ..
+                }) => say!(at_edge_in_table, value = fixed(1e3 * wavelength, 1)),
+                Some(highest) => number_alone(decimal(1e3 * highest.wavelength, 1)),
+                None => Message::verbatim(""),
+            }),
+            shown(Message::verbatim("Hz"), &|wheel| match wheel.highest {
+                Some(highest) => number_alone(decimal(highest.frequency, 0)),
+                None => Message::verbatim(""),
+            }),
+        ],
     }
-    writer.flush()
 }
-
-pub(super) fn growth(answer: &WheelsAnswer, file: &mut impl Write) -> io::Result<()> {
-    let mut writer = csv::Writer::from_writer(file);
-    let names = answer.in_loop().map(|(wheel, _)| wheel.name.as_str());
-    let columns = column::names(names, "growth_rate_per_passage");
-    writer.write_record(["wavelength_m".to_owned()].iter().chain(&columns))?;
-    for (place, wavelength) in answer.wavelengths.iter().enumerate() {
-        let rates = answer.in_loop().map(|(_, growth)| growth.rates[place]);
-        let row = std::iter::once(*wavelength).chain(rates);
-        writer.write_record(row.map(|value| value.to_string()))?;
+/// One row for each wavelength under the traffic of the curve, a column for each wheel in the loop.
+pub(super) fn growth(answer: &WheelsAnswer) -> Table {
+    let grown = || {
+        (answer.wheels.iter())
+            .filter_map(|wheel| Some((&*wheel.name, wheel.growth_rate_per_passage.as_ref()?)))
+    };
+    let names = column::names(grown().map(|(name, _)| name), "growth_rate_per_passage");
+    let rates = names
+        .iter()
+        .zip(grown())
+        .map(|(name, (_, rates))| Column::in_file(name, rates.iter().copied()));
+    let wavelengths = Column::in_file("wavelength_m", answer.wavelength_m.iter().copied());
+    Table {
+        name: "growth",
+        columns: [wavelengths].into_iter().chain(rates).collect(),
     }
-    writer.flush()
 }
 
-pub(super) fn grid(answer: &WheelsAnswer, case: &Case, path: &Path) -> Result<(), AnswerError> {
+/// Growth rates of all wheels on the grid of the map, by wheel, speed and wavelength; NaN for a wheel that is not in the loop.
+pub(super) fn grid(answer: &WheelsAnswer) -> Grid<'_> {
+    let case = &answer.case;
     let (wavelength, speed) = (case.wavelength, case.speed);
     let points = wavelength.points() * speed.points();
     let of_wheels = |value: fn(&WheelAnswer) -> f64| {
@@ -134,7 +129,7 @@ pub(super) fn grid(answer: &WheelsAnswer, case: &Case, path: &Path) -> Result<()
         Box::new(move || values.clone())
     };
     let of_axis = |axis: Axis| Box::new(move || axis.values());
-    let variables = [
+    let variables = vec![
         Variable {
             name: "wavelength",
             axes: &["wavelength"],
@@ -154,7 +149,7 @@ pub(super) fn grid(answer: &WheelsAnswer, case: &Case, path: &Path) -> Result<()
             axes: &["wheel"],
             unit: "1",
             long_name: "wheelset, 1 leads",
-            values: of_wheels(|wheel| wheel.state.wheelset as f64),
+            values: of_wheels(|wheel| wheel.wheelset as f64),
         },
         Variable {
             name: "high_rail",
@@ -178,20 +173,23 @@ pub(super) fn grid(answer: &WheelsAnswer, case: &Case, path: &Path) -> Result<()
             values: Box::new(move || {
                 let wheels = answer.wheels.iter();
                 wheels
-                    .flat_map(|wheel| match &wheel.growth {
-                        Ok(growth) => growth.rates_on_the_grid().collect(),
-                        Err(_) => vec![f64::NAN; points],
+                    .flat_map(|wheel| match &wheel.in_loop {
+                        Some(wheel) => wheel.rates_on_the_grid().collect(),
+                        None => vec![f64::NAN; points],
                     })
                     .collect()
             }),
         },
     ];
-    let axes = [
+    let axes = vec![
         ("wheel", answer.wheels.len()),
         ("speed", speed.points()),
         ("wavelength", wavelength.points()),
     ];
     let title = case.file.title.as_deref();
-    let title = title.unwrap_or("Growth under the wheels of a curve");
-    write_netcdf(path, title, &axes, &variables)
+    Grid {
+        title: title.unwrap_or("Growth under the wheels of a curve"),
+        axes,
+        variables,
+    }
 }

@@ -47,7 +47,7 @@ impl Question {
     fn of_case(case: &Case) -> Result<Told<Value>, Fault> {
         let case = case.on_curve(Path::new(""), curve::NAME)?;
         let answer = WheelsAnswer::new(&case, |_| ())?;
-        let mut document = json!(answer.document(&case));
+        let mut document = json!(answer);
         // The case with its wheel is the question.
         document
             .as_object_mut()
@@ -57,8 +57,10 @@ impl Question {
             .iter()
             .zip(document["wheels"].as_array_mut().into_iter().flatten())
         {
-            let Ok(growth) = &wheel.growth else { continue };
-            let keys = growth.case.keys_of_curve()?;
+            let Some(in_loop) = &wheel.in_loop else {
+                continue;
+            };
+            let keys = in_loop.case.keys_of_curve()?;
             told["keys"] = json!(keys.into_iter().collect::<BTreeMap<_, _>>());
         }
         document["give_way"] = json!(Case::keys_that_give_way().collect::<Vec<_>>());

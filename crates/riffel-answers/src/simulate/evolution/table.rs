@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::{BandDocument, EvolutionAnswer, EvolutionDocument};
 use crate::AnswerError;
-use crate::netcdf::{Variable, write_netcdf};
+use crate::netcdf::{Grid, Variable};
 
 impl EvolutionAnswer {
     /// One row for each stage and band.
@@ -61,7 +61,7 @@ impl EvolutionAnswer {
     /// [`AnswerError::Grid`].
     pub fn netcdf(&self, title: &str, path: &Path) -> Result<(), AnswerError> {
         let document = self.document();
-        let axes = [
+        let axes = vec![
             ("passages", document.stages.passages.len()),
             ("wavelength", document.bands.len()),
             ("profile_passages", self.profiles.len()),
@@ -102,7 +102,12 @@ impl EvolutionAnswer {
                 }),
             },
         ]);
-        write_netcdf(path, title, &axes, &variables)
+        Grid {
+            title,
+            axes,
+            variables,
+        }
+        .write(path)
     }
 }
 
