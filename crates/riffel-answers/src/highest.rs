@@ -5,7 +5,10 @@ use std::f64::consts::LN_2;
 use riffel::Axis;
 use riffel::growth::GrowthCourse;
 use riffel_case::Case;
+use riffel_keys::{Message, decimal, fixed, say};
 use serde::Serialize;
+
+use crate::forecast::number_alone;
 
 /// The wavelength that grows fastest.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize)]
@@ -48,6 +51,14 @@ impl Highest {
         let [wavelengths, rates] =
             [&course.wavelengths, &course.rates].map(|values| values[from..].to_vec());
         Self::of(&GrowthCourse::of_values(wavelengths, rates), speed)
+    }
+
+    /// The wavelength in a table.
+    pub(crate) fn millimetres(&self) -> Message {
+        match self.at_edge {
+            true => say!(at_edge_in_table, value = fixed(1e3 * self.wavelength, 1)),
+            false => number_alone(decimal(1e3 * self.wavelength, 1)),
+        }
     }
 
     /// Passages in which the amplitude doubles.

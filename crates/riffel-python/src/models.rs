@@ -22,5 +22,5 @@ pub(crate) fn compare_models<'py>(
     let answer = case.compute(py, move |case| {
         ModelsAnswer::new(case, &ModelsRequest { models, speed }, &|_| ())
     })?;
-    document(py, &answer.map_err(of_answer)?.document(&case.case))
+    document(py, &answer.map_err(of_answer)?)
 }

@@ -2,30 +2,24 @@
 
 use riffel::growth::GrowthCourse;
 use riffel_case::Case;
-use riffel_case::model::{FieldModel, Joint, Joints};
+use riffel_case::model::{FieldModel, Joints};
+use serde::Serialize;
 
 use super::on_case;
 use super::passing::Passing;
 use crate::Highest;
 
-/// A joint of a model, replaced alone by that of the case with the exact contact.
-#[derive(Debug, Clone, PartialEq)]
+/// A joint of a model, replaced alone by that of the case with the exact contact, and what that does to growth.
+#[derive(Debug, Clone, PartialEq, Serialize)]
 pub struct Difference {
-    /// The joint.
-    pub joint: Joint,
-    /// What takes its place, in words.
-    pub replaced_by: &'static str,
-    /// What it does to growth; where the model cannot be built with this joint alone replaced, why.
-    pub effect: Result<Effect, String>,
-}
-
-/// What replacing one joint does to growth.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Effect {
-    /// Largest change of the growth rate per passage \[-\] over the wavelengths, without its sign.
-    pub largest_change: f64,
-    /// The fastest wavelength with the joint replaced; none where nothing grows then.
+    /// Key of the joint.
+    pub joint: &'static str,
+    /// Over the wavelengths, without its sign; null where the model cannot be built with this joint alone replaced.
+    pub largest_change_of_growth_rate_per_passage: Option<f64>,
+    /// With the joint replaced; null where nothing grows then.
     pub highest: Option<Highest>,
+    /// Next to the fastest wavelength of the model.
+    pub sentence: String,
 }
 
 impl Difference {
@@ -34,7 +28,7 @@ impl Difference {
     pub(super) fn all(
         case: &Case,
         joints: Joints,
-        course: &GrowthCourse,
+        (course, highest): (&GrowthCourse, Option<Highest>),
         passing: &Passing,
     ) -> Vec<Self> {
         let exact = FieldModel::EXACT.joints;
@@ -42,53 +36,45 @@ impl Difference {
             .differences(exact)
             .map(|joint| {
                 let replaced = joints.with(joint, exact);
-                let changed = on_case(case, replaced, passing);
-                let effect = changed.map(|on| {
+                let effect = on_case(case, replaced, passing).map(|on| {
                     let (changed, highest) = passing.course(&on);
                     let places = course.wavelengths.iter().chain(&changed.wavelengths);
                     let changes = places.map(|&place| (changed.at(place) - course.at(place)).abs());
-                    Effect {
-                        largest_change: changes.fold(0.0, f64::max),
-                        highest,
-                    }
+                    (changes.fold(0.0, f64::max), highest)
                 });
+                let (name, exact) = (joint.name(), replaced.words(joint));
+                let sentence = match &effect {
+                    Ok((_, with)) => format!(
+                        "{name}: from {} to {} with: {exact}",
+                        fastest(highest),
+                        fastest(*with)
+                    ),
+                    Err(reason) => format!("{name}: {exact} cannot take its place alone: {reason}"),
+                };
+                let effect = effect.ok();
                 Self {
-                    joint,
-                    replaced_by: replaced.words(joint),
-                    effect,
+                    joint: joint.key(),
+                    largest_change_of_growth_rate_per_passage: effect.map(|effect| effect.0),
+                    highest: effect.and_then(|effect| effect.1),
+                    sentence,
                 }
             })
             .collect();
-        differences.retain(|difference| difference.change() != Some(0.0));
+        let change = |difference: &Self| difference.largest_change_of_growth_rate_per_passage;
+        differences.retain(|difference| change(difference) != Some(0.0));
         differences.sort_by(|a, b| {
-            let [a, b] = [a, b].map(|difference| difference.change().unwrap_or(-1.0));
+            let [a, b] = [a, b].map(|difference| change(difference).unwrap_or(-1.0));
             b.total_cmp(&a)
         });
         differences
     }
+}
 
-    fn change(&self) -> Option<f64> {
-        let effect = self.effect.as_ref().ok()?;
-        Some(effect.largest_change)
-    }
-
-    /// The difference in a sentence, next to the fastest wavelength of the model.
-    pub fn sentence(&self, highest: Option<Highest>) -> String {
-        let name = self.joint.name();
-        let exact = self.replaced_by;
-        let fastest = |highest: Option<Highest>| match highest {
-            Some(Highest {
-                wavelength, rate, ..
-            }) => format!("{:.3e} at {:.1} mm", rate, 1e3 * wavelength),
-            None => "no growth".to_owned(),
-        };
-        match &self.effect {
-            Ok(effect) => format!(
-                "{name}: from {} to {} with: {exact}",
-                fastest(highest),
-                fastest(effect.highest),
-            ),
-            Err(reason) => format!("{name}: {exact} cannot take its place alone: {reason}"),
-        }
+fn fastest(highest: Option<Highest>) -> String {
+    match highest {
+        Some(Highest {
+            wavelength, rate, ..
+        }) => format!("{rate:.3e} at {:.1} mm", 1e3 * wavelength),
+        None => "no growth".to_owned(),
     }
 }

@@ -1,6 +1,5 @@
 //! Models of the field as pictures.
 
-use riffel_case::Case;
 use riffel_plot::{Area, Arrangement, LineFigure, LinePanel, LineStyle, OKABE_ITO, Rgb, Series};
 
 use super::ModelsAnswer;
@@ -20,59 +19,63 @@ fn look(index: usize) -> (Rgb, LineStyle) {
     (colors[index % colors.len()], style)
 }
 
-fn title(case: &Case) -> String {
-    let title = case.file.title.clone();
+fn title(answer: &ModelsAnswer) -> String {
+    let title = answer.case.file.title.clone();
     title.unwrap_or_else(|| "Models of the field".to_owned())
 }
 
-pub(super) fn growth(answer: &ModelsAnswer, case: &Case) -> LineFigure {
-    let others = answer.on_case().filter(|(model, _)| model.name != "riffel");
-    let ours = answer.on_case().filter(|(model, _)| model.name == "riffel");
+pub(super) fn growth(answer: &ModelsAnswer) -> LineFigure {
+    let others = answer.on_case().filter(|of| of.model.name != "riffel");
+    let ours = answer.on_case().filter(|of| of.model.name == "riffel");
     let looks = (0..).map(look);
     let lines = others
         .zip(looks)
         .chain(ours.zip(std::iter::once((Rgb::BLACK, LineStyle::Solid))))
-        .map(|((model, growth), (color, style))| GrowthLine {
-            label: model.title,
-            rates: &growth.rates,
-            highest: growth.highest,
+        .map(|(of, (color, style))| GrowthLine {
+            label: of.model.title,
+            rates: of.growth_rate_per_passage.as_deref().unwrap_or_default(),
+            highest: of.highest,
             color,
             style,
         });
     LineFigure {
-        title: title(case),
+        title: title(answer),
         caption: format!(
             "Growth {} by the models of the field, positive where corrugation grows; marks: fastest wavelengths. \
              The case: {}",
-            answer.passing(),
-            parameters(case)
+            answer.passing,
+            parameters(&answer.case)
         ),
-        panels: growth_lines::panels(&answer.wavelengths, lines, "model"),
+        panels: growth_lines::panels(&answer.wavelength_m, lines, "model"),
         arrangement: Arrangement::Stacked,
     }
 }
 
-pub(super) fn complex_plane(answer: &ModelsAnswer, case: &Case) -> Option<LineFigure> {
+pub(super) fn complex_plane(answer: &ModelsAnswer) -> Option<LineFigure> {
     let (model, plane) = answer
         .on_case()
-        .find_map(|(model, growth)| Some((model, growth.complex_plane.as_ref()?)))?;
+        .find_map(|of| Some((of.model, of.complex_plane.as_ref()?)))?;
     let mega = 1e-6;
     let places = [
-        ("wheel over a support", &plane.over_support, OKABE_ITO[1]),
-        ("wheel in mid-span", &plane.mid_span, OKABE_ITO[2]),
+        (
+            "wheel over a support",
+            &plane.over_support_j_per_m2,
+            OKABE_ITO[1],
+        ),
+        ("wheel in mid-span", &plane.mid_span_j_per_m2, OKABE_ITO[2]),
     ];
     let all = || places.iter().flat_map(|(_, values, _)| values.iter());
-    let largest = |part: fn(&riffel::Complex64) -> f64| {
-        let parts = all().map(|value| part(value).abs());
+    let largest = |part: usize| {
+        let parts = all().map(|value| value[part].abs());
         1.1 * mega * parts.fold(0.0, f64::max)
     };
-    let (re, im) = (largest(|value| value.re), largest(|value| value.im));
+    let (re, im) = (largest(0), largest(1));
     let mut series = Vec::new();
     for (label, values, color) in places {
-        let line = |values: &[riffel::Complex64], label: &str, style| Series {
+        let line = |values: &[[f64; 2]], label: &str, style| Series {
             label: label.to_owned(),
-            x: values.iter().map(|value| mega * value.re).collect(),
-            y: values.iter().map(|value| mega * value.im).collect(),
+            x: values.iter().map(|value| mega * value[0]).collect(),
+            y: values.iter().map(|value| mega * value[1]).collect(),
             style,
             color: Some(color),
         };
@@ -80,15 +83,15 @@ pub(super) fn complex_plane(answer: &ModelsAnswer, case: &Case) -> Option<LineFi
         // Where the curve begins, at the lowest frequency.
         series.push(line(&values[..1], "", LineStyle::Markers));
     }
-    let (lowest, highest) = (plane.frequencies.first()?, plane.frequencies.last()?);
+    let (lowest, highest) = (plane.frequency_hz.first()?, plane.frequency_hz.last()?);
     Some(LineFigure {
-        title: title(case),
+        title: title(answer),
         caption: format!(
             "Wear in the complex plane as {} draws it, at {:.1} km/h from {lowest:.0} Hz (marks) to {highest:.0} Hz: a wave \
              grows in the left half-plane, shaded, and travels by the imaginary part. The case: {}",
             model.title,
-            3.6 * answer.speed,
-            parameters(case)
+            3.6 * answer.speed_m_per_s,
+            parameters(&answer.case)
         ),
         panels: vec![LinePanel {
             x_label: "Re e₁/Δ [J/m per µm]".to_owned(),

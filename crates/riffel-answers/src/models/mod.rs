@@ -1,27 +1,26 @@
 //! The same case by the models of the field, side by side.
 
 mod difference;
-mod document;
 mod figure;
 mod passing;
-
-use std::io::{self, Write};
 
 use riffel::growth::GrowthCourse;
 use riffel::{Complex64, Loop};
 use riffel_case::Case;
 use riffel_case::model::{FieldModel, Joints, ModelOnCase};
 use riffel_case::traffic::UsualTraffic;
-use riffel_keys::{Message, say, shown_speed};
+use riffel_keys::{Message, decimal, say, shown_speed};
 use riffel_plot::LineFigure;
+use serde::Serialize;
 
 pub use difference::Difference;
-pub use document::ModelsDocument;
 
 use passing::Passing;
 
+use crate::answer::inputs;
+use crate::forecast::number_alone;
 use crate::highest::{Highest, wavelengths_of};
-use crate::{AnswerError, WearLimitDocument};
+use crate::{Answer, AnswerError, Column, ResultFile, Table, WearLimitDocument, column};
 
 /// Points of a curve in the complex plane: a resonance with a loss factor of 0.02 at 1 kHz has ten.
 const PLANE_POINTS: usize = 801;
@@ -35,52 +34,63 @@ pub struct ModelsRequest {
 }
 
 /// Growth by the models of the field at one speed or under the usual traffic, over the wavelengths of the map of a case.
+#[derive(Serialize)]
 pub struct ModelsAnswer {
-    /// The speed, or the mean of the traffic \[m/s\].
-    pub speed: f64,
-    /// The usual traffic, where no speed was asked for: growth is the mean over its speeds.
-    pub usual_traffic: Option<UsualTraffic>,
-    /// Wavelengths \[m\] of the window of the map, rising, close together at narrow lines of any model.
-    pub wavelengths: Vec<f64>,
+    riffel_version: &'static str,
+    #[serde(serialize_with = "inputs")]
+    case: Case,
+    /// The speed, or the mean of the traffic.
+    pub speed_m_per_s: f64,
+    /// Slowest and fastest trains of the usual traffic, over which growth is the mean; null at one speed.
+    pub speeds_m_per_s: Option<[f64; 2]>,
+    /// Of the window of the map, rising, close together at narrow lines of any model.
+    pub wavelength_m: Vec<f64>,
     /// The models in their order.
     pub models: Vec<ModelGrowth>,
+    /// At which speed, or under which traffic.
+    #[serde(skip)]
+    passing: Message,
+    #[serde(skip)]
+    remarks: Vec<Message>,
 }
 
 /// A model, and what it says of a case.
+#[derive(Serialize)]
 pub struct ModelGrowth {
     /// The model.
+    #[serde(flatten)]
     pub model: &'static FieldModel,
-    /// Growth; where the case lacks something, what it needs as the end of a sentence.
-    pub growth: Result<Growth, String>,
-}
-
-/// Growth by one model.
-pub struct Growth {
-    /// Growth rates per passage \[-\] at the wavelengths of the answer.
-    pub rates: Vec<f64>,
-    /// The fastest of the wavelengths; none where nothing grows.
+    /// Whether it can be read from the case.
+    pub applies: bool,
+    /// What the case lacks, as the end of a sentence; null where the model applies.
+    pub not_on_this_case: Option<String>,
+    /// At the wavelengths of the answer; null where the model does not apply.
+    pub growth_rate_per_passage: Option<Vec<f64>>,
+    /// The fastest of the wavelengths; null where nothing grows.
     pub highest: Option<Highest>,
-    /// Mean wear under the model, and how far that growth can last.
-    pub wear_limit: WearLimitDocument,
+    /// Mean wear under the model, and how far that growth can last; left out where the model does not apply.
+    #[serde(flatten)]
+    pub wear_limit: Option<WearLimitDocument>,
     /// By which joints it differs from the case with the exact contact, the one that moves growth most first.
     pub differs_by: Vec<Difference>,
-    /// Wear in the complex plane, of a model whose papers draw it, on discrete supports.
+    /// Null but for a model whose papers draw it, on discrete supports.
     pub complex_plane: Option<ComplexPlane>,
     /// What its reader should know, beyond what is to be known of the case.
     pub remarks: Vec<String>,
-    /// At which frequency its loop oscillates without any profile, if it does.
-    pub unstable: Option<String>,
+    /// That its loop oscillates without any profile, if it does: the last of the remarks.
+    #[serde(skip)]
+    unstable: Option<String>,
 }
 
-/// Energy left on a metre of rail over the amplitude of the profile, e₁/Δ \[J/m²\], over frequency: growth in the left
-/// half-plane.
+/// Energy left on a metre of rail over the amplitude of the profile, e₁/Δ, over frequency: growth in the left half-plane.
+#[derive(Serialize)]
 pub struct ComplexPlane {
-    /// Frequencies \[Hz\], rising.
-    pub frequencies: Vec<f64>,
-    /// With the wheel over a support.
-    pub over_support: Vec<Complex64>,
+    /// Rising.
+    pub frequency_hz: Vec<f64>,
+    /// With the wheel over a support, [re, im].
+    pub over_support_j_per_m2: Vec<[f64; 2]>,
     /// With the wheel in mid-span.
-    pub mid_span: Vec<Complex64>,
+    pub mid_span_j_per_m2: Vec<[f64; 2]>,
 }
 
 impl ModelsAnswer {
@@ -99,7 +109,7 @@ impl ModelsAnswer {
             true => request.models.clone(),
             false => FieldModel::ALL.to_vec(),
         };
-        let (case, passing, usual_traffic) = match request.speed {
+        let (own, passing, usual) = match request.speed {
             None => {
                 let usual = UsualTraffic::of(case);
                 let speeds = usual.traffic()?.speeds()[0].clone();
@@ -112,7 +122,7 @@ impl ModelsAnswer {
             }
         };
         let growth = |model: &'static FieldModel| {
-            let growth = Growth::of(&case, model, &passing);
+            let growth = ModelGrowth::of(&own, model, &passing);
             progress(1);
             match growth {
                 Err(reason) if named => Err(AnswerError::NotOnCase {
@@ -126,60 +136,166 @@ impl ModelsAnswer {
         let models = models?;
         let on_case = models.iter().filter_map(|(_, growth)| growth.as_ref().ok());
         let wavelengths = wavelengths_of(on_case.map(|(_, course, _)| course));
-        let models = models.into_iter().map(|(model, growth)| ModelGrowth {
-            model,
-            growth: growth.map(|(on, _, growth)| Growth {
-                rates: passing.rates(&on, &wavelengths),
+        let models = models.into_iter().map(|(model, growth)| match growth {
+            Ok((on, _, growth)) => ModelGrowth {
+                growth_rate_per_passage: Some(passing.rates(&on, &wavelengths)),
                 ..growth
-            }),
+            },
+            Err(reason) => ModelGrowth {
+                not_on_this_case: Some(reason),
+                ..ModelGrowth::without(model)
+            },
+        });
+        let models: Vec<ModelGrowth> = models.collect();
+        let speed = passing.mean();
+        let unstable = models.iter().filter_map(|of| {
+            let remark = Message::verbatim(of.unstable.clone()?);
+            Some(remark.about(of.model.title))
         });
         Ok(Self {
-            speed: passing.mean(),
-            usual_traffic,
-            models: models.collect(),
-            wavelengths,
+            riffel_version: env!("CARGO_PKG_VERSION"),
+            case: case.clone(),
+            speed_m_per_s: speed,
+            speeds_m_per_s: usual.map(|usual| usual.speeds),
+            passing: match &usual {
+                Some(usual) => say!(compared_under, traffic = usual.in_words()),
+                None => say!(at_speed, speed = shown_speed(speed, 1)),
+            },
+            remarks: case.remarks_at(speed).into_iter().chain(unstable).collect(),
+            models,
+            wavelength_m: wavelengths,
         })
     }
 
-    /// At which speed, or under which traffic.
-    pub fn passing(&self) -> Message {
-        match &self.usual_traffic {
-            Some(usual) => say!(compared_under, traffic = usual.in_words()),
-            None => say!(at_speed, speed = shown_speed(self.speed, 1)),
+    /// The models that are on the case.
+    pub fn on_case(&self) -> impl Iterator<Item = &ModelGrowth> {
+        self.models.iter().filter(|of| of.applies)
+    }
+
+    /// What a reader sees.
+    fn table(&self) -> Table {
+        let on_case = || self.on_case();
+        let shown = |head: Message, of: fn(&Highest) -> Message| {
+            let cell = |of_model: &ModelGrowth| {
+                of_model
+                    .highest
+                    .as_ref()
+                    .map_or_else(|| Message::verbatim(""), of)
+            };
+            Column::shown(head, on_case().map(cell).collect())
+        };
+        let titles = on_case().map(|of| Message::verbatim(of.model.title));
+        let rates = on_case().map(|of| match of.highest {
+            Some(highest) => number_alone(format!("{:+.4}", 1e6 * highest.rate)),
+            None => say!(no_growth_in_table),
+        });
+        Table {
+            name: "models",
+            columns: vec![
+                Column::shown(Message::verbatim(""), titles.collect()),
+                Column::shown(say!(highest_growth_column), rates.collect()),
+                shown(Message::verbatim("mm"), Highest::millimetres),
+                shown(Message::verbatim("Hz"), |highest| {
+                    number_alone(decimal(highest.frequency, 0))
+                }),
+                shown(say!(passages_to_double_column), |highest| {
+                    number_alone(format!("{:.2e}", highest.doubling_passages()))
+                }),
+            ],
         }
     }
 
-    /// The models that are on the case, with their growth.
-    pub fn on_case(&self) -> impl Iterator<Item = (&'static FieldModel, &Growth)> {
-        let models = self.models.iter();
-        models.filter_map(|of| Some((of.model, of.growth.as_ref().ok()?)))
-    }
-
-    /// The models as data: what `riffel compare --models --json` prints.
-    pub fn document<'a>(&'a self, case: &'a Case) -> ModelsDocument<'a> {
-        document::document(self, case)
-    }
-
-    /// Growth over wavelength, a line for each model.
-    pub fn figure(&self, case: &Case) -> LineFigure {
-        figure::growth(self, case)
-    }
-
-    /// Wear in the complex plane; none where no model of the answer draws it.
-    pub fn complex_plane(&self, case: &Case) -> Option<LineFigure> {
-        figure::complex_plane(self, case)
-    }
-
     /// One row for each wavelength, a column for each model on the case.
-    ///
-    /// # Errors
-    /// Those of the file.
-    pub fn growth_csv(&self, file: &mut impl Write) -> io::Result<()> {
-        document::growth_table(self, file)
+    fn growth_table(&self) -> Table {
+        let names = column::names(
+            self.on_case().map(|of| of.model.name),
+            "growth_rate_per_passage",
+        );
+        let rates = self
+            .on_case()
+            .map(|of| of.growth_rate_per_passage.as_deref().unwrap_or_default());
+        let rates = names.iter().zip(rates);
+        let rates = rates.map(|(name, rates)| Column::in_file(name, rates.iter().copied()));
+        let wavelengths = Column::in_file("wavelength_m", self.wavelength_m.iter().copied());
+        Table {
+            name: "growth",
+            columns: [wavelengths].into_iter().chain(rates).collect(),
+        }
     }
 }
 
-impl Growth {
+impl Answer for ModelsAnswer {
+    const NAME: &'static str = "models";
+
+    fn introduction(&self) -> Vec<Message> {
+        let title = self.case.file.title.clone();
+        let title = title.map_or_else(|| say!(models_of_the_field), Message::verbatim);
+        vec![say!(
+            under_title,
+            title = title,
+            passing = self.passing.clone()
+        )]
+    }
+
+    fn tables(&self) -> Vec<Table> {
+        vec![self.table(), self.growth_table()]
+    }
+
+    fn sentences(&self) -> Vec<Message> {
+        let moves = self.on_case().filter_map(|of| {
+            let sentence = &of.differs_by.first()?.sentence;
+            Some(Message::verbatim(format!(
+                "  {}: {sentence}",
+                of.model.title
+            )))
+        });
+        let moves: Vec<Message> = moves.collect();
+        let heading = (!moves.is_empty()).then(|| say!(what_moves_models_most));
+        let left_out = self.models.iter().filter_map(|of| {
+            let reason = of.not_on_this_case.as_deref()?;
+            Some(say!(
+                model_not_on_this_case,
+                model = of.model.title,
+                reason = reason
+            ))
+        });
+        heading.into_iter().chain(moves).chain(left_out).collect()
+    }
+
+    fn figure(&self) -> LineFigure {
+        figure::growth(self)
+    }
+
+    fn files(&self) -> Vec<ResultFile<'_>> {
+        let own = ResultFile::Lines(Self::NAME, self.figure());
+        let plane =
+            figure::complex_plane(self).map(|plane| ResultFile::Lines("complex-plane", plane));
+        let growth = ResultFile::Table(self.growth_table());
+        [own].into_iter().chain(plane).chain([growth]).collect()
+    }
+
+    fn remarks(&self) -> &[Message] {
+        &self.remarks
+    }
+}
+
+impl ModelGrowth {
+    /// A model that does not apply.
+    fn without(model: &'static FieldModel) -> Self {
+        Self {
+            model,
+            applies: false,
+            not_on_this_case: None,
+            growth_rate_per_passage: None,
+            highest: None,
+            wear_limit: None,
+            differs_by: Vec::new(),
+            complex_plane: None,
+            remarks: Vec::new(),
+            unstable: None,
+        }
+    }
+
     /// Growth but for its rates, with its course.
     fn of(
         case: &Case,
@@ -189,13 +305,8 @@ impl Growth {
         let on = on_case(case, model.joints, passing)?;
         let (course, highest) = passing.course(&on);
         let speed = passing.mean();
-        let known = &case.remarks;
-        let remarks = on.case.remarks.iter();
-        let remarks = remarks.filter(|remark| !known.contains(remark));
-        let unstable = on
-            .case
-            .stability(speed)
-            .and_then(|stability| stability.frequency);
+        let stability = on.case.stability(speed);
+        let unstable = stability.and_then(|stability| stability.frequency);
         let unstable = unstable.map(|frequency| {
             format!(
                 "at {:.0} km/h the loop of this model is unstable: near {frequency:.0} Hz it oscillates without any profile, \
@@ -203,17 +314,26 @@ impl Growth {
                 3.6 * speed
             )
         });
+        let remarks = on.case.remarks.iter();
+        let remarks = remarks.filter(|remark| !case.remarks.contains(remark));
         let growth = Self {
-            wear_limit: WearLimitDocument::new(&on.case, highest.map(|highest| highest.rate)),
-            rates: Vec::new(),
+            applies: true,
+            wear_limit: Some(WearLimitDocument::new(
+                &on.case,
+                highest.map(|highest| highest.rate),
+            )),
             highest,
-            differs_by: Difference::all(case, model.joints, &course, passing),
+            differs_by: Difference::all(case, model.joints, (&course, highest), passing),
             complex_plane: model
                 .has_complex_plane()
                 .then(|| ComplexPlane::of(&on, passing.frequencies(case), speed))
                 .flatten(),
-            remarks: remarks.map(ToString::to_string).collect(),
+            remarks: remarks
+                .map(ToString::to_string)
+                .chain(unstable.clone())
+                .collect(),
             unstable,
+            ..Self::without(model)
         };
         Ok((on, course, growth))
     }
@@ -226,18 +346,19 @@ impl ComplexPlane {
         let step = (highest - lowest) / (PLANE_POINTS - 1) as f64;
         let frequencies = (0..PLANE_POINTS).map(|point| lowest + step * point as f64);
         let frequencies: Vec<f64> = frequencies.collect();
-        let wear = |feedback: &Loop| -> Vec<Complex64> {
+        let wear = |feedback: &Loop| -> Vec<[f64; 2]> {
             let states = frequencies.iter();
             let states = states.map(|frequency| feedback.at(speed / frequency, speed));
+            let wear = |wear: Complex64| [wear.re, wear.im];
             states
-                .map(|state| state.dissipation_at_rail / speed / feedback.amplitude())
+                .map(|state| wear(state.dissipation_at_rail / speed / feedback.amplitude()))
                 .collect()
         };
-        let [over_support, mid_span] = places.each_ref().map(wear);
+        let [over_support_j_per_m2, mid_span_j_per_m2] = places.each_ref().map(wear);
         Some(Self {
-            frequencies,
-            over_support,
-            mid_span,
+            frequency_hz: frequencies,
+            over_support_j_per_m2,
+            mid_span_j_per_m2,
         })
     }
 }

@@ -2,12 +2,12 @@
 
 use riffel::Axis;
 use riffel_case::file::{ContactOfWheel, CurveRail};
-use riffel_keys::{Message, decimal, fixed, say};
+use riffel_keys::{Message, decimal, say};
 
 use super::{WheelAnswer, WheelsAnswer};
 use crate::forecast::number_alone;
 use crate::netcdf::{Grid, Variable};
-use crate::{Column, Highest, Table, column};
+use crate::{Column, Table, column};
 
 fn rail_in_words(rail: CurveRail) -> Message {
     match rail {
@@ -85,13 +85,8 @@ pub(super) fn wheels(answer: &WheelsAnswer) -> Table {
                 None if wheel.in_loop.is_some() => say!(no_growth_in_table),
                 None => say!(not_in_loop_in_table),
             }),
-            shown(Message::verbatim("mm"), &|wheel| match wheel.highest {
-                Some(Highest {
-                    wavelength,
-                    at_edge: true,
-                    ..
-                }) => say!(at_edge_in_table, value = fixed(1e3 * wavelength, 1)),
-                Some(highest) => number_alone(decimal(1e3 * highest.wavelength, 1)),
+            shown(Message::verbatim("mm"), &|wheel| match &wheel.highest {
+                Some(highest) => highest.millimetres(),
                 None => Message::verbatim(""),
             }),
             shown(Message::verbatim("Hz"), &|wheel| match wheel.highest {

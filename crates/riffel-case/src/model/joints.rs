@@ -1,5 +1,7 @@
 //! The joints of a model of the field, each as one of the choices that the models differ by.
 
+use serde::{Serialize, Serializer};
+
 use crate::file::Rotation;
 
 /// A joint of the loop by which models differ.
@@ -82,6 +84,13 @@ pub struct Joints {
     pub(crate) wave_geometry: bool,
     pub(crate) place_of_wear: PlaceOfWearJoint,
     pub(crate) wear: WearJoint,
+}
+
+impl Serialize for Joints {
+    /// Key and words of each joint.
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_map(Joint::ALL.map(|joint| (joint.key(), self.words(joint))))
+    }
 }
 
 /// Rail and supports.

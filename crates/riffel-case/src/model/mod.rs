@@ -22,6 +22,7 @@ pub use joints::{Joint, Joints};
 pub(crate) use on_case::half;
 pub use on_case::{ModelOnCase, NotOnCase};
 
+use serde::Serialize;
 use thiserror::Error;
 
 /// No model has this name.
@@ -30,7 +31,7 @@ use thiserror::Error;
 pub struct UnknownModel(pub String);
 
 /// A model of the field.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize)]
 #[non_exhaustive]
 pub struct FieldModel {
     /// Name on the command line and in documents.
@@ -39,14 +40,14 @@ pub struct FieldModel {
     pub title: &'static str,
     /// Where it was published.
     pub source: &'static str,
-    /// What stands at each joint.
-    pub joints: Joints,
     /// What it takes for given.
     pub assumptions: &'static [&'static str],
     /// What of the case it leaves out.
     pub leaves_out: &'static [&'static str],
     /// What is not known of the paper, and what stands in for it.
     pub not_given: &'static [&'static str],
+    /// What stands at each joint.
+    pub joints: Joints,
 }
 
 impl FieldModel {
