@@ -1,6 +1,7 @@
 //! What a wheel has felt of a rail.
 
-use crate::roughness::{Profile, WavelengthBand};
+use super::segment::FADE;
+use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
 
 /// The roughness that a wheel has felt along a piece of line.
 #[derive(Debug, Clone, PartialEq)]
@@ -15,6 +16,14 @@ pub struct FeltProfile {
 }
 
 impl FeltProfile {
+    /// Whether every other height tells as much: the shortest waves, which fade, become none of a known wavelength.
+    pub(super) fn is_told_by_half(&self) -> bool {
+        let [slowest, _, fastest] = self.speeds;
+        let known = self.known.from().recip();
+        let fading = known * 10f64.powf(ThirdOctave::HALF_WIDTH_DECADES) * FADE * fastest / slowest;
+        known + fading <= 0.5 / self.profile.spacing()
+    }
+
     /// Whether two records of one length of rail are one signal, each a multiple of the other: two axle boxes feel the rail one after
     /// the other, and each its own wheel and noise.
     pub fn is_multiple(&self, other: &Self) -> bool {

@@ -4,7 +4,7 @@ use std::f64::consts::FRAC_PI_2;
 
 use num_complex::Complex64;
 
-use super::transforms::{backward, forward};
+use super::transforms::{backward, forward, length};
 use super::{AxleBoxTransfer, FeltProfile, Inverse, RunSettings};
 use crate::Error;
 use crate::roughness::{Profile, ThirdOctave, WavelengthBand};
@@ -15,7 +15,7 @@ const FINER: usize = 4;
 /// taken.
 const PASSED: (f64, f64) = (0.4, 0.48);
 /// Ratio of frequencies over which what is let through fades.
-const FADE: f64 = 1.25;
+pub(super) const FADE: f64 = 1.25;
 
 /// Samples with what lies before and behind them.
 pub(super) struct Segment<'a> {
@@ -83,7 +83,7 @@ impl Segment<'_> {
         passed: (f64, f64),
     ) -> Vec<f64> {
         let samples = self.accelerations.len();
-        let size = samples.next_power_of_two();
+        let size = length(samples);
         let mut input = vec![0.0; size];
         let ramp = (self.edge / 2).max(1);
         for (index, (value, acceleration)) in input.iter_mut().zip(self.accelerations).enumerate() {

@@ -9,7 +9,17 @@ thread_local! {
     static KEPT: RefCell<(RealFftPlanner<f64>, Vec<Complex64>)> = RefCell::new((RealFftPlanner::new(), Vec::new()));
 }
 
-/// The transform of as many values as a power of two, as few lengths are kept; they are lost.
+/// The least length of a transform from a number up: those of few lengths take little time, and their tables are kept.
+pub(super) fn length(least: usize) -> usize {
+    let sixteenth = least.next_power_of_two() / 16;
+    let lengths = [9, 10, 12, 15].map(|count| count * sixteenth);
+    let enough = lengths
+        .into_iter()
+        .find(|length| *length >= least && length % 4 == 0);
+    enough.unwrap_or_else(|| least.next_power_of_two())
+}
+
+/// The transform of values of a [`length`]; they are lost.
 pub(super) fn forward(values: &mut [f64]) -> Vec<Complex64> {
     KEPT.with_borrow_mut(|(planner, scratch)| {
         let transform = planner.plan_fft_forward(values.len());
@@ -22,7 +32,7 @@ pub(super) fn forward(values: &mut [f64]) -> Vec<Complex64> {
     })
 }
 
-/// The transform of lines back to as many values as a power of two; the lines are lost.
+/// The transform of lines back to values of a [`length`]; the lines are lost.
 pub(super) fn backward(lines: &mut [Complex64]) -> Vec<f64> {
     // Of the lines without a counterpart the imaginary parts are nothing but rounded.
     lines[0].im = 0.0;

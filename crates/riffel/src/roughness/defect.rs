@@ -1,5 +1,6 @@
 //! Single defects of a rail: welds, joints and squats.
 
+use std::collections::VecDeque;
 use std::ops::Range;
 
 use super::{BandPass, Profile, WavelengthBand};
@@ -273,51 +274,83 @@ fn deviations(waves: &[f64], spacing: f64) -> Vec<f64> {
     let near = (NEIGHBOURS / spacing) as usize;
     // Every so many samples are enough for a median.
     let step = (0.01 / spacing).ceil().max(1.0) as usize;
+    let heights: Vec<f64> = waves.iter().step_by(step).map(|wave| wave.abs()).collect();
     let starts = (0..waves.len()).step_by(cell(spacing));
-    let mut middle = Middle::default();
+    let mut middle = Middle::of(&heights);
     starts
         .map(|start| {
-            let around = start.saturating_sub(near)..(start + near).min(waves.len());
-            let median = middle.of(waves[around].iter().step_by(step));
+            let (from, to) = (start.saturating_sub(near), (start + near).min(waves.len()));
+            let median = middle.within(from.div_ceil(step)..to.div_ceil(step));
             (median / MEDIAN).max(f64::MIN_POSITIVE)
         })
         .collect()
 }
 
-/// The middle of numbers without their signs, which is looked for near the one before.
-#[derive(Default)]
-struct Middle {
-    last: f64,
-    near: Vec<f64>,
+/// The middle of the numbers in a window that moves on: of those far from the middle before, it is enough to know how many are below.
+struct Middle<'a> {
+    numbers: &'a [f64],
+    window: Range<usize>,
+    /// Between which numbers are near.
+    ends: (f64, f64),
+    below: usize,
+    /// Numbers in the window that are near, in their order.
+    near: VecDeque<f64>,
+    sorted: Vec<f64>,
 }
 
-impl Middle {
-    fn of<'a>(&mut self, numbers: impl ExactSizeIterator<Item = &'a f64> + Clone) -> f64 {
-        /// Parts of the middle before between which this one is mostly.
-        const NEAR: (f64, f64) = (0.8, 1.25);
-        let (from, to) = (NEAR.0 * self.last, NEAR.1 * self.last);
-        let middle = numbers.len() / 2;
-        self.near.resize(numbers.len(), 0.0);
-        // Numbers are written whether they are near or not, as that takes less time than to ask.
-        let (mut below, mut near) = (0, 0);
-        for number in numbers.clone() {
-            let number = number.abs();
-            self.near[near] = number;
-            below += usize::from(number < from);
-            near += usize::from(from <= number && number <= to);
+impl<'a> Middle<'a> {
+    fn of(numbers: &'a [f64]) -> Self {
+        Self {
+            numbers,
+            window: 0..0,
+            ends: (0.0, 0.0),
+            below: 0,
+            near: VecDeque::new(),
+            sorted: Vec::new(),
         }
-        if !(below..below + near).contains(&middle) {
-            (below, near) = (0, numbers.len());
-            for (kept, number) in self.near.iter_mut().zip(numbers) {
-                *kept = number.abs();
+    }
+
+    fn within(&mut self, window: Range<usize>) -> f64 {
+        /// Parts of the middle between which numbers are near.
+        const NEAR: (f64, f64) = (0.9, 1.1);
+        let (from, to) = self.ends;
+        for &number in &self.numbers[self.window.start..window.start] {
+            self.below -= usize::from(number < from);
+            if from <= number && number <= to {
+                self.near.pop_front();
             }
         }
-        let near = &mut self.near[..near];
-        self.last = *near
-            .select_nth_unstable_by(middle - below, f64::total_cmp)
-            .1;
-        self.last
+        for &number in &self.numbers[self.window.end..window.end] {
+            self.below += usize::from(number < from);
+            if from <= number && number <= to {
+                self.near.push_back(number);
+            }
+        }
+        self.window = window.clone();
+        let place = window.len() / 2;
+        self.sorted.clear();
+        if (self.below..self.below + self.near.len()).contains(&place) {
+            self.sorted.extend(&self.near);
+            return middle(&mut self.sorted, place - self.below);
+        }
+        let numbers = &self.numbers[window];
+        self.sorted.extend(numbers);
+        let found = middle(&mut self.sorted, place);
+        let (from, to) = (NEAR.0 * found, NEAR.1 * found);
+        self.ends = (from, to);
+        self.below = numbers.iter().filter(|number| **number < from).count();
+        let near = numbers
+            .iter()
+            .filter(|number| from <= **number && **number <= to);
+        self.near.clear();
+        self.near.extend(near);
+        found
     }
+}
+
+/// The number at a place of some in their order.
+fn middle(numbers: &mut [f64], place: usize) -> f64 {
+    *numbers.select_nth_unstable_by(place, f64::total_cmp).1
 }
 
 /// The samples about one that stands out, to where the rail is calm on either side.
@@ -399,6 +432,23 @@ mod tests {
             }
         }
         heights
+    }
+
+    #[test]
+    fn the_middle_of_a_moving_window_is_that_of_its_numbers() {
+        // It rises by twelve times, and is the same for a while.
+        let number = |index: usize| {
+            let mixed = (index * index * 37 % 101) as f64 / 101.0;
+            mixed.powi(2) * (1.0 + (index / 300 * 300) as f64 / 80.0)
+        };
+        let numbers: Vec<f64> = (0..900).map(number).collect();
+        let mut moving = Middle::of(&numbers);
+        for start in (0..900).step_by(17) {
+            let window = start.max(120) - 120..(start + 120).min(900);
+            let mut own = numbers[window.clone()].to_vec();
+            own.sort_by(f64::total_cmp);
+            assert_eq!(moving.within(window), own[own.len() / 2], "{start}");
+        }
     }
 
     #[test]

@@ -47,15 +47,15 @@ impl KeptLines {
 }
 
 /// Waves over half a part: of sums and differences of two heights as far from either end, cosines see the sums and sines
-/// the differences.
+/// the differences. The first height, which the window hides, has no counterpart and is left out.
 pub(super) struct FewLines {
     samples: usize,
-    /// Hann window, zero behind the middle; half of it in the middle, which is its own counterpart.
+    /// Hann window up to the middle, zero behind it; half of it in the middle, which is its own counterpart.
     window: Vec<f64>,
-    /// Distance from the middle in samples, twice, times the window.
-    ramp: Vec<f64>,
     /// Of each line the cosine and the sine.
     waves: Vec<[Vec<f64>; 2]>,
+    /// What each line has of twice a mean of one, and of a slope of one a sample.
+    trends: Vec<[f64; 2]>,
     /// Of |DFT|² to the mean square of both signs of a wavenumber.
     scale: f64,
 }
@@ -63,35 +63,44 @@ pub(super) struct FewLines {
 impl FewLines {
     fn new(samples: usize, lines: RangeInclusive<usize>) -> Self {
         let half = samples / 2;
-        let row = (half + 1).next_multiple_of(LANES);
+        let row = half.next_multiple_of(LANES);
         let mut weights = window(samples);
         let energy: f64 = weights.iter().map(|weight| weight * weight).sum();
         weights.truncate(half + 1);
         if 2 * half == samples {
             weights[half] *= 0.5;
         }
+        weights.remove(0);
         weights.resize(row, 0.0);
-        let places = (0..row).map(|index| 2.0 * index as f64 - samples as f64);
         let circle: Vec<(f64, f64)> = (0..samples)
             .map(|index| (TAU * index as f64 / samples as f64).sin_cos())
             .collect();
         let wave = |line: usize, part: fn(&(f64, f64)) -> f64| {
-            let mut values: Vec<f64> = (0..=half)
+            let mut values: Vec<f64> = (1..=half)
                 .map(|index| part(&circle[line * index % samples]))
                 .collect();
             values.resize(row, 0.0);
             values
         };
+        let waves: Vec<[Vec<f64>; 2]> = lines
+            .map(|line| [wave(line, |at| at.1), wave(line, |at| at.0)])
+            .collect();
+        let trend = |[cosine, sine]: &[Vec<f64>; 2]| {
+            let of_mean = weights.iter().zip(cosine);
+            let of_slope = weights.iter().zip(sine).enumerate();
+            let place = |index: usize| 2.0 * (index + 1) as f64 - samples as f64;
+            [
+                of_mean.map(|(weight, wave)| weight * wave).sum(),
+                of_slope
+                    .map(|(index, (weight, wave))| place(index) * weight * wave)
+                    .sum(),
+            ]
+        };
         Self {
             samples,
-            ramp: places
-                .zip(&weights)
-                .map(|(place, weight)| place * weight)
-                .collect(),
+            trends: waves.iter().map(trend).collect(),
             window: weights,
-            waves: lines
-                .map(|line| [wave(line, |at| at.1), wave(line, |at| at.0)])
-                .collect(),
+            waves,
             scale: 2.0 / (samples as f64 * energy),
         }
     }
@@ -112,45 +121,52 @@ impl FewLines {
         sums
     }
 
-    /// Sums and differences of heights as far from either end, without mean and trend, through the window.
+    /// Sums and differences of heights as far from either end, through the window; twice the mean of the heights, and their slope.
     #[inline(always)]
-    fn fold(&self, heights: &[f64], sums: &mut [f64], differences: &mut [f64]) {
+    fn fold(&self, heights: &[f64], sums: &mut [f64], differences: &mut [f64]) -> [f64; 2] {
         let (count, half) = (self.samples as f64, self.samples / 2);
-        // The first height, which the window hides, has no counterpart.
-        sums[0] = heights[0];
-        let pairs = heights[1..=half].iter().zip(heights.iter().rev());
-        let folded = sums[1..].iter_mut().zip(&mut differences[1..]);
-        for ((sum, difference), (one, other)) in folded.zip(pairs) {
-            (*sum, *difference) = (one + other, one - other);
-        }
+        let (before, rest_before) = heights[1..=half].as_chunks::<LANES>();
+        let (rest_behind, behind) = heights[self.samples - half..].as_rchunks::<LANES>();
         let mut total = [0.0; LANES];
         let mut moment = [0.0; LANES];
-        let mut place = std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * lane as f64 - count);
-        let all = sums.as_chunks().0.iter().zip(differences.as_chunks().0);
-        for (sums, differences) in all {
-            let (sums, differences): (&[f64; LANES], &[f64; LANES]) = (sums, differences);
+        let mut place =
+            std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * (lane + 1) as f64 - count);
+        let folded = sums.as_chunks_mut().0.iter_mut();
+        let folded = folded
+            .zip(differences.as_chunks_mut().0)
+            .zip(self.window.as_chunks().0);
+        let pairs = before.iter().zip(behind.iter().rev());
+        for (((sums, differences), weights), (one, other)) in folded.zip(pairs) {
+            let (sums, differences): (&mut [f64; LANES], &mut [f64; LANES]) = (sums, differences);
+            let weights: &[f64; LANES] = weights;
             for lane in 0..LANES {
-                total[lane] += sums[lane];
-                moment[lane] += place[lane] * differences[lane];
+                let (one, other) = (one[lane], other[LANES - 1 - lane]);
+                total[lane] += one + other;
+                moment[lane] += place[lane] * (one - other);
                 place[lane] += 2.0 * LANES as f64;
+                sums[lane] = weights[lane] * (one + other);
+                differences[lane] = weights[lane] * (one - other);
             }
+        }
+        let (mut total, mut moment) = (total.iter().sum::<f64>(), moment.iter().sum::<f64>());
+        let first = half - rest_before.len();
+        let pairs = rest_before.iter().zip(rest_behind.iter().rev());
+        for (index, (one, other)) in (first..).zip(pairs) {
+            total += one + other;
+            moment += (2.0 * (index + 1) as f64 - count) * (one - other);
+            sums[index] = self.window[index] * (one + other);
+            differences[index] = self.window[index] * (one - other);
         }
         let middle = if 2 * half == self.samples {
             heights[half]
         } else {
             0.0
         };
-        let mean = (total.iter().sum::<f64>() - middle) / count;
+        let mean = (heights[0] + total - middle) / count;
         // About the middle of the samples, half a step before that of the window.
-        let moment = 0.5 * (moment.iter().sum::<f64>() - count * heights[0]) + 0.5 * count * mean;
+        let moment = 0.5 * (moment - count * heights[0]) + 0.5 * count * mean;
         let slope = moment / (count * (count * count - 1.0) / 12.0);
-        let twice = 2.0 * mean + slope;
-        let rows = self.window.iter().zip(&self.ramp);
-        let folded = sums.iter_mut().zip(differences.iter_mut());
-        for ((sum, difference), (weight, ramp)) in folded.zip(rows) {
-            *sum = weight * (*sum - twice);
-            *difference = weight * *difference - slope * ramp;
-        }
+        [2.0 * mean + slope, slope]
     }
 }
 
@@ -196,36 +212,53 @@ impl FewLines {
         folded: &mut [Folded; P],
         powers: &mut [f64],
     ) {
-        for ((heights, _), [sums, differences]) in parts.iter().zip(folded.iter_mut()) {
-            self.fold(heights, sums, differences);
+        let mut trends = [[0.0; 2]; P];
+        let all = parts.iter().zip(folded.iter_mut()).zip(&mut trends);
+        for (((heights, _), [sums, differences]), trend) in all {
+            *trend = self.fold(heights, sums, differences);
         }
-        let (folded, shares) = (folded.each_ref(), parts.each_ref().map(|(_, share)| *share));
+        let shares = parts.each_ref().map(|(_, share)| *share);
+        let seen = (folded.each_ref(), trends, shares);
         let (waves, rest) = self.waves.as_chunks::<AT_ONCE>();
+        let (trends, rest_of_trends) = self.trends.as_chunks::<AT_ONCE>();
         let (some, last) = powers.as_chunks_mut::<AT_ONCE>();
-        for (powers, waves) in some.iter_mut().zip(waves) {
-            add_powers(simd, powers, folded, waves, shares);
+        for ((powers, waves), trends) in some.iter_mut().zip(waves).zip(trends) {
+            add_powers(simd, powers, seen, waves, trends);
         }
         let last = last.as_chunks_mut::<1>().0.iter_mut();
-        for (power, wave) in last.zip(rest.as_chunks::<1>().0) {
-            add_powers(simd, power, folded, wave, shares);
+        let rest = rest
+            .as_chunks::<1>()
+            .0
+            .iter()
+            .zip(rest_of_trends.as_chunks::<1>().0);
+        for (power, (wave, trend)) in last.zip(rest) {
+            add_powers(simd, power, seen, wave, trend);
         }
     }
 }
+
+/// Parts with their trends and shares.
+type Seen<'a, const P: usize> = ([&'a Folded; P], [[f64; 2]; P], [f64; P]);
 
 /// Add the powers of N lines in P parts.
 #[inline(always)]
 fn add_powers<S: Simd, const N: usize, const P: usize>(
     simd: S,
     powers: &mut [f64; N],
-    folded: [&Folded; P],
+    (folded, trends, shares): Seen<'_, P>,
     waves: &[[Vec<f64>; 2]; N],
-    shares: [f64; P],
+    trends_of_lines: &[[f64; 2]; N],
 ) {
     let mut both = [[[0.0; N]; P]; 2];
     for (half, found) in both.iter_mut().enumerate() {
         let rows = std::array::from_fn(|part| &folded[part][half][..]);
         let waves = std::array::from_fn(|line| &waves[line][half][..]);
         *found = products(simd, rows, waves);
+        for (found, trend) in found.iter_mut().zip(&trends) {
+            for (found, of_line) in found.iter_mut().zip(trends_of_lines) {
+                *found -= trend[half] * of_line[half];
+            }
+        }
     }
     let [re, im] = &both;
     for ((re, im), share) in re.iter().zip(im).zip(shares) {

@@ -5,14 +5,14 @@ use std::ops::Range;
 
 use num_complex::Complex64;
 
-use super::super::transforms::{backward, forward};
+use super::super::transforms::{backward, forward, length};
 use super::expected::{Expected, MOST_TURNS};
 
 /// A course as a sum of waves.
 pub(super) struct Lines {
     /// Wavenumber of a line \[1/m\].
     step: f64,
-    /// Of a transform of `size` heights, mean square one for a height of one.
+    /// The first of a transform of `size` heights, mean square one for a height of one; the others are nothing.
     lines: Vec<Complex64>,
     size: usize,
     /// Heights that there are.
@@ -21,12 +21,16 @@ pub(super) struct Lines {
 }
 
 impl Lines {
-    pub(super) fn of(heights: &[f64], spacing: f64) -> Self {
-        let size = (2 * heights.len()).next_power_of_two();
-        let mut input = vec![0.0; size];
-        input[..heights.len()].copy_from_slice(heights);
+    /// Of every so many heights.
+    pub(super) fn of(heights: &[f64], spacing: f64, every: usize) -> Self {
+        let short = length((2 * heights.len()).div_ceil(every));
+        let mut input = vec![0.0; short];
+        for (value, height) in input.iter_mut().zip(heights.iter().step_by(every)) {
+            *value = *height;
+        }
         let mut lines = forward(&mut input);
-        let scale = 1.0 / ((size * heights.len()) as f64).sqrt();
+        let size = every * short;
+        let scale = every as f64 / ((size * heights.len()) as f64).sqrt();
         lines.iter_mut().for_each(|line| *line *= scale);
         Self {
             step: 1.0 / (size as f64 * spacing),
@@ -38,6 +42,7 @@ impl Lines {
     }
 
     fn back(&self, mut lines: Vec<Complex64>) -> Vec<f64> {
+        lines.resize(self.size / 2 + 1, Complex64::ZERO);
         let mut heights = backward(&mut lines);
         heights.truncate(self.count);
         let scale = (self.count as f64 / self.size as f64).sqrt();
@@ -73,7 +78,8 @@ impl Lines {
             let kept = power > LEAST * most;
             if kept { line.norm_sqr() / power } else { 0.0 }
         });
-        let even: Vec<f64> = even.collect();
+        let mut even: Vec<f64> = even.collect();
+        even.resize(self.size / 2 + 1, 0.0);
         let found = first_of_back(&even, steps.min(self.count));
         let share = |index: usize| (self.count - index) as f64 / self.count as f64;
         let all = found.iter().enumerate();
@@ -138,9 +144,11 @@ impl Lines {
             else {
                 continue;
             };
-            // The top of the parabola through three lines.
-            let [before, at, behind] = [highest - 1, highest, highest + 1].map(power);
+            // The top of the parabola through the logarithms of three lines.
+            let level = |line: usize| power(line).max(f64::MIN_POSITIVE).ln();
+            let [before, at, behind] = [highest - 1, highest, highest + 1].map(level);
             let bend = before - 2.0 * at + behind;
+            let at = power(highest);
             let top = if bend < 0.0 {
                 0.5 * (before - behind) / bend
             } else {
@@ -204,8 +212,10 @@ impl Lines {
 /// transform takes less time.
 fn first_of_back(lines: &[f64], count: usize) -> Vec<f64> {
     let size = 2 * (lines.len() - 1);
-    let short = (2 * count).next_power_of_two().min(size);
-    let apart = size / short;
+    let apart = (1..=size / (2 * count))
+        .rev()
+        .find(|apart| size % (2 * apart) == 0)
+        .unwrap_or(1);
     let mut found = vec![0.0; count];
     for first in 0..=apart / 2 {
         let all = (first..size).step_by(apart);

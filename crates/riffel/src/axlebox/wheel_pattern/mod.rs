@@ -75,7 +75,10 @@ impl WheelPattern {
     ) -> Result<Vec<Option<Self>>, Error> {
         let lines: Vec<Lines> = felt
             .iter()
-            .map(|felt| Lines::of(felt.profile.heights(), felt.profile.spacing()))
+            .map(|felt| {
+                let (heights, spacing) = (felt.profile.heights(), felt.profile.spacing());
+                Lines::of(heights, spacing, 1 + usize::from(felt.is_told_by_half()))
+            })
             .collect();
         let mut found = Vec::new();
         for (index, felt) in felt.iter_mut().enumerate() {
