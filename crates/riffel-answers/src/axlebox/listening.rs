@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, Sample, WheelPattern};
+use riffel::axlebox::{AxleBoxTransfer, FeltProfile, Run, WheelPattern};
 use riffel::roughness::{AnalysisSettings, RailAnalysis, Spectrum, ThirdOctave, WavelengthBand};
 use riffel_case::Case;
 use riffel_keys::{CaseError, Message};
@@ -183,7 +183,7 @@ pub(super) fn listen(
     let transfer = AxleBoxTransfer::new(case.places(), case.known_frequencies());
     let settings = request.run(case, file.rate());
     let asked = WavelengthBand::new(request.shortest, request.longest)?;
-    let mut channels = Vec::new();
+    let (mut runs, mut places) = (Vec::new(), Vec::new());
     for name in file.channels() {
         let place = heard
             .iter()
@@ -192,7 +192,8 @@ pub(super) fn listen(
                 heard.push(Heard::new(name, asked));
                 heard.len() - 1
             });
-        channels.push((Run::new(&transfer, settings)?, place));
+        runs.push(Run::new(&transfer, settings)?);
+        places.push(place);
     }
     let at_fault = |error: riffel::Error| CaseError::Physics {
         input: path.display().to_string(),
@@ -208,24 +209,25 @@ pub(super) fn listen(
     let mut longest = Longest::default();
     let mut visit = |reading: AxleBoxReading<'_>| {
         longest.hear(reading, file.rate());
-        // Segments of all channels are finished at once, as they have one place.
-        let mut finished = Vec::new();
-        for (index, (run, place)) in channels.iter_mut().enumerate() {
-            match reading {
-                AxleBoxReading::Sample(accelerations, position) => run.push(Sample {
-                    acceleration: accelerations[index],
-                    position,
-                }),
-                AxleBoxReading::Gap => run.interrupt(),
+        match reading {
+            AxleBoxReading::Sample(accelerations, position) => {
+                if !Run::push_each(&mut runs, accelerations, position).map_err(at_fault)? {
+                    return Ok(());
+                }
             }
-            .map_err(at_fault)?;
+            AxleBoxReading::Gap => {
+                for run in &mut runs {
+                    run.interrupt().map_err(at_fault)?;
+                }
+            }
+        }
+        // Segments of all channels are finished at once, as they have one place.
+        let all = places.iter().zip(&mut runs);
+        let finished = all.flat_map(|(place, run)| {
             let own = run.finished().into_iter();
-            finished.extend(own.map(|felt| (*place, felt)));
-        }
-        match finished.is_empty() {
-            true => Ok(()),
-            false => take(finished).map_err(at_fault),
-        }
+            own.map(|felt| (*place, felt))
+        });
+        take(finished.collect()).map_err(at_fault)
     };
     let (warnings, end) = file.read(before, &mut visit, progress)?;
     visit(AxleBoxReading::Gap)?;

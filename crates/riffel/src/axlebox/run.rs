@@ -159,6 +159,26 @@ impl<'a> Run<'a> {
         self.smooth()
     }
 
+    /// The next sample of some channels, each with its acceleration; whether a segment of any is whole.
+    ///
+    /// # Errors
+    /// As [`push`](Self::push).
+    pub fn push_each(
+        runs: &mut [Self],
+        accelerations: &[f64],
+        position: f64,
+    ) -> Result<bool, Error> {
+        let mut is_whole = false;
+        for (run, &acceleration) in runs.iter_mut().zip(accelerations) {
+            run.push(Sample {
+                acceleration,
+                position,
+            })?;
+            is_whole |= !run.finished.is_empty();
+        }
+        Ok(is_whole)
+    }
+
     /// A gap, or the end: what comes next does not join on.
     ///
     /// # Errors

@@ -14,9 +14,9 @@ use super::hann_window::{BATCH, window};
 const MOST_LINES: usize = 32;
 /// Rows of waves that are kept, of some 300 kB each.
 const MOST_KEPT: usize = 128;
-/// Lines that are summed at once, and parts: their sums and what they are made of fit into sixteen registers.
+/// Lines that are summed at once, and parts: their sums and what they are made of fit into sixteen registers with room.
 const AT_ONCE: usize = 4;
-const PARTS: usize = 3;
+const PARTS: usize = 2;
 /// Numbers of which a row has a multiple, as registers have at most as many lanes.
 const LANES: usize = 8;
 
@@ -125,38 +125,29 @@ impl FewLines {
     #[inline(always)]
     fn fold(&self, heights: &[f64], sums: &mut [f64], differences: &mut [f64]) -> [f64; 2] {
         let (count, half) = (self.samples as f64, self.samples / 2);
-        let (before, rest_before) = heights[1..=half].as_chunks::<LANES>();
-        let (rest_behind, behind) = heights[self.samples - half..].as_rchunks::<LANES>();
+        let pairs = heights[1..=half].iter().zip(heights.iter().rev());
+        let folded = sums.iter_mut().zip(differences.iter_mut());
+        for ((sum, difference), (one, other)) in folded.zip(pairs) {
+            (*sum, *difference) = (one + other, one - other);
+        }
         let mut total = [0.0; LANES];
         let mut moment = [0.0; LANES];
         let mut place =
             std::array::from_fn::<f64, LANES, _>(|lane| 2.0 * (lane + 1) as f64 - count);
         let folded = sums.as_chunks_mut().0.iter_mut();
-        let folded = folded
-            .zip(differences.as_chunks_mut().0)
-            .zip(self.window.as_chunks().0);
-        let pairs = before.iter().zip(behind.iter().rev());
-        for (((sums, differences), weights), (one, other)) in folded.zip(pairs) {
+        let folded = folded.zip(differences.as_chunks_mut().0);
+        for ((sums, differences), weights) in folded.zip(self.window.as_chunks().0) {
             let (sums, differences): (&mut [f64; LANES], &mut [f64; LANES]) = (sums, differences);
             let weights: &[f64; LANES] = weights;
             for lane in 0..LANES {
-                let (one, other) = (one[lane], other[LANES - 1 - lane]);
-                total[lane] += one + other;
-                moment[lane] += place[lane] * (one - other);
+                total[lane] += sums[lane];
+                moment[lane] += place[lane] * differences[lane];
                 place[lane] += 2.0 * LANES as f64;
-                sums[lane] = weights[lane] * (one + other);
-                differences[lane] = weights[lane] * (one - other);
+                sums[lane] *= weights[lane];
+                differences[lane] *= weights[lane];
             }
         }
-        let (mut total, mut moment) = (total.iter().sum::<f64>(), moment.iter().sum::<f64>());
-        let first = half - rest_before.len();
-        let pairs = rest_before.iter().zip(rest_behind.iter().rev());
-        for (index, (one, other)) in (first..).zip(pairs) {
-            total += one + other;
-            moment += (2.0 * (index + 1) as f64 - count) * (one - other);
-            sums[index] = self.window[index] * (one + other);
-            differences[index] = self.window[index] * (one - other);
-        }
+        let (total, moment) = (total.iter().sum::<f64>(), moment.iter().sum::<f64>());
         let middle = if 2 * half == self.samples {
             heights[half]
         } else {
@@ -187,8 +178,8 @@ impl WithSimd for Batch<'_> {
             let row = vec![0.0; lines.window.len()];
             [row.clone(), row]
         });
-        let (triples, rest) = parts.as_chunks();
-        for parts in triples {
+        let (pairs, rest) = parts.as_chunks();
+        for parts in pairs {
             lines.add(simd, parts, &mut folded, &mut powers);
         }
         let [folded, ..] = &mut folded;

@@ -19,8 +19,6 @@ const FEWEST_WAVES: f64 = 10.0;
 const AT_AN_END: [(f64, f64); 2] = [(2.0 / 3.0, 0.5), (1.0 / 3.0, 1.75)];
 /// Samples of a wave from which every other one is enough.
 const SAMPLES_OF_A_WAVE: f64 = 20.0;
-/// Half of the weights of a binomial mean of six samples, from its middle.
-const BINOMIAL: [f64; 3] = [10.0 / 32.0, 5.0 / 32.0, 1.0 / 32.0];
 
 /// Levels of a record with how they were got.
 #[derive(Debug, Clone, PartialEq)]
@@ -131,9 +129,8 @@ impl Samples<'_> {
     /// Gain of all halvings at a wavenumber \[1/m\].
     fn gain(&self, wavenumber: f64) -> f64 {
         let spacings = (1..=self.halvings).map(|back| self.spacing * 0.5f64.powi(back));
-        let order = 2 * BINOMIAL.len() as i32 - 1;
         spacings
-            .map(|spacing| (PI * wavenumber * spacing).cos().powi(order))
+            .map(|spacing| (PI * wavenumber * spacing).cos().powi(5))
             .product()
     }
 
@@ -185,29 +182,27 @@ impl Samples<'_> {
     }
 }
 
-/// Means of samples and their neighbours, halfway between every other one and the next; the record is continued by its mirror image
-/// about its first and last height.
+/// Binomial means of six samples, (1, 5, 10, 10, 5, 1)/32, in the middle of every other one and the next; the record is continued by its
+/// mirror image about its first and last height.
 fn halved(heights: &[f64]) -> Vec<f64> {
-    let (beyond, last) = (BINOMIAL.len() - 1, heights.len().saturating_sub(1));
-    if heights.len() < 2 {
+    let [first, second, third, ..] = heights else {
         return Vec::new();
-    }
-    let mirrored = |about: usize, place: usize| 2.0 * heights[about] - heights[place.min(last)];
-    let before = (1..=beyond).rev().map(|away| mirrored(0, away));
-    let behind = (1..=beyond).map(|away| mirrored(last, last.saturating_sub(away)));
-    let all: Vec<f64> = before
-        .chain(heights.iter().copied())
-        .chain(behind)
-        .collect();
-    let mean = |around: &[f64]| -> f64 {
-        let (before, behind) = around.split_at(BINOMIAL.len());
-        let pairs = before.iter().rev().zip(behind).zip(BINOMIAL);
-        pairs
-            .map(|((one, other), weight)| weight * (one + other))
-            .sum()
     };
-    let around = all.windows(2 * BINOMIAL.len()).step_by(2);
-    around.map(mean).collect()
+    let [.., before_two, before, last] = heights else {
+        return Vec::new();
+    };
+    let mut all = Vec::with_capacity(heights.len() + 4);
+    all.extend([2.0 * first - third, 2.0 * first - second]);
+    all.extend_from_slice(heights);
+    all.extend([2.0 * last - before, 2.0 * last - before_two]);
+    let pairs = all.as_chunks::<2>().0.windows(3);
+    pairs
+        .map(|pairs| {
+            let sum = |of: [f64; 2]| of[0] + of[1];
+            let (outer, inner) = ([pairs[0][0], pairs[2][1]], [pairs[0][1], pairs[2][0]]);
+            0.03125 * sum(outer) + 0.15625 * sum(inner) + 0.3125 * sum(pairs[1])
+        })
+        .collect()
 }
 
 /// The segments of a stretch and the shorter parts at its ends.
