@@ -263,11 +263,14 @@ fn best_distance(lines: &Lines, about: f64) -> Option<(f64, f64)> {
         }
         let step = 0.5 / more as f64;
         multiples = more;
-        best = best
-            .iter()
-            .flat_map(|(distance, _)| (-3..=3).map(move |k| distance + step * f64::from(k)))
-            .map(|distance| judged(distance, multiples))
-            .collect();
+        let near = best.iter();
+        let near = near.flat_map(|(at, _)| (-3..=3).map(move |k| at + step * f64::from(k)));
+        let mut near: Vec<f64> = near.collect();
+        // Most are near several, and would crowd out others.
+        near.sort_by(f64::total_cmp);
+        near.dedup_by(|next, own| *next - *own < 0.5 * step);
+        let judged = near.into_iter().map(|at| judged(at, multiples));
+        best = judged.collect();
     }
 }
 
