@@ -214,7 +214,7 @@ fn first_of_back(lines: &[f64], count: usize) -> Vec<f64> {
     let size = 2 * (lines.len() - 1);
     let apart = (1..=size / (2 * count))
         .rev()
-        .find(|apart| size % (2 * apart) == 0)
+        .find(|apart| size.is_multiple_of(2 * apart))
         .unwrap_or(1);
     let mut found = vec![0.0; count];
     for first in 0..=apart / 2 {
